@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lie/real.hpp"
+const Vector3 omega = {0, 150, -4.61538};
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+const Real spin = decimal(-4.61538);
+}
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What must hold between the files of the project, rule by rule. Each rule answers with what it found against it.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/architecture/source.hpp"
+
+namespace architecture {
+
+/// One breach: "path:line: rule: explanation" when printed.
+struct Finding {
+    std::string path;
+    int line = 0;
+    std::string rule;
+    std::string explanation;
+};
+
+std::string to_string(const Finding& finding);
+
+/// `arrow`: a folder includes only what stands below it (the table is in CONTRIBUTING.md), files that exist, and the
+/// libraries it may know.
+std::vector<Finding> check_includes(const std::vector<Source>& tree);
+
+/// `licence`: an SPDX line among the first two lines of every source file and script; GPL-3.0-or-later where GSL is
+/// included.
+std::vector<Finding> check_licences(const std::vector<Source>& tree);
+
+/// `literal`: no floating literal in numerical code but dyadic ones (0.5, 2.0, 1e3), which are the same number in every
+/// precision. Data that are read as decimals (`decimal(...)`, parameter tables) stand in lines or blocks that say so:
+/// `// decimal data` to the end of the statement.
+std::vector<Finding> check_literals(const std::vector<Source>& tree);
+
+/// `qualified`: no std::sqrt and its like in numerical code: for quad it would round to double, silently.
+std::vector<Finding> check_math_calls(const std::vector<Source>& tree);
+
+/// `precision`: a file of numerical code that mentions Real puts it into the inline namespace of its precision.
+std::vector<Finding> check_precision_namespace(const std::vector<Source>& tree);
+
+/// `cite`: every key in `.cites = {...}`, and every bracketed key (author and year) in a comment, is in the bibliography.
+std::vector<Finding> check_citations(const std::vector<Source>& tree, const std::set<std::string>& bibliography);
+
+/// Keys of a BibTeX file. Throws std::runtime_error where a key stands twice.
+std::set<std::string> bibliography_keys(const std::string& bibtex);
+
+/// Whether a decimal literal (digits, point, exponent, digit separators, no suffix) is k / 2^n with k < 2^53.
+bool is_dyadic(const std::string& literal);
+
+/// All rules.
+std::vector<Finding> check_all(const std::vector<Source>& tree, const std::set<std::string>& bibliography);
+
+}  // namespace architecture
