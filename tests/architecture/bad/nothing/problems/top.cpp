@@ -6,3 +6,4 @@ inline namespace KREISEL_PRECISION {
 const Real spin = decimal(-4.61538);
 }
 }
+KREISEL_PROBLEM(top, {.name = "top", .parameters = table(15, {0.2, 1, -0.3})});
