@@ -17,9 +17,7 @@ using namespace architecture;
 fs::path project_root() {
     for (const auto& start : {fs::absolute(__FILE__).parent_path(), fs::current_path()}) {
         for (auto folder = start; folder != folder.root_path(); folder = folder.parent_path()) {
-            if (fs::exists(folder / "CITATION.cff")) {
-                return folder;
-            }
+            if (fs::exists(folder / "CITATION.cff")) { return folder; }
         }
     }
     throw std::runtime_error("no CITATION.cff above " __FILE__ " or the working folder");
@@ -27,9 +25,7 @@ fs::path project_root() {
 
 std::string print(const std::vector<Finding>& findings) {
     std::string lines;
-    for (const auto& finding : findings) {
-        lines += to_string(finding) + "\n";
-    }
+    for (const auto& finding : findings) { lines += to_string(finding) + "\n"; }
     return lines;
 }
 

@@ -40,9 +40,7 @@ bool becomes_decimal_data(const std::string& code, std::size_t at) {
 
 /// Divides m by 5 as long as `count` lasts and it comes out even; answers what is left of count.
 int cancel_fives(long long& m, int count) {
-    for (; count > 0 && m % 5 == 0; --count) {
-        m /= 5;
-    }
+    for (; count > 0 && m % 5 == 0; --count) { m /= 5; }
     return count;
 }
 
@@ -54,30 +52,16 @@ bool is_dyadic(const std::string& literal) {
     int exponent = 0;
     std::size_t at = 0;
     for (bool fraction = false; at < literal.size() && std::tolower(literal[at]) != 'e'; ++at) {
-        if (literal[at] == '.') {
-            fraction = true;
-        }
-        if (std::isdigit(static_cast<unsigned char>(literal[at])) == 0) {
-            continue;
-        }
-        if (mantissa > largest) {
-            return false;
-        }
+        if (literal[at] == '.') { fraction = true; }
+        if (std::isdigit(static_cast<unsigned char>(literal[at])) == 0) { continue; }
+        if (mantissa > largest) { return false; }
         mantissa = 10 * mantissa + (literal[at] - '0');
-        if (fraction) {
-            --exponent;
-        }
+        if (fraction) { --exponent; }
     }
-    if (at < literal.size()) {
-        exponent += std::stoi(literal.substr(at + 1));
-    }
-    if (mantissa == 0) {
-        return true;
-    }
+    if (at < literal.size()) { exponent += std::stoi(literal.substr(at + 1)); }
+    if (mantissa == 0) { return true; }
     // 10^e = 2^e 5^e: for e < 0 the fives must cancel; for e > 0 they must fit into the 53 bits.
-    if (exponent < 0) {
-        return cancel_fives(mantissa, -exponent) == 0;
-    }
+    if (exponent < 0) { return cancel_fives(mantissa, -exponent) == 0; }
     return static_cast<double>(mantissa) * std::pow(5.0, exponent) < static_cast<double>(largest);
 }
 
@@ -86,14 +70,10 @@ std::vector<Finding> check_literals(const std::vector<Source>& tree) {
         R"((^|[^\w.'])((\d[\d']*\.[\d']*|\.\d[\d']*)([eE][+-]?\d+)?|\d[\d']*[eE][+-]?\d+)([fFlLqQ]?))");
     std::vector<Finding> findings;
     for (const auto& source : tree) {
-        if (!is_numerical(source) || is_data_header(source)) {
-            continue;
-        }
+        if (!is_numerical(source) || is_data_header(source)) { continue; }
         each_match(source.code, literal, [&](const std::smatch& m) {
             const auto at = offset(m, 2);
-            if (m[5].length() == 0 && (is_dyadic(m[2]) || becomes_decimal_data(source.code, at))) {
-                return;
-            }
+            if (m[5].length() == 0 && (is_dyadic(m[2]) || becomes_decimal_data(source.code, at))) { return; }
             findings.push_back({source.path, source.line_of(at), "literal",
                                 m[2].str() + m[5].str() + " is not the same number in every precision"});
         });
@@ -106,9 +86,7 @@ std::vector<Finding> check_math_calls(const std::vector<Source>& tree) {
         R"(\bstd\s*::\s*(abs|fabs|sqrt|cbrt|hypot|pow|exp|log|log2|sin|cos|tan|asin|acos|atan|atan2|isfinite|isnan|floor|ceil)\s*\()");
     std::vector<Finding> findings;
     for (const auto& source : tree) {
-        if (!is_numerical(source) || source.path == "lie/real.hpp") {
-            continue;
-        }
+        if (!is_numerical(source) || source.path == "lie/real.hpp") { continue; }
         each_match(source.code, call, [&](const std::smatch& m) {
             findings.push_back({source.path, source.line_of(offset(m)), "qualified",
                                 "std::" + m[1].str() + " rounds quad to double: call it unqualified"});
@@ -121,16 +99,10 @@ std::vector<Finding> check_precision_namespace(const std::vector<Source>& tree) 
     static const std::regex real(R"(\bReal\b)");
     std::vector<Finding> findings;
     for (const auto& source : tree) {
-        if (!is_numerical(source)) {
-            continue;
-        }
+        if (!is_numerical(source)) { continue; }
         std::smatch match;
-        if (!std::regex_search(source.code, match, real)) {
-            continue;
-        }
-        if (source.code.find("inline namespace KREISEL_PRECISION") != std::string::npos) {
-            continue;
-        }
+        if (!std::regex_search(source.code, match, real)) { continue; }
+        if (source.code.find("inline namespace KREISEL_PRECISION") != std::string::npos) { continue; }
         findings.push_back({source.path, source.line_of(offset(match)), "precision",
                             "mentions Real outside inline namespace KREISEL_PRECISION"});
     }

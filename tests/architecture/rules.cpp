@@ -34,6 +34,9 @@ const std::map<std::string, Reach>& table() {
 /// Headers that talk to files or to a terminal: lie, mechanics, problems and methods know neither.
 const Names talking = {"iostream", "fstream", "cstdio", "filesystem", "stdio.h", "print"};
 
+/// Written by the build, so in no folder.
+const Names generated = {"kreisel_build.hpp"};
+
 bool is_baseline(const std::string& path) { return path.starts_with("methods/baseline"); }
 
 bool contains(const Names& names, const std::string& name) {
@@ -46,55 +49,36 @@ bool any_prefix(const Names& prefixes, const std::string& of) {
 
 std::string join(const Names& names) {
     std::string list;
-    for (const auto& name : names) {
-        list += (list.empty() ? "" : ", ") + name;
-    }
+    for (const auto& name : names) { list += (list.empty() ? "" : ", ") + name; }
     return list;
 }
 
 /// Why `source` may not include the library header `header`; empty if it may.
 std::string library_breach(const Source& source, const std::string& header) {
     const auto reach = table().find(source.folder());
-    if (reach == table().end()) {
-        return "";
-    }
-    if (contains(talking, header)) {
-        return "<" + header + ">: " + reach->first + " knows no file and no terminal";
-    }
-    if (header.find('/') == std::string::npos && header.find(".h") == std::string::npos) {
-        return "";
-    }
-    if (any_prefix(reach->second.libraries, header)) {
-        return "";
-    }
-    if (is_baseline(source.path) && any_prefix({"boost/numeric/odeint", "gsl/"}, header)) {
-        return "";
-    }
+    if (reach == table().end()) { return ""; }
+    if (contains(talking, header)) { return "<" + header + ">: " + reach->first + " knows no file and no terminal"; }
+    if (header.find('/') == std::string::npos && header.find(".h") == std::string::npos) { return ""; }
+    if (any_prefix(reach->second.libraries, header)) { return ""; }
+    if (is_baseline(source.path) && any_prefix({"boost/numeric/odeint", "gsl/"}, header)) { return ""; }
     return "<" + header + ">: of libraries, " + reach->first + " may include only " + join(reach->second.libraries);
 }
 
 /// Why `source` may not include our header `header`; empty if it may.
 std::string own_breach(const Source& source, const std::string& header, const std::set<std::string>& files) {
-    if (files.count(header) == 0) {
-        return "\"" + header + "\" is no file of the project (paths start at the root)";
-    }
+    if (contains(generated, header)) { return ""; }
+    if (files.count(header) == 0) { return "\"" + header + "\" is no file of the project (paths start at the root)"; }
     const auto reach = table().find(source.folder());
-    if (reach == table().end()) {
-        return "";
-    }
+    if (reach == table().end()) { return ""; }
     const auto folder = header.substr(0, header.find('/'));
-    if (contains(reach->second.folders, folder)) {
-        return "";
-    }
+    if (contains(reach->second.folders, folder)) { return ""; }
     return "\"" + header + "\": " + reach->first + " may include only from " + join(reach->second.folders);
 }
 
 bool includes_gsl(const Source& source) { return source.code.find("#include <gsl/") != std::string::npos; }
 
 bool needs_licence(const Source& source) {
-    if (source.is_cpp() || source.extension() == ".gp" || source.path.ends_with("CMakeLists.txt")) {
-        return true;
-    }
+    if (source.is_cpp() || source.extension() == ".gp" || source.path.ends_with("CMakeLists.txt")) { return true; }
     return source.text.starts_with("#!");
 }
 
@@ -108,9 +92,7 @@ std::string spdx(const Source& source) {
 
 void check_key(const Source& source, std::size_t at, const std::string& key, const std::set<std::string>& known,
                std::vector<Finding>& findings) {
-    if (known.count(key) != 0) {
-        return;
-    }
+    if (known.count(key) != 0) { return; }
     findings.push_back({source.path, source.line_of(at), "cite", key + " is not in the bibliography"});
 }
 
@@ -123,20 +105,14 @@ std::string to_string(const Finding& finding) {
 std::vector<Finding> check_includes(const std::vector<Source>& tree) {
     static const std::regex include(R"re((^|\n)[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"])re");
     std::set<std::string> files;
-    for (const auto& source : tree) {
-        files.insert(source.path);
-    }
+    for (const auto& source : tree) { files.insert(source.path); }
     std::vector<Finding> findings;
     for (const auto& source : tree) {
-        if (!source.is_cpp()) {
-            continue;
-        }
+        if (!source.is_cpp()) { continue; }
         each_match(source.text, include, [&](const std::smatch& m) {
             const auto breach = m[2] == "<" ? library_breach(source, m[3]) : own_breach(source, m[3], files);
             const auto line = source.line_of(offset(m, 3));
-            if (!breach.empty()) {
-                findings.push_back({source.path, line, "arrow", breach});
-            }
+            if (!breach.empty()) { findings.push_back({source.path, line, "arrow", breach}); }
         });
     }
     return findings;
@@ -145,9 +121,7 @@ std::vector<Finding> check_includes(const std::vector<Source>& tree) {
 std::vector<Finding> check_licences(const std::vector<Source>& tree) {
     std::vector<Finding> findings;
     for (const auto& source : tree) {
-        if (!needs_licence(source)) {
-            continue;
-        }
+        if (!needs_licence(source)) { continue; }
         const auto licence = spdx(source);
         if (licence != "BSD-3-Clause" && licence != "GPL-3.0-or-later") {
             findings.push_back({source.path, 1, "licence", "no SPDX line with BSD-3-Clause or GPL-3.0-or-later"});
@@ -164,9 +138,7 @@ std::vector<Finding> check_citations(const std::vector<Source>& tree, const std:
     static const std::regex bracketed(R"re(\[([a-z]{3,}[0-9]{4}[a-z0-9]*|terzezlatarmueller)[\],])re");
     std::vector<Finding> findings;
     for (const auto& source : tree) {
-        if (!source.is_cpp()) {
-            continue;
-        }
+        if (!source.is_cpp()) { continue; }
         const auto& text = source.text;
         each_match(text, list, [&](const std::smatch& cites) {
             const auto start = offset(cites, 1);
@@ -184,9 +156,7 @@ std::set<std::string> bibliography_keys(const std::string& bibtex) {
     static const std::regex entry(R"re((^|\n)[ \t]*@[A-Za-z]+[ \t]*\{[ \t]*([^,\s]+))re");
     std::set<std::string> keys;
     each_match(bibtex, entry, [&](const std::smatch& m) {
-        if (!keys.insert(m[2]).second) {
-            throw std::runtime_error("bibliography key stands twice: " + m[2].str());
-        }
+        if (!keys.insert(m[2]).second) { throw std::runtime_error("bibliography key stands twice: " + m[2].str()); }
     });
     return keys;
 }

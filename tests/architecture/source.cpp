@@ -35,9 +35,7 @@ class Blanker {
     explicit Blanker(const std::string& text) : text_(text), out_(text) {}
 
     std::string run() {
-        while (at_ < text_.size()) {
-            step();
-        }
+        while (at_ < text_.size()) { step(); }
         return out_;
     }
 
@@ -68,30 +66,22 @@ class Blanker {
 
     void blank_to(std::size_t end) {
         for (; at_ < end; ++at_) {
-            if (text_[at_] != '\n') {
-                out_[at_] = ' ';
-            }
+            if (text_[at_] != '\n') { out_[at_] = ' '; }
         }
     }
 
     void blank_raw_string() {
         const auto open = text_.find('(', at_);
-        if (open == std::string::npos) {
-            throw std::runtime_error("raw string without a parenthesis");
-        }
+        if (open == std::string::npos) { throw std::runtime_error("raw string without a parenthesis"); }
         blank_to(after(")" + text_.substr(at_ + 2, open - at_ - 2) + "\"", open));
     }
 
     void blank_quoted(char quote) {
         auto end = at_ + 1;
-        while (end < text_.size() && text_[end] != quote && text_[end] != '\n') {
-            end += text_[end] == '\\' ? 2 : 1;
-        }
+        while (end < text_.size() && text_[end] != quote && text_[end] != '\n') { end += text_[end] == '\\' ? 2 : 1; }
         ++at_;
         blank_to(std::min(end, text_.size()));
-        if (at_ < text_.size()) {
-            ++at_;
-        }
+        if (at_ < text_.size()) { ++at_; }
     }
 
     const std::string& text_;
@@ -107,12 +97,8 @@ bool left_out(const std::string& path) { return path.starts_with("tests/architec
 
 void add(std::vector<Source>& tree, const fs::path& root, const fs::path& file) {
     Source source{fs::relative(file, root).generic_string(), read_text(file), ""};
-    if (left_out(source.path)) {
-        return;
-    }
-    if (source.is_cpp()) {
-        source.code = blank_comments_and_literals(source.text);
-    }
+    if (left_out(source.path)) { return; }
+    if (source.is_cpp()) { source.code = blank_comments_and_literals(source.text); }
     tree.push_back(std::move(source));
 }
 
@@ -124,27 +110,19 @@ std::string read_text(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
-    if (!in) {
-        throw std::runtime_error("cannot read " + file.string());
-    }
+    if (!in) { throw std::runtime_error("cannot read " + file.string()); }
     return text.str();
 }
 
 std::vector<Source> load_tree(const fs::path& root) {
     std::vector<Source> tree;
     for (const auto* name : root_files) {
-        if (fs::is_regular_file(root / name)) {
-            add(tree, root, root / name);
-        }
+        if (fs::is_regular_file(root / name)) { add(tree, root, root / name); }
     }
     for (const auto* folder : folders) {
-        if (!fs::is_directory(root / folder)) {
-            continue;
-        }
+        if (!fs::is_directory(root / folder)) { continue; }
         for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-            if (entry.is_regular_file()) {
-                add(tree, root, entry.path());
-            }
+            if (entry.is_regular_file()) { add(tree, root, entry.path()); }
         }
     }
     std::sort(tree.begin(), tree.end(), [](const Source& a, const Source& b) { return a.path < b.path; });
