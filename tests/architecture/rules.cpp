@@ -37,7 +37,10 @@ const Names talking = {"iostream", "fstream", "cstdio", "filesystem", "stdio.h",
 /// Written by the build, so in no folder.
 const Names generated = {"kreisel_build.hpp"};
 
-bool is_baseline(const std::string& path) { return path.starts_with("methods/baseline"); }
+/// The methods in global coordinates, which are lent by Boost.Odeint.
+bool is_baseline(const std::string& path) {
+    return path.starts_with("methods/baseline/") || path == "methods/global_coordinates.cpp";
+}
 
 bool contains(const Names& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -78,7 +81,7 @@ std::string own_breach(const Source& source, const std::string& header, const st
 bool includes_gsl(const Source& source) { return source.code.find("#include <gsl/") != std::string::npos; }
 
 bool needs_licence(const Source& source) {
-    if (source.is_cpp() || source.extension() == ".gp" || source.path.ends_with("CMakeLists.txt")) { return true; }
+    if (source.is_cpp() || source.extension() == ".gp") { return true; }
     return source.text.starts_with("#!");
 }
 

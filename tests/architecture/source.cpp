@@ -78,7 +78,7 @@ class Blanker {
 
     void blank_quoted(char quote) {
         auto end = at_ + 1;
-        while (end < text_.size() && text_[end] != quote && text_[end] != '\n') { end += text_[end] == '\\' ? 2 : 1; }
+        while (end < text_.size() && text_[end] != quote && text_[end] != '\n') { end += text_[end] == '\\' ? 2U : 1U; }
         ++at_;
         blank_to(std::min(end, text_.size()));
         if (at_ < text_.size()) { ++at_; }
