@@ -1,0 +1,26 @@
+# kreisel_build.hpp: what results say about the program that made them.
+execute_process(COMMAND git rev-parse --short=12 HEAD WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
+                OUTPUT_VARIABLE KREISEL_COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE no_git)
+if(no_git)
+  set(KREISEL_COMMIT "unknown")
+endif()
+
+# The numerical sources by content: results are reused only where these are equal.
+file(GLOB_RECURSE KREISEL_NUMERICAL_SOURCES CONFIGURE_DEPENDS
+     ${CMAKE_SOURCE_DIR}/lie/*.?pp ${CMAKE_SOURCE_DIR}/mechanics/*.?pp ${CMAKE_SOURCE_DIR}/problems/*.?pp
+     ${CMAKE_SOURCE_DIR}/methods/*.?pp ${CMAKE_SOURCE_DIR}/experiments/engine/*.?pp)
+list(SORT KREISEL_NUMERICAL_SOURCES)
+set(KREISEL_DIGESTS "")
+foreach(source IN LISTS KREISEL_NUMERICAL_SOURCES)
+  file(SHA256 ${source} digest)
+  string(APPEND KREISEL_DIGESTS ${digest})
+endforeach()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${KREISEL_NUMERICAL_SOURCES})
+string(SHA256 KREISEL_SOURCE_DIGEST
+       "${KREISEL_DIGESTS}${CMAKE_CXX_COMPILER_ID}${CMAKE_CXX_COMPILER_VERSION}${CMAKE_CXX_FLAGS}${CMAKE_BUILD_TYPE}${KREISEL_ARCH}${KREISEL_HAS_X86_64_V3}")
+string(SUBSTRING ${KREISEL_SOURCE_DIGEST} 0 16 KREISEL_SOURCE_DIGEST)
+
+get_directory_property(KREISEL_COMPILE_OPTIONS COMPILE_OPTIONS)
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+string(JOIN " " KREISEL_FLAGS ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} ${KREISEL_COMPILE_OPTIONS})
+configure_file(${CMAKE_SOURCE_DIR}/cmake/kreisel_build.hpp.in ${CMAKE_BINARY_DIR}/generated/kreisel_build.hpp @ONLY)

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The type-erased boundary between the driver, which knows no `Real`, and the numerical code, which is compiled
+// once per precision. Everything here is plain data or an abstract class; numbers cross as text that reads back exactly.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mechanics/data.hpp"
+#include "methods/description.hpp"
+#include "problems/description.hpp"
+
+namespace kreisel {
+
+/// A measured number: `value` rounded to double for sorting and plotting, `text` the shortest decimal (double) or
+/// 36 digits (quad) that reads back exactly. Never NaN or infinite: what could not be measured is absent.
+struct Number {
+    double value = 0;
+    std::string text = "0";
+};
+
+/// One body as reported: x, v in space axes (m, m/s), omega in body axes (rad/s), R row by row, body to space.
+struct ReportedBody {
+    std::string name;
+    std::array<Number, 3> x, v, omega;
+    std::array<Number, 9> R;
+};
+
+/// A state as reported. `multipliers`: see mechanics/system.hpp; empty where there are none or they are not unique.
+struct ReportedState {
+    Number t;
+    std::vector<ReportedBody> bodies;
+    std::vector<Number> multipliers;
+};
+
+/// A reference solution at one time, its error bound (largest difference between two step sizes, in the unit of each
+/// `error.*` metric) and the horizon T* up to which the two step sizes agree.
+struct Reference {
+    ReportedState state;
+    std::map<std::string, Number> error;  ///< keys: error.position, error.rotation, error.velocity, error.omega, error.multipliers
+    double horizon = 0;                   ///< s; past it no error is measured
+    std::string route;                    ///< how it was computed, for the manifest
+};
+
+/// One cell of an experiment: everything that decides its numbers.
+struct Cell {
+    std::string problem;
+    ParameterValues parameters;  ///< complete, defaults filled in
+    std::string formulation;
+    std::string method;
+    OptionValues options;  ///< complete, defaults filled in
+    std::string projection;
+    OptionValues projection_options;
+    double t_end = 1;
+    long steps = 1;
+    long samples = 0;                  ///< K: K+1 equidistant samples are kept; divides `steps`
+    std::vector<std::string> metrics;  ///< names or patterns with `*`
+};
+
+struct Cost {
+    long evaluations = 0;             ///< solves of the dynamics inside the steps
+    long projection_iterations = 0;   ///< Gauss-Newton iterations, all steps
+    long output_evaluations = 0;      ///< solves for start, metrics and samples
+    double cpu_s = 0;
+};
+
+struct Column {
+    std::string name, unit;
+};
+
+/// A sampled trajectory: one comma-separated line of numbers per sample.
+struct Trajectory {
+    std::vector<Column> columns;
+    std::vector<std::string> rows;
+};
+
+/// What a cell came to. `status` is "ok", "skipped", "interrupted", or the name of a Status (lie/status.hpp);
+/// `detail` says when and where in words. A failed cell keeps what it measured up to `t_reached`.
+struct Outcome {
+    std::string status = "ok";
+    std::string detail;
+    long steps_done = 0;
+    double t_reached = 0;
+    std::optional<ReportedState> final;
+    std::vector<std::pair<std::string, Number>> metrics;
+    Cost cost;
+    Trajectory trajectory;
+};
+
+/// What a problem becomes in one formulation.
+struct SystemSummary {
+    std::string skip_reason;  ///< not empty: the formulation does not apply, and why
+    int bodies = 0, velocities = 0, constraints = 0;
+    std::vector<IntegralDescription> integrals;
+    std::vector<std::string> warnings;
+};
+
+/// All numerical code of one precision. Thread-safe: every call builds what it needs.
+class Engine {
+  public:
+    virtual ~Engine() = default;
+    virtual std::vector<ProblemDescription> problems() const = 0;
+    virtual std::vector<MethodDescription> methods() const = 0;
+    virtual std::vector<ProjectionDescription> projections() const = 0;
+    virtual std::vector<FormulationDescription> formulations() const = 0;
+
+    /// Builds the system. Throws ParameterError where the parameters describe no system.
+    virtual SystemSummary summary(const std::string& problem, const ParameterValues&, const std::string& formulation) const = 0;
+    /// Why this cell cannot run; empty if it can. Throws ParameterError, OptionError.
+    virtual std::string skip_reason(const Cell&) const = 0;
+    /// Runs one cell. `reference` may be null: then no error.* is measured.
+    virtual Outcome run(const Cell&, const Reference* reference, const std::stop_token&) const = 0;
+    /// The reference solution of a problem at `t_end`; only the quad engine is asked for it.
+    virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end) const = 0;
+};
+
+const Engine& engine_binary64();
+const Engine& engine_binary128();
+
+}  // namespace kreisel

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lie/group.hpp"
+
+#include <algorithm>
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+void AdditiveGroup::identity(Real* q) const { std::fill_n(q, dim(), Real(0)); }
+void AdditiveGroup::multiply(const Real* a, const Real* b, Real* out) const {
+    for (int i = 0; i < dim(); ++i) out[i] = a[i] + b[i];
+}
+void AdditiveGroup::inverse(const Real* a, Real* out) const {
+    for (int i = 0; i < dim(); ++i) out[i] = -a[i];
+}
+void AdditiveGroup::log(const Real* q, Real* u) const { std::copy_n(q, dim(), u); }
+void AdditiveGroup::bracket(const Real*, const Real*, Real* out) const { std::fill_n(out, dim(), Real(0)); }
+void AdditiveGroup::Ad(const Real*, const Real* v, Real* out) const { std::copy_n(v, dim(), out); }
+void AdditiveGroup::dexp(const Real*, const Real* v, Real* out) const { std::copy_n(v, dim(), out); }
+void AdditiveGroup::append_exp(const Real* q, const Real* u, Real* out) const { multiply(q, u, out); }
+void AdditiveGroup::append_cay(const Real* q, const Real* u, Real* out) const { multiply(q, u, out); }
+bool AdditiveGroup::dexpinv_left(const Real*, const Real* v, Real* out) const {
+    std::copy_n(v, dim(), out);
+    return true;
+}
+void AdditiveGroup::dcayinv_left(const Real*, const Real* v, Real* out) const { std::copy_n(v, dim(), out); }
+Real AdditiveGroup::orthogonality_defect(const Real*) const { return 0; }
+
+namespace {
+
+template <class Measure>
+int total(const std::vector<std::shared_ptr<const Group>>& factors, Measure measure) {
+    int sum = 0;
+    for (const auto& factor : factors) sum += measure(*factor);
+    return sum;
+}
+
+}  // namespace
+
+Product::Product(std::vector<std::shared_ptr<const Group>> factors)
+    : Group(total(factors, [](const Group& g) { return g.dim(); }),
+            total(factors, [](const Group& g) { return g.size(); })),
+      factors_(std::move(factors)) {}
+
+template <class F>
+void Product::each(F f) const {
+    int q = 0, u = 0;
+    for (const auto& factor : factors_) {
+        f(*factor, q, u);
+        q += factor->size(), u += factor->dim();
+    }
+}
+
+void Product::identity(Real* q) const {
+    each([&](const Group& g, int i, int) { g.identity(q + i); });
+}
+void Product::multiply(const Real* a, const Real* b, Real* out) const {
+    each([&](const Group& g, int i, int) { g.multiply(a + i, b + i, out + i); });
+}
+void Product::inverse(const Real* a, Real* out) const {
+    each([&](const Group& g, int i, int) { g.inverse(a + i, out + i); });
+}
+void Product::log(const Real* q, Real* u) const {
+    each([&](const Group& g, int i, int j) { g.log(q + i, u + j); });
+}
+void Product::bracket(const Real* u, const Real* v, Real* out) const {
+    each([&](const Group& g, int, int j) { g.bracket(u + j, v + j, out + j); });
+}
+void Product::Ad(const Real* q, const Real* v, Real* out) const {
+    each([&](const Group& g, int i, int j) { g.Ad(q + i, v + j, out + j); });
+}
+void Product::dexp(const Real* u, const Real* v, Real* out) const {
+    each([&](const Group& g, int, int j) { g.dexp(u + j, v + j, out + j); });
+}
+void Product::append_exp(const Real* q, const Real* u, Real* out) const {
+    each([&](const Group& g, int i, int j) { g.append_exp(q + i, u + j, out + i); });
+}
+void Product::append_cay(const Real* q, const Real* u, Real* out) const {
+    each([&](const Group& g, int i, int j) { g.append_cay(q + i, u + j, out + i); });
+}
+bool Product::dexpinv_left(const Real* u, const Real* v, Real* out) const {
+    bool inside = true;
+    each([&](const Group& g, int, int j) { inside &= g.dexpinv_left(u + j, v + j, out + j); });
+    return inside;
+}
+void Product::dcayinv_left(const Real* u, const Real* v, Real* out) const {
+    each([&](const Group& g, int, int j) { g.dcayinv_left(u + j, v + j, out + j); });
+}
+Real Product::orthogonality_defect(const Real* q) const {
+    Real sum = 0;
+    each([&](const Group& g, int i, int) {
+        const Real defect = g.orthogonality_defect(q + i);
+        sum += defect * defect;
+    });
+    return sqrt(sum);
+}
+
+TangentGroup::TangentGroup(std::shared_ptr<const Group> base)
+    : Group(2 * base->dim(), base->size() + base->dim()), base_(std::move(base)), velocities_(base_->dim()) {}
+
+void TangentGroup::identity(Real* y) const { base_->identity(y), velocities_.identity(y + base_->size()); }
+void TangentGroup::multiply(const Real* a, const Real* b, Real* out) const {
+    const int q = base_->size();
+    base_->multiply(a, b, out), velocities_.multiply(a + q, b + q, out + q);
+}
+void TangentGroup::inverse(const Real* a, Real* out) const {
+    base_->inverse(a, out), velocities_.inverse(a + base_->size(), out + base_->size());
+}
+void TangentGroup::log(const Real* y, Real* z) const {
+    base_->log(y, z), velocities_.log(y + base_->size(), z + base_->dim());
+}
+void TangentGroup::bracket(const Real* u, const Real* v, Real* out) const {
+    base_->bracket(u, v, out), velocities_.identity(out + base_->dim());
+}
+void TangentGroup::Ad(const Real* y, const Real* z, Real* out) const {
+    const int n = base_->dim();
+    base_->Ad(y, z, out), velocities_.log(z + n, out + n);
+}
+void TangentGroup::dexp(const Real* u, const Real* z, Real* out) const {
+    const int n = base_->dim();
+    base_->dexp(u, z, out), velocities_.log(z + n, out + n);
+}
+void TangentGroup::append_exp(const Real* y, const Real* u, Real* out) const {
+    const int q = base_->size();
+    base_->append_exp(y, u, out), velocities_.multiply(y + q, u + base_->dim(), out + q);
+}
+void TangentGroup::append_cay(const Real* y, const Real* u, Real* out) const {
+    const int q = base_->size();
+    base_->append_cay(y, u, out), velocities_.multiply(y + q, u + base_->dim(), out + q);
+}
+bool TangentGroup::dexpinv_left(const Real* u, const Real* z, Real* out) const {
+    const int n = base_->dim();
+    velocities_.log(z + n, out + n);
+    return base_->dexpinv_left(u, z, out);
+}
+void TangentGroup::dcayinv_left(const Real* u, const Real* z, Real* out) const {
+    const int n = base_->dim();
+    base_->dcayinv_left(u, z, out), velocities_.log(z + n, out + n);
+}
+Real TangentGroup::orthogonality_defect(const Real* y) const { return base_->orthogonality_defect(y); }
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

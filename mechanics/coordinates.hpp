@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The two formulations of free bodies: where a pose lies in the flat state, and how its velocity coordinates relate to
+// the body-axis acceleration A = R^T x'' in which the equations of motion are solved.
+#pragma once
+
+#include "lie/pair.hpp"
+#include "lie/rn.hpp"
+#include "lie/se3.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// SO(3) x R^3 per body: q = (x, R), v = (x', omega). Translation in space axes, rotation in body axes.
+struct MixedCoordinates {
+    using Factor = Pair<Rn<3>, SO3>;
+    /// x' in space axes.
+    static Vec3 space_velocity(const Mat3&, const Vec3& linear) { return linear; }
+    static Vec3 from_space_velocity(const Mat3&, const Vec3& velocity) { return velocity; }
+    /// Body-axis vector to the linear part of a velocity or of M^{-1} force, and back.
+    static Vec3 from_body(const Mat3& R, const Vec3& a) { return R * a; }
+    static Vec3 to_body(const Mat3& R, const Vec3& a) { return R.transpose() * a; }
+    static Vec3 from_space(const Mat3&, const Vec3& a) { return a; }
+    /// Linear part of v' from A.
+    static Vec3 acceleration(const Mat3& R, const Vec3& A, const Vec3&, const Vec3&) { return R * A; }
+    /// d(linear velocity)/dt - its body-axis image is A: the centripetal part of the body frame, none here.
+    static Vec3 gyroscopic(const Real&, const Vec3&, const Vec3&) { return Vec3::Zero(); }
+    /// d(point velocity in space axes)/d(linear).
+    static Mat3 linear_columns(const Mat3&) { return Mat3::Identity(); }
+};
+
+/// SE(3) per body: q = (x, R), v = (V, omega) with V = R^T x'.
+struct ScrewCoordinates {
+    using Factor = SE3;
+    static Vec3 space_velocity(const Mat3& R, const Vec3& linear) { return R * linear; }
+    static Vec3 from_space_velocity(const Mat3& R, const Vec3& velocity) { return R.transpose() * velocity; }
+    static Vec3 from_body(const Mat3&, const Vec3& a) { return a; }
+    static Vec3 to_body(const Mat3&, const Vec3& a) { return a; }
+    static Vec3 from_space(const Mat3& R, const Vec3& a) { return R.transpose() * a; }
+    /// V' = R^T x'' - omega x V.
+    static Vec3 acceleration(const Mat3&, const Vec3& A, const Vec3& omega, const Vec3& V) { return A - omega.cross(V); }
+    /// -m omega x V.
+    static Vec3 gyroscopic(const Real& mass, const Vec3& omega, const Vec3& V) { return -mass * omega.cross(V); }
+    static Mat3 linear_columns(const Mat3& R) { return R; }
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

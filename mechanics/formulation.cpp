@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mechanics/formulation.hpp"
+
+#include <stdexcept>
+
+#include "mechanics/free_bodies.hpp"
+#include "mechanics/pivoted_bodies.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+std::string always(const Model&) { return ""; }
+
+template <class T>
+std::unique_ptr<System> make(const Model& model) {
+    return std::make_unique<T>(model);
+}
+
+}  // namespace
+
+const std::vector<Formulation>& formulations() {
+    static const std::vector<Formulation> all = {
+        {"SO3xR3", "rotation and position of each body apart: q = (x, R), v = (x', omega); joints are constraints",
+         always, make<FreeBodies<MixedCoordinates>>},
+        {"SE3", "rigid displacement of each body: q = (x, R), v = (R^T x', omega); joints are constraints", always,
+         make<FreeBodies<ScrewCoordinates>>},
+        {"SO3", "bodies that turn about a fixed point: q = R, v = omega; no constraint is left", PivotedBodies::why_not,
+         make<PivotedBodies>},
+    };
+    return all;
+}
+
+const Formulation& formulation(const std::string& name) {
+    for (const Formulation& entry : formulations())
+        if (entry.name == name) return entry;
+    throw std::out_of_range("no formulation \"" + name + "\"");
+}
+
+std::unique_ptr<System> make_system(const Model& model, const std::string& name) {
+    auto system = formulation(name).make(model);
+    system->set_integrals(first_integrals(model));
+    return system;
+}
+
+std::vector<Real> initial_state(const System& system, const Model& model) {
+    std::vector<BodyState> states;
+    for (const Body& body : model.bodies) states.push_back(body.start);
+    std::vector<Real> y(static_cast<std::size_t>(system.state_group().size()));
+    system.write(states.data(), y.data());
+    return y;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

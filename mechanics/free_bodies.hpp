@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Bodies of six degrees of freedom each, with spherical joints as constraints, in the coordinates of a formulation.
+// Everything is solved in body axes: per body A = R^T x'' and omega', per joint the force mu = R_second^T lambda on
+// the second body. The linear algebra of one evaluation is
+//   free motion      A = R^T f/m,  omega' = J^{-1} (torque - omega x J omega)
+//   joint residual   rho = E (A + omega' x r + omega x (omega x r))_first - (the same)_second
+//   complement       S mu = rho
+//   reaction         A -+ E^T mu / m,  omega' -+ J^{-1} (r x E^T mu)      (- first, + second)
+// with E = R_second^T R_first for the first body and the identity for the second.
+#pragma once
+
+#include <memory>
+
+#include "lie/power.hpp"
+#include "mechanics/coordinates.hpp"
+#include "mechanics/schur.hpp"
+#include "mechanics/system.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+template <class Coordinates>
+class FreeBodies final : public System {
+  public:
+    explicit FreeBodies(Model model);
+
+    int constraints() const override { return 3 * static_cast<int>(model_.joints.size()); }
+    Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override;
+    Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
+
+    int mass_block() const override { return 6; }
+    void mass(const Real* q, Real* blocks) const override;
+    void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override;
+    void gyroscopic_force(const Real* q, const Real* v, Real* f) const override;
+    void position_residual(const Real& t, const Real* q, Real* phi) const override;
+    void jacobian(const Real& t, const Real* q, Real* C) const override;
+    void velocity_residual(const Real& t, const Real* q, const Real* v, Real* residual) const override;
+    bool ambient_jacobian(const Real& t, const Real* q, const Real* v, Real* G) const override;
+    void acceleration_bias(const Real& t, const Real* q, const Real* v, Real* xi) const override;
+    void row_scale(Real* scale) const override;
+    bool has_potential() const override { return model_.gravity.is_constant(); }
+    Real potential(const Real& t, const Real* q) const override;
+
+    int bodies() const override { return static_cast<int>(model_.bodies.size()); }
+    void read(const Real* y, BodyState* states) const override;
+    void write(const BodyState* states, Real* y) const override;
+
+  private:
+    using Factor = typename Coordinates::Factor;
+    struct Inertia {
+        Real mass, inverse_mass;
+        Mat3 J, J_inverse;
+    };
+    static Mat3 rotation(const Real* q, int body) { return mat3(q + body * Factor::size + 3); }
+    static Vec3 position(const Real* q, int body) { return vec3(q + body * Factor::size); }
+    static Vec3 linear(const Real* v, int body) { return vec3(v + body * 6); }
+    static Vec3 angular(const Real* v, int body) { return vec3(v + body * 6 + 3); }
+    /// Space coordinates of a joint's point on a body or on the ground.
+    static Vec3 point(const Real* q, int body, const Vec3& r) {
+        return body == ground ? r : Vec3(position(q, body) + rotation(q, body) * r);
+    }
+    Status prepare_joints(const Real* q);
+    Vec3 to_joint_axes(const Real* q, const SphericalJoint& joint, const Vec3& row) const {
+        return rotation(q, joint.second).transpose() * row;
+    }
+    /// Body-axis acceleration of a point fixed in a body, without the centripetal part.
+    Vec3 point_acceleration(int body, const Vec3& r) const {
+        const auto i = static_cast<std::size_t>(body);
+        return A_[i] + dw_[i].cross(r);
+    }
+    /// Solves for the joint forces mu_ (on entry: the residual) and applies them to A_, dw_.
+    void apply_reactions();
+    void report_multipliers(const Real* q, Real* lambda) const;
+
+    Model model_;
+    std::vector<Inertia> inertia_;
+    SchurComplement complement_;
+    std::vector<Vec3> A_, dw_;
+    std::vector<Mat3> relative_;
+    std::vector<Real> mu_;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Bodies that each turn about a fixed point: q = R, v = omega, no constraint left. With the lever c from the point to
+// the mass centre (body axes) and J_O = J - m c^ c^,
+//   J_O omega' = c x m R^T g - omega x J_O omega,   x = P + R c,   x' = R (omega x c).
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "lie/power.hpp"
+#include "lie/so3.hpp"
+#include "mechanics/system.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+class PivotedBodies final : public System {
+  public:
+    /// Why this model has no such formulation; empty if it has.
+    static std::string why_not(const Model& model);
+    explicit PivotedBodies(Model model);
+
+    Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override;
+    Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
+    int mass_block() const override { return 3; }
+    void mass(const Real* q, Real* blocks) const override;
+    void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override;
+    void gyroscopic_force(const Real* q, const Real* v, Real* f) const override;
+    bool has_potential() const override { return gravity_.is_constant(); }
+    Real potential(const Real& t, const Real* q) const override;
+    int bodies() const override { return static_cast<int>(bodies_.size()); }
+    void read(const Real* y, BodyState* states) const override;
+    void write(const BodyState* states, Real* y) const override;
+
+  private:
+    struct Pivoted {
+        Real mass;
+        Mat3 J_O, J_O_inverse;
+        Vec3 pivot, lever;
+    };
+    Vec3 gravity_torque(const Pivoted& body, const Mat3& R, const Vec3& g) const {
+        return body.lever.cross(body.mass * (R.transpose() * g));
+    }
+    Gravity gravity_;
+    std::vector<Pivoted> bodies_;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

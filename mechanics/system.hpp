@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a method sees: a constrained mechanical system on a Lie group G, in left-trivialised velocities v in R^n,
+//
+//   q' = q v^,   M(q) v' + C(t,q)^T lambda = Q(t,q,v),   C(t,q) v + b(t,q) = 0,   Phi(t,q) = 0,
+//
+// the position rows Phi being part of the velocity rows. Differentiated once more, C v' = xi(t,q,v), which gives the
+// index-1 form [M C^T; C 0] [v'; lambda] = [Q; xi] [terzezlatarmueller, eq. 10, with the sign of the multipliers that
+// makes eqs. 13, 14 and 20 agree].
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lie/group.hpp"
+#include "lie/status.hpp"
+#include "mechanics/model.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// A quantity constant along the exact flow, and why; a function of the bodies, so that it is the same in every
+/// formulation.
+struct FirstIntegral {
+    std::string name, unit, reason;
+    std::function<Real(std::span<const BodyState>)> value;
+};
+
+/// States are y = (q, v) in TG. Vectors of dimension n live in the velocity coordinates of the formulation; constraint
+/// rows are in space axes. Work space belongs to the object: one object per thread.
+class System {
+  public:
+    explicit System(std::shared_ptr<const Group> configurations)
+        : group_(configurations), state_group_(std::move(configurations)) {}
+    virtual ~System() = default;
+    System(const System&) = delete;
+    System& operator=(const System&) = delete;
+
+    const Group& group() const { return *group_; }
+    const TangentGroup& state_group() const { return state_group_; }
+    int velocities() const { return group_->dim(); }              ///< n
+    virtual int constraints() const { return 0; }                 ///< m, rows of C
+    virtual int position_constraints() const { return constraints(); }  ///< rows of Phi, the first of C
+
+    /// Right-hand side of y' = y F(t, y) on TG: z = (v, v'). Counted.
+    Status vector_field(const Real& t, const Real* y, Real* z) {
+        ++evaluations_;
+        const Real* v = y + group_->size();
+        const int n = velocities();
+        for (int i = 0; i < n; ++i) z[i] = v[i];
+        return accelerations(t, y, v, z + n, nullptr);
+    }
+    /// Calls of vector_field since construction.
+    long evaluations() const { return evaluations_; }
+
+    /// Solves the index-1 system for v' (n) and lambda (m; may be null).
+    virtual Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) = 0;
+    /// Solves [M C^T; C 0] [a; lambda] = [f; c] for given f (n), c (m).
+    virtual Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda);
+
+    /// Mass matrix: blocks of `mass_block()` rows, one after another, column by column.
+    virtual int mass_block() const { return velocities(); }
+    virtual bool mass_is_constant() const { return true; }
+    virtual void mass(const Real* q, Real* blocks) const;
+    /// Q = applied + gyroscopic; variational methods want only the first.
+    virtual void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const;
+    virtual void gyroscopic_force(const Real* q, const Real* v, Real* f) const;
+
+    virtual void position_residual(const Real&, const Real*, Real*) const {}                  ///< Phi
+    virtual void jacobian(const Real&, const Real*, Real*) const {}                           ///< C, column by column
+    virtual void velocity_bias(const Real& t, const Real* q, Real* b) const;                  ///< b = dPhi/dt
+    virtual void velocity_residual(const Real&, const Real*, const Real*, Real*) const {}     ///< C v + b
+    virtual void acceleration_bias(const Real&, const Real*, const Real*, Real*) const {}     ///< xi
+    /// Size of each row's terms: residuals are small or large relative to it.
+    virtual void row_scale(Real* scale) const;
+
+    /// Jacobian of the rows (Phi, C v + b) in ambient coordinates, where R is any 3x3 matrix: columns are the entries of
+    /// q and then v; 2m rows, column by column. False where the formulation has none.
+    virtual bool ambient_jacobian(const Real&, const Real*, const Real*, Real*) const { return false; }
+
+    virtual bool has_potential() const { return false; }
+    /// V(t, q), where has_potential().
+    virtual Real potential(const Real&, const Real*) const { return 0; }
+
+    virtual int bodies() const { return 0; }
+    /// Reads the state of each body; writes one back (what is reported is always x, R, v, omega).
+    virtual void read(const Real*, BodyState*) const {}
+    virtual void write(const BodyState*, Real*) const {}
+
+    const std::vector<FirstIntegral>& integrals() const { return integrals_; }
+    void set_integrals(std::vector<FirstIntegral> integrals) { integrals_ = std::move(integrals); }
+
+  private:
+    std::shared_ptr<const Group> group_;
+    TangentGroup state_group_;
+    std::vector<FirstIntegral> integrals_;
+    long evaluations_ = 0;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

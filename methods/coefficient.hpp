@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Exact coefficients, free of `Real`: rationals, or decimal digits for numbers without a short closed form.
+#pragma once
+
+#include <string>
+
+namespace kreisel {
+
+/// A rational {numerator, denominator}, an integer, or a string of at least 36 digits.
+struct Coefficient {
+    long numerator = 0, denominator = 1;
+    const char* digits = nullptr;
+
+    constexpr Coefficient(int integer = 0) : numerator(integer) {}                 // NOLINT: tableaus are lists of these
+    constexpr Coefficient(long p, long q) : numerator(p), denominator(q) {}        //
+    constexpr Coefficient(const char* decimal) : digits(decimal) {}                // NOLINT
+    constexpr bool is_zero() const { return !digits && numerator == 0; }
+};
+
+}  // namespace kreisel

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a method says of itself, free of `Real`: the driver lists, checks and documents methods from this alone.
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace kreisel {
+
+/// The value of an option as a config writes it: a word, a count, a flag or a real.
+using OptionValue = std::variant<std::string, long, bool, double>;
+using OptionValues = std::map<std::string, OptionValue>;
+
+/// An option: which values it takes and which one holds when nothing is said.
+/// A word must be one of `choices`; a count must lie in [count_min, count_max] (none where count_max < count_min);
+/// a flag is allowed where the default is a flag; a real must lie in [real_min, real_max].
+struct OptionDescription {
+    std::string name;
+    std::string summary;
+    OptionValue standard;
+    std::vector<std::string> choices = {};
+    long count_min = 0, count_max = -1;
+    double real_min = 0, real_max = -1;
+};
+
+/// The declared order of a method, separately for configuration, velocity and multipliers: they differ in several
+/// half-explicit and variational families.
+struct Order {
+    int configuration = 0, velocity = 0, multipliers = 0;
+    constexpr Order() = default;
+    constexpr Order(int p) : configuration(p), velocity(p), multipliers(p) {}  // NOLINT: `.order = 4` is how it is written
+    constexpr Order(int q, int v, int l) : configuration(q), velocity(v), multipliers(l) {}
+    bool operator==(const Order&) const = default;
+};
+
+struct MethodDescription {
+    std::string name;  ///< family/scheme
+    Order order;
+    std::vector<std::string> cites;  ///< keys of paper/references.bib
+    std::string summary = {};
+    int stages = 0;  ///< solves of the dynamics per step
+    bool implicit = false;
+    bool symmetric = false;
+    std::vector<OptionDescription> options = {};
+    std::vector<std::string> formulations = {};  ///< where it applies; empty: everywhere
+};
+
+struct ProjectionDescription {
+    std::string name;
+    std::string summary;
+    std::vector<std::string> cites;
+    std::vector<OptionDescription> options = {};
+    std::vector<std::string> formulations = {};  ///< where it applies; empty: everywhere
+};
+
+/// An option with a value it cannot take.
+struct OptionError : std::invalid_argument {
+    std::string option;
+    OptionError(std::string name, const std::string& what) : std::invalid_argument(what), option(std::move(name)) {}
+};
+
+}  // namespace kreisel

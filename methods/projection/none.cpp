@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "methods/projection.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+class NoProjection final : public Projection {
+  public:
+    Status project(const Real&, Real*) override { return Status::ok; }
+};
+
+}  // namespace
+
+KREISEL_PROJECTION({.name = "none", .summary = "the step as it is: constraints drift", .cites = {}},
+                   [](System&, const OptionValues&) { return std::make_unique<NoProjection>(); });
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The projection of the seed, as printed [terzezlatarmueller, eq. 12]: positions and velocities together,
+//   min || (p - p^, v - v^) ||_W^2   subject to   Phi(p) = 0,   R_i R_i^T = I,   C(p) v + b = 0,
+// with p = (x, R), R any 3x3 matrix, and six orthogonality rows per body (the upper triangle). Solved by linearising
+// the rows g at z = (p, v): [W G^T; G 0] [delta; mu] = [W (z^ - z); -g].
+// Option `weight`: `identity`, or `mass`: the mass matrix for v, m for x, and for R the metric tr(dR D dR^T) with
+// D = tr(J)/2 I - J, which is J on tangential dR = R hat(theta). D may be singular (a flat body), W then is too; the
+// whole matrix is not, because G fixes those directions. Hence a pivoted LU of it and not a Schur complement in W.
+#include <Eigen/LU>
+
+#include "mechanics/system.hpp"
+#include "methods/projection.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+constexpr int most_iterations = 50;
+constexpr int body_size = 12;  // x and the columns of R
+
+class TerzeProjection final : public Projection {
+  public:
+    TerzeProjection(System& system, bool mass_weighted)
+        : system_(system),
+          configuration_(system.group().size()),
+          unknowns_(system.state_group().size()),
+          joint_rows_(2 * system.constraints()),
+          rows_(joint_rows_ + 6 * system.bodies()),
+          weight_(MatX::Identity(unknowns_, unknowns_)),
+          joint_jacobian_(joint_rows_, unknowns_),
+          jacobian_(MatX::Zero(rows_, unknowns_)),
+          residual_(rows_),
+          start_(unknowns_),
+          kkt_(MatX::Zero(unknowns_ + rows_, unknowns_ + rows_)),
+          rhs_(unknowns_ + rows_),
+          solution_(unknowns_ + rows_),
+          lu_(unknowns_ + rows_) {
+        if (mass_weighted) set_mass_weight();
+        kkt_.topLeftCorner(unknowns_, unknowns_) = weight_;
+    }
+
+    Status project(const Real& t, Real* y) override {
+        Eigen::Map<VecX> z(y, unknowns_);
+        start_ = z;
+        Real previous = std::numeric_limits<Real>::max();
+        for (int i = 0; i < most_iterations; ++i) {
+            const Real tolerance = linearise(t, y);
+            const Real size = residual_.lpNorm<Eigen::Infinity>();
+            if (!isfinite(size)) return Status::non_finite;
+            if (size <= tolerance) return Status::ok;
+            // At round-off the rows stop falling; above it that means no convergence.
+            if (2 * size > previous && size <= 100 * tolerance) return Status::ok;
+            previous = size;
+            rhs_.head(unknowns_).noalias() = weight_ * (start_ - z);
+            rhs_.tail(rows_) = -residual_;
+            lu_.compute(kkt_);
+            solution_ = lu_.solve(rhs_);
+            z += solution_.head(unknowns_);
+            ++iterations_;
+        }
+        return Status::projection_failed;
+    }
+
+  private:
+    /// Fills residual_, jacobian_ and kkt_; returns the size below which the rows are met: 1e-14 in double, relative to
+    /// the velocities where these exceed 1.
+    Real linearise(const Real& t, const Real* y) {
+        const Real* v = y + configuration_;
+        system_.position_residual(t, y, residual_.data());
+        system_.velocity_residual(t, y, v, residual_.data() + system_.constraints());
+        system_.ambient_jacobian(t, y, v, joint_jacobian_.data());
+        jacobian_.topRows(joint_rows_) = joint_jacobian_;
+        for (int body = 0; body < system_.bodies(); ++body) add_orthogonality(body, mat3(y + body_size * body + 3));
+        kkt_.bottomLeftCorner(rows_, unknowns_) = jacobian_;
+        kkt_.topRightCorner(unknowns_, rows_) = jacobian_.transpose();
+        Real speed = 1;
+        for (int body = 0; body < system_.bodies(); ++body) speed = max(speed, Real(vec3(v + 6 * body).norm()));
+        return 45 * epsilon * speed;
+    }
+
+    /// Rows (R R^T - I)_jk, j <= k: sum_c R_jc R_kc.
+    void add_orthogonality(int body, const Mat3& R) {
+        Eigen::Index row = joint_rows_ + 6 * body;
+        const Eigen::Index first = body_size * body + 3;
+        for (int j = 0; j < 3; ++j)
+            for (int k = j; k < 3; ++k, ++row) {
+                residual_[row] = R.row(j).dot(R.row(k)) - (j == k ? 1 : 0);
+                for (int c = 0; c < 3; ++c) {
+                    jacobian_(row, first + 3 * c + j) = R(k, c) * (j == k ? 2 : 1);
+                    if (j != k) jacobian_(row, first + 3 * c + k) = R(j, c);
+                }
+            }
+    }
+
+    void set_mass_weight() {
+        std::vector<Real> blocks(static_cast<std::size_t>(36 * system_.bodies()));
+        system_.mass(nullptr, blocks.data());
+        for (int body = 0; body < system_.bodies(); ++body) {
+            const Eigen::Map<const Eigen::Matrix<Real, 6, 6>> M(&blocks[static_cast<std::size_t>(36 * body)]);
+            const Eigen::Index x = body_size * body;
+            weight_.block<3, 3>(x, x) = M.topLeftCorner<3, 3>();
+            const Mat3 J = M.bottomRightCorner<3, 3>();
+            const Mat3 D = J.trace() / 2 * Mat3::Identity() - J;
+            for (int j = 0; j < 3; ++j)
+                for (int k = 0; k < 3; ++k) weight_.block<3, 3>(x + 3 + 3 * j, x + 3 + 3 * k) = D(j, k) * Mat3::Identity();
+            weight_.block<6, 6>(configuration_ + 6 * body, configuration_ + 6 * body) = M;
+        }
+    }
+
+    System& system_;
+    Eigen::Index configuration_, unknowns_, joint_rows_, rows_;
+    MatX weight_, joint_jacobian_, jacobian_;
+    VecX residual_, start_;
+    MatX kkt_;
+    VecX rhs_, solution_;
+    Eigen::PartialPivLU<MatX> lu_;
+};
+
+}  // namespace
+
+KREISEL_PROJECTION({.name = "terze",
+                    .summary = "the seed's projection: positions and velocities jointly, R in R^{3x3} with orthogonality rows",
+                    .cites = {"terzezlatarmueller"},
+                    .options = {{.name = "weight",
+                                 .summary = "norm of the minimisation",
+                                 .standard = "identity",
+                                 .choices = {"identity", "mass"}}},
+                    .formulations = {"SO3xR3"}},
+                   [](System& system, const OptionValues& options) {
+                       return std::make_unique<TerzeProjection>(system, std::get<std::string>(options.at("weight")) == "mass");
+                   });
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
