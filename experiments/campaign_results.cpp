@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "experiments/campaign.hpp"
+#include "experiments/files.hpp"
+#include "experiments/json_writer.hpp"
+#include "experiments/results_table.hpp"
+
+namespace kreisel {
+
+void write_results(const Plan& plan, const std::map<std::string, FinishedCell>& finished,
+                   const std::filesystem::path& folder) {
+    std::vector<std::string> lines;
+    std::string text;
+    for (const PlannedCell& planned : plan.cells) {
+        const auto found = finished.find(planned.hash);
+        if (found != finished.end()) {
+            lines.push_back(relabelled(found->second.line, planned));
+            text += lines.back() + "\n";
+        }
+    }
+    write_atomically(folder / "results.jsonl", text);
+    write_atomically(folder / "results.csv", results_table(lines));
+}
+
+CellCounts count_cells(const Plan& plan, const std::map<std::string, FinishedCell>& finished,
+                       const RunSettings& settings) {
+    CellCounts counts;
+    for (std::size_t i = settings.shard - 1; i < plan.cells.size(); i += settings.shards) {
+        const auto found = finished.find(plan.cells[i].hash);
+        ++counts.total;
+        if (found == finished.end()) {
+            ++counts.missing;
+        } else if (found->second.failed()) {
+            ++counts.failed;
+        } else {
+            ++(found->second.status == "ok" ? counts.ok : counts.skipped);
+        }
+    }
+    return counts;
+}
+
+std::string failure_text(const PlannedCell& planned, const FinishedCell& finished) {
+    const Cell& cell = planned.cell;
+    std::string options;
+    for (const auto& [name, value] : cell.options) { options += fmt::format(" {}={}", name, json_value(value)); }
+    return fmt::format("{} at t = {}: {}{} on {} {}, projection {}, {}, {} steps: {}", finished.status,
+                       finished.t_reached, cell.method, options, planned.label, cell.formulation, cell.projection,
+                       planned.precision, cell.steps, finished.detail.empty() ? "no details" : finished.detail);
+}
+
+}  // namespace kreisel

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/catalogue.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <set>
+
+#include "experiments/config_parts.hpp"
+#include "experiments/errors.hpp"
+#include "experiments/json_writer.hpp"
+#include "experiments/metric_names.hpp"
+#include "experiments/nearest.hpp"
+
+namespace kreisel {
+
+namespace {
+
+using Row = std::pair<std::string, std::string>;
+
+void print_rows(std::ostream& out, const std::string& title, const std::vector<Row>& rows) {
+    std::size_t width = 0;
+    for (const Row& row : rows) { width = std::max(width, row.first.size()); }
+    fmt::print(out, "{}\n", title);
+    for (const auto& [name, text] : rows) { fmt::print(out, "  {:<{}}  {}\n", name, width, text); }
+}
+
+template <class Description>
+std::vector<Row> summaries(const std::vector<Description>& all) {
+    std::vector<Row> rows;
+    for (const auto& one : all) { rows.emplace_back(one.name, one.summary); }
+    return rows;
+}
+
+std::string order_text(const Order& order) {
+    if (order == Order(order.configuration)) { return fmt::format("order {}", order.configuration); }
+    return fmt::format("order {} (configuration), {} (velocity), {} (multipliers)", order.configuration, order.velocity,
+                       order.multipliers);
+}
+
+std::vector<Row> method_rows(const std::vector<MethodDescription>& methods) {
+    std::vector<Row> rows;
+    for (const MethodDescription& method : methods) {
+        rows.emplace_back(method.name, fmt::format("{}; {}", order_text(method.order), method.summary));
+    }
+    return rows;
+}
+
+std::vector<Row> metric_rows() {
+    std::vector<Row> rows;
+    for (const MetricDescription& metric : common_metrics()) {
+        rows.emplace_back(metric.name, fmt::format("{} [{}]", metric.summary, metric.unit));
+    }
+    rows.emplace_back("defect.<name>.final", "the defect at the end");
+    for (const MetricDescription& suffix : invariant_suffixes()) {
+        rows.emplace_back("invariant.<integral>" + suffix.name, fmt::format("{} [{}]", suffix.summary, suffix.unit));
+    }
+    return rows;
+}
+
+void print_sources(std::ostream& out, const std::vector<std::string>& keys) {
+    if (!keys.empty()) { fmt::print(out, "Sources: {}\n", fmt::join(keys, ", ")); }
+}
+
+void print_options(std::ostream& out, const std::vector<OptionDescription>& options) {
+    std::vector<Row> rows;
+    for (const OptionDescription& option : options) {
+        rows.emplace_back(option.name, fmt::format("{}: {} (default {})", option.summary, expectation(option),
+                                                   json_value(option.standard)));
+    }
+    if (rows.empty()) {
+        fmt::print(out, "Options: none\n");
+    } else {
+        print_rows(out, "Options", rows);
+    }
+}
+
+void print_integrals(std::ostream& out, const SystemSummary& summary) {
+    for (const IntegralDescription& integral : summary.integrals) {
+        fmt::print(out, "    invariant.{} [{}]: {}\n", integral.name, integral.unit, integral.reason);
+    }
+}
+
+void describe_problem(const Engine& engine, const ProblemDescription& problem, std::ostream& out) {
+    fmt::print(out, "{}: {}\n", problem.name, problem.summary);
+    print_sources(out, problem.cites);
+    fmt::print(out, "Closed form: {}\n", problem.closed_form ? "yes" : "none");
+    std::vector<Row> rows;
+    for (const ParameterDescription& parameter : problem.parameters) {
+        rows.emplace_back(parameter.name, fmt::format("{} [{}]: {} (default {})", parameter.summary, parameter.unit,
+                                                      expectation(parameter.kind), json_value(parameter.standard)));
+    }
+    print_rows(out, "Parameters", rows);
+    fmt::print(out, "With default parameters, formulated on\n");
+    for (const FormulationDescription& formulation : engine.formulations()) {
+        const SystemSummary summary = engine.summary(problem.name, default_parameters(problem), formulation.name);
+        if (!summary.skip_reason.empty()) {
+            fmt::print(out, "  {}: not possible: {}\n", formulation.name, summary.skip_reason);
+            continue;
+        }
+        fmt::print(out, "  {}: bodies {}, velocity coordinates {}, constraint rows {}; first integrals:\n",
+                   formulation.name, summary.bodies, summary.velocities, summary.constraints);
+        print_integrals(out, summary);
+    }
+}
+
+void describe_method(const MethodDescription& method, std::ostream& out) {
+    fmt::print(out, "{}: {}\n", method.name, method.summary);
+    print_sources(out, method.cites);
+    fmt::print(out, "{}; solves of the dynamics per step: {}; {}{}\n", order_text(method.order), method.stages,
+               method.implicit ? "implicit" : "explicit", method.symmetric ? ", symmetric" : "");
+    print_options(out, method.options);
+}
+
+}  // namespace
+
+const std::vector<std::string>& catalogue_topics() {
+    static const std::vector<std::string> topics = {"problems", "methods", "projections", "formulations", "metrics"};
+    return topics;
+}
+
+void list_topic(const Engine& engine, const std::string& topic, std::ostream& out) {
+    const auto wanted = [&](const char* name) { return topic.empty() || topic == name; };
+    if (wanted("problems")) { print_rows(out, "Problems", summaries(engine.problems())); }
+    if (wanted("methods")) { print_rows(out, "Methods", method_rows(engine.methods())); }
+    if (wanted("projections")) { print_rows(out, "Projections", summaries(engine.projections())); }
+    if (wanted("formulations")) { print_rows(out, "Formulations", summaries(engine.formulations())); }
+    if (wanted("metrics")) { print_rows(out, "Metrics", metric_rows()); }
+}
+
+void describe(const Engine& engine, const std::string& name, std::ostream& out) {
+    const Registry registry(engine);
+    if (const auto* problem = find_named(registry.problems, name)) { return describe_problem(engine, *problem, out); }
+    if (const auto* method = find_named(registry.methods, name)) { return describe_method(*method, out); }
+    if (const auto* projection = find_named(registry.projections, name)) {
+        fmt::print(out, "{}: {}\n", projection->name, projection->summary);
+        print_sources(out, projection->cites);
+        return print_options(out, projection->options);
+    }
+    if (const auto* formulation = find_named(registry.formulations, name)) {
+        fmt::print(out, "{}: {}\n", formulation->name, formulation->summary);
+        return;
+    }
+    std::vector<std::string> names;
+    for (const auto& some : {names_of(registry.problems), names_of(registry.methods), names_of(registry.projections),
+                             names_of(registry.formulations)}) {
+        names.insert(names.end(), some.begin(), some.end());
+    }
+    const std::string nearest = nearest_name(name, names);
+    throw UsageError(
+        fmt::format("expected the name of a problem, method, projection or formulation (see kreisel list), got {}{}",
+                    in_quotes(name), nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?"));
+}
+
+}  // namespace kreisel

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/cell_line.hpp"
+
+#include <fmt/format.h>
+
+#include "experiments/hash.hpp"
+#include "experiments/json_writer.hpp"
+
+namespace kreisel {
+
+namespace {
+
+// Unescaped quotes do not occur inside a JSON string, so these can only be members.
+constexpr std::string_view status_key = ",\"status\":\"";
+constexpr std::string_view cpu_key = ",\"cpu_s\":";
+constexpr std::string_view sum_key = ",\"sum\":\"";
+
+std::string metrics_text(const Outcome& outcome, bool quad) {
+    ObjectWriter object;
+    for (const auto& [name, number] : outcome.metrics) { object.member(name, json_value(number, quad)); }
+    return object.text();
+}
+
+// References are computed in quad whatever the cell's precision: their bounds are given as rounded decimals.
+std::string reference_text(const Reference& reference) {
+    ObjectWriter error;
+    for (const auto& [name, number] : reference.error) { error.member(name, json_number(number.value)); }
+    return ObjectWriter().member("error", error.text()).member("horizon", json_number(reference.horizon)).text();
+}
+
+std::string cost_text(const Cost& cost) {
+    return ObjectWriter()
+        .member("evaluations", fmt::format("{}", cost.evaluations))
+        .member("projection_iterations", fmt::format("{}", cost.projection_iterations))
+        .member("output_evaluations", fmt::format("{}", cost.output_evaluations))
+        .text();
+}
+
+std::string member(std::string_view key, const std::string& json) { return "," + json_text(key) + ":" + json; }
+
+}  // namespace
+
+std::string trajectory_file(const std::string& hash) { return "trajectories/" + hash + ".csv"; }
+
+std::string trajectory_text(const Trajectory& trajectory) {
+    std::string text;
+    for (const Column& column : trajectory.columns) {
+        text += (text.empty() ? "" : ",") + fmt::format("{} [{}]", column.name, column.unit);
+    }
+    for (const std::string& row : trajectory.rows) { text += "\n" + row; }
+    return text + "\n";
+}
+
+FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, const Reference* reference) {
+    FinishedCell cell{
+        planned.hash, outcome.status, outcome.detail, outcome.t_reached, planned.identity, outcome.cost.cpu_s, ""};
+    cell.line += member("status", json_text(outcome.status));
+    if (!outcome.detail.empty()) { cell.line += member("detail", json_text(outcome.detail)); }
+    if (cell.failed()) {
+        cell.line += member("steps_done", fmt::format("{}", outcome.steps_done));
+        cell.line += member("t_reached", json_number(outcome.t_reached));
+    }
+    if (outcome.final) { cell.line += member("final", json_value(*outcome.final, planned.quad())); }
+    if (outcome.status != "skipped") { cell.line += member("metrics", metrics_text(outcome, planned.quad())); }
+    if (reference != nullptr) { cell.line += member("reference", reference_text(*reference)); }
+    if (!outcome.trajectory.rows.empty()) {
+        cell.trajectory_sum = hash_text(trajectory_text(outcome.trajectory));
+        cell.line += member("trajectory", json_text(trajectory_file(planned.hash)));
+        cell.line += member("trajectory_sum", json_text(cell.trajectory_sum));
+    }
+    cell.line += member("cost", cost_text(outcome.cost)) + "}";
+    return cell;
+}
+
+std::string journal_line(const FinishedCell& cell, const std::string& build) {
+    std::string text = cell.line.substr(0, cell.line.size() - 2);  // both braces: cost's and the line's
+    text += fmt::format("{}{}}}", cpu_key, json_number(cell.cpu_s));
+    text += member("build", json_text(build));
+    return fmt::format("{}{}{}\"}}", text, sum_key, hash_text(text));
+}
+
+std::optional<FinishedCell> read_journal_line(const std::string& line, const std::string& build) {
+    const auto sum_at = line.rfind(sum_key);
+    const auto cpu_at = line.rfind(cpu_key);
+    const auto status_at = line.find(status_key);
+    if (sum_at == std::string::npos || cpu_at == std::string::npos || status_at == std::string::npos ||
+        line.substr(sum_at) != fmt::format("{}{}\"}}", sum_key, hash_text(std::string_view(line).substr(0, sum_at)))) {
+        return std::nullopt;
+    }
+    // The sum holds, so this is a line as it was written.
+    const auto value = nlohmann::json::parse(line);
+    if (value.at("build") != build) { return std::nullopt; }
+    FinishedCell cell;
+    cell.hash = value.at("cell");
+    cell.status = value.at("status");
+    cell.detail = value.value("detail", "");
+    cell.t_reached = value.value("t_reached", 0.0);
+    cell.cpu_s = value.at("cost").at("cpu_s");
+    cell.trajectory_sum = value.value("trajectory_sum", "");
+    cell.line = line.substr(0, cpu_at) + "}}";
+    return cell;
+}
+
+std::string relabelled(const std::string& line, const PlannedCell& planned) {
+    return planned.identity + line.substr(line.find(status_key));
+}
+
+}  // namespace kreisel

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One cell as one line of JSON: in the journal with its times and a check sum, in the results without.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "experiments/plan.hpp"
+
+namespace kreisel {
+
+/// A cell that has come to an end. `line` is its result line, the same bytes on every run of one build.
+struct FinishedCell {
+    std::string hash;
+    std::string status;
+    std::string detail;
+    double t_reached = 0;
+    std::string line;
+    double cpu_s = 0;
+    std::string trajectory_sum;  ///< hash of the trajectory file; empty where there is none
+    bool failed() const { return status != "ok" && status != "skipped"; }
+};
+
+/// Path of a cell's trajectory below the output folder.
+std::string trajectory_file(const std::string& hash);
+
+/// Comma-separated values: a header of `name [unit]`, then one line per sample.
+std::string trajectory_text(const Trajectory& trajectory);
+
+/// Throws std::logic_error if the outcome holds a number that is not finite.
+FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, const Reference* reference);
+
+/// The journal line of a cell: its result line, then cpu_s, build and check sum.
+std::string journal_line(const FinishedCell& cell, const std::string& build);
+
+/// What a journal line holds, or nothing if it is torn, damaged, or was written by another build.
+std::optional<FinishedCell> read_journal_line(const std::string& line, const std::string& build);
+
+/// The result line with the identity members of `planned`, whose label may have changed since.
+std::string relabelled(const std::string& line, const PlannedCell& planned);
+
+}  // namespace kreisel

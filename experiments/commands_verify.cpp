@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <random>
+#include <sstream>
+
+#include "experiments/commands.hpp"
+#include "experiments/files.hpp"
+#include "experiments/reference_store.hpp"
+
+namespace kreisel {
+
+namespace {
+
+std::map<std::string, std::string> stored_lines(const std::filesystem::path& folder) {
+    std::map<std::string, std::string> lines;
+    std::istringstream stream(read_text(folder / "results.jsonl"));
+    for (std::string line; std::getline(stream, line);) {
+        const auto value = nlohmann::json::parse(line, nullptr, false);
+        if (value.is_object() && value.contains("cell") && value["cell"].is_string()) { lines[value["cell"]] = line; }
+    }
+    return lines;
+}
+
+std::vector<std::size_t> chosen(const Plan& plan, std::size_t count, unsigned seed) {
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        if (plan.cells[i].skip_reason.empty()) { indices.push_back(i); }
+    }
+    std::mt19937 random(seed);
+    std::shuffle(indices.begin(), indices.end(), random);
+    indices.resize(std::min(count, indices.size()));
+    return indices;
+}
+
+std::string recomputed(const PlannedCell& planned, const Plan& plan, const std::filesystem::path& folder,
+                       const std::string& build, const Engines& engines) {
+    std::optional<Reference> reference;
+    if (!planned.reference.empty()) {
+        const PlannedReference& wanted = plan.references.at(planned.reference);
+        reference = load_reference(reference_file(folder, planned.reference), wanted, build);
+        if (!reference) { reference = engines.binary128.reference(wanted.problem, wanted.parameters, wanted.t_end); }
+    }
+    const Reference* known = reference ? &*reference : nullptr;
+    return finished_cell(planned, run_cell(planned, engines.of(planned.precision), known, {}), known).line;
+}
+
+}  // namespace
+
+Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsigned seed, const std::string& build,
+                    const Engines& engines, const Terminal& terminal) {
+    const ManifestContents manifest = read_manifest(manifest_file(folder, ""));
+    if (manifest.build != build) {
+        fmt::print(terminal.messages, "{}: note: written by build {}, verified by build {}\n", folder.string(),
+                   manifest.build, build);
+    }
+    const Plan plan = plan_of(manifest.config, engines);
+    const auto lines = stored_lines(folder);
+    std::size_t different = 0;
+    const auto indices = chosen(plan, count, seed);
+    for (const std::size_t index : indices) {
+        const PlannedCell& planned = plan.cells[index];
+        const auto stored = lines.find(planned.hash);
+        const std::string what = stored == lines.end()                                                 ? "missing"
+                                 : stored->second == recomputed(planned, plan, folder, build, engines) ? ""
+                                                                                                       : "different";
+        if (!what.empty()) {
+            ++different;
+            fmt::print(terminal.out, "{}: {} {} on {}, {} steps: {}\n", planned.hash, planned.cell.formulation,
+                       planned.cell.method, planned.label, planned.cell.steps, what);
+        }
+    }
+    fmt::print(terminal.out, "{} of {} cells computed again (seed {}), {} differ or are missing\n", indices.size(),
+               plan.cells.size(), seed, different);
+    return different > 0 ? Exit::cells_failed : Exit::ok;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The parts of a config: parameters of problems, options of methods, the time grid. Internal to the reader.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/config.hpp"
+#include "experiments/node.hpp"
+
+namespace kreisel {
+
+/// What a parameter of this kind is written as, in words.
+std::string expectation(ParameterKind kind);
+
+/// Fills in what `written` (an object) gives; what it does not give keeps its default.
+ParameterValues read_parameters(const Node& written, const ProblemDescription& problem);
+ParameterValues default_parameters(const ProblemDescription& problem);
+
+/// The keys of an entry of a `bodies` list.
+const std::vector<std::string>& body_keys();
+
+/// The values an option takes, in words.
+std::string expectation(const OptionDescription& option);
+
+/// All combinations of the options written beside "name" in `written` (an object), an option given as a list being an
+/// axis; the last option of the description varies fastest.
+std::vector<OptionValues> read_options(const Node& written, const std::vector<OptionDescription>& options);
+std::vector<OptionValues> default_options(const std::vector<OptionDescription>& options);
+
+/// Reads "time" into t_end and steps.
+void read_time(const Node& time, Config& config);
+
+}  // namespace kreisel

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Files that are complete or absent, and that notice a full disk. All functions throw FileError with the path and reason.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace kreisel {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+  public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    ~Descriptor();
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number() const { return number_; }
+    bool valid() const { return number_ >= 0; }
+    /// Closes; true if the system had nothing to complain of (a full disk may show only here).
+    bool close();
+
+  private:
+    int number_;
+};
+
+void make_folder(const std::filesystem::path& folder);
+std::string read_text(const std::filesystem::path& file);
+
+/// Writes to a temporary file beside `file` and renames it, so that a reader never sees half a file.
+void write_atomically(const std::filesystem::path& file, std::string_view text);
+
+/// Appends whole lines. A line that could not be written completely is taken back where the system lets us.
+class LineAppender {
+  public:
+    explicit LineAppender(std::filesystem::path file);
+    void append(const std::string& line);
+
+  private:
+    std::filesystem::path file_;
+    Descriptor descriptor_;
+};
+
+/// Keeps other runs out of an output folder for as long as it lives (flock: a killed run leaves no stale lock).
+class FolderLock {
+  public:
+    /// `shard` "": the whole folder. Several shards with different names may share a folder.
+    FolderLock(const std::filesystem::path& folder, const std::string& shard);
+
+  private:
+    void acquire(Descriptor& descriptor, bool shared, const std::filesystem::path& folder) const;
+    Descriptor folder_lock_, shard_lock_;
+};
+
+}  // namespace kreisel

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/json_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace kreisel {
+
+namespace {
+
+template <class Range, class Write>
+std::string json_list(const Range& values, const Write& write) {
+    std::string text;
+    for (const auto& value : values) { text += (text.empty() ? "" : ",") + write(value); }
+    return "[" + text + "]";
+}
+
+template <class Value, class Write>
+std::string json_rows(const std::array<Value, 9>& m, const Write& write) {
+    std::string text;
+    for (std::size_t row = 0; row < 3; ++row) {
+        const std::array<Value, 3> values = {m[3 * row], m[3 * row + 1], m[3 * row + 2]};
+        text += (row == 0 ? "" : ",") + json_list(values, write);
+    }
+    return "[" + text + "]";
+}
+
+std::string json_body(const BodyData& body) {
+    ObjectWriter object;
+    object.member("name", json_text(body.name)).member("mass", json_number(body.mass));
+    object.member("inertia", json_rows(body.inertia, json_number)).member("x", json_list(body.x, json_number));
+    object.member("R", json_rows(body.R, json_number));
+    if (body.v) { object.member("v", json_list(*body.v, json_number)); }
+    return object.member("omega", json_list(body.omega, json_number)).text();
+}
+
+template <class Values>
+std::string json_map(const Values& values) {
+    ObjectWriter object;
+    for (const auto& [name, value] : values) { object.member(name, json_value(value)); }
+    return object.text();
+}
+
+}  // namespace
+
+std::string json_text(std::string_view text) {
+    return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string json_number(double value) {
+    if (!std::isfinite(value)) { throw std::logic_error("a number to be written is not finite"); }
+    return fmt::format("{}", value);
+}
+
+std::string json_value(const OptionValue& value) {
+    return std::visit(
+        [](const auto& held) -> std::string {
+            using Held = std::decay_t<decltype(held)>;
+            if constexpr (std::is_same_v<Held, std::string>) {
+                return json_text(held);
+            } else if constexpr (std::is_same_v<Held, double>) {
+                return json_number(held);
+            } else {
+                return fmt::format("{}", held);
+            }
+        },
+        value);
+}
+
+std::string json_value(const ParameterValue& value) {
+    return std::visit(
+        [](const auto& held) -> std::string {
+            using Held = std::decay_t<decltype(held)>;
+            if constexpr (std::is_same_v<Held, double>) {
+                return json_number(held);
+            } else if constexpr (std::is_same_v<Held, Vector3>) {
+                return json_list(held, json_number);
+            } else if constexpr (std::is_same_v<Held, Matrix3>) {
+                return json_rows(held, json_number);
+            } else {
+                return json_list(held, json_body);
+            }
+        },
+        value);
+}
+
+std::string json_value(const OptionValues& values) { return json_map(values); }
+
+std::string json_value(const ParameterValues& values) { return json_map(values); }
+
+std::string json_value(const std::vector<std::string>& texts) { return json_list(texts, json_text); }
+
+std::string json_value(const Number& number, bool quad) {
+    if (!std::isfinite(number.value)) { throw std::logic_error("the engine reported a number that is not finite"); }
+    return quad ? json_text(number.text) : number.text;
+}
+
+std::string json_value(const ReportedState& state, bool quad) {
+    const auto write = [quad](const Number& number) { return json_value(number, quad); };
+    const auto write_body = [&](const ReportedBody& body) {
+        ObjectWriter object;
+        object.member("name", json_text(body.name)).member("x", json_list(body.x, write));
+        object.member("R", json_rows(body.R, write)).member("v", json_list(body.v, write));
+        return object.member("omega", json_list(body.omega, write)).text();
+    };
+    ObjectWriter object;
+    object.member("t", write(state.t)).member("bodies", json_list(state.bodies, write_body));
+    if (!state.multipliers.empty()) { object.member("multipliers", json_list(state.multipliers, write)); }
+    return object.text();
+}
+
+}  // namespace kreisel

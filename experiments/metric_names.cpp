@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/metric_names.hpp"
+
+#include <algorithm>
+
+namespace kreisel {
+
+const std::vector<MetricDescription>& common_metrics() {
+    static const std::vector<MetricDescription> all = {
+        {"error.position", "m", "distance of the final mass centres from the reference, norm over all bodies"},
+        {"error.rotation", "rad", "norm of log(R_ref^T R) at the end, over all bodies"},
+        {"error.velocity", "m/s", "norm of v - v_ref at the end, over all bodies"},
+        {"error.omega", "rad/s", "norm of omega - omega_ref at the end, over all bodies"},
+        {"error.multipliers", "as the rows", "norm of lambda - lambda_ref at the end"},
+        {"defect.position", "as the rows", "largest |Phi| over all steps"},
+        {"defect.velocity", "as the rows per s", "largest |d Phi/dt| over all steps"},
+        {"defect.acceleration", "as the rows per s^2", "largest |d^2 Phi/dt^2| over all steps"},
+        {"defect.orthogonality", "1", "largest Frobenius norm of R^T R - I over all steps"},
+    };
+    return all;
+}
+
+const std::vector<MetricDescription>& invariant_suffixes() {
+    static const std::vector<MetricDescription> all = {
+        {"", "as the integral", "largest |I - I0| over all steps"},
+        {".final", "as the integral", "|I - I0| at the end"},
+        {".relative", "1", "largest |I - I0| / |I0|, where I0 is not zero"},
+        {".slope", "as the integral per s", "secular rate: least-squares slope of I - I0 over time"},
+        {".slope_error", "as the integral per s", "standard error of that slope"},
+    };
+    return all;
+}
+
+std::vector<std::string> metric_names(const std::vector<std::string>& integrals) {
+    std::vector<std::string> names;
+    for (const MetricDescription& metric : common_metrics()) {
+        names.push_back(metric.name);
+        if (metric.name.starts_with("defect.")) { names.push_back(metric.name + ".final"); }
+    }
+    for (const std::string& integral : integrals) {
+        for (const MetricDescription& suffix : invariant_suffixes()) {
+            names.push_back("invariant." + integral + suffix.name);
+        }
+    }
+    return names;
+}
+
+bool matches(std::string_view pattern, std::string_view name) {
+    // Greedy matching with one point of return: linear in practice, no recursion for hostile patterns.
+    std::size_t p = 0, n = 0, star = std::string_view::npos, resume = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            resume = n;
+        } else if (p < pattern.size() && pattern[p] == name[n]) {
+            ++p;
+            ++n;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            n = ++resume;
+        } else {
+            return false;
+        }
+    }
+    return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+bool asks_for_errors(const std::vector<std::string>& patterns) {
+    const auto names = metric_names({});
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return name.starts_with("error.") &&
+               std::any_of(patterns.begin(), patterns.end(),
+                           [&](const std::string& pattern) { return matches(pattern, name); });
+    });
+}
+
+}  // namespace kreisel

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The names of the metrics, and patterns over them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kreisel {
+
+struct MetricDescription {
+    std::string name, unit, summary;
+};
+
+/// Metrics every problem has, where they can be measured: error.* and defect.*, without the suffix `.final`.
+const std::vector<MetricDescription>& common_metrics();
+
+/// All names a config may mean: common metrics, and for each first integral its own, with their suffixes.
+std::vector<std::string> metric_names(const std::vector<std::string>& integrals);
+
+/// Suffixes of `invariant.<integral>` and what they say.
+const std::vector<MetricDescription>& invariant_suffixes();
+
+/// True if `name` fits `pattern`, in which `*` stands for any characters, none included.
+bool matches(std::string_view pattern, std::string_view name);
+
+/// True if some `error.*` metric fits one of the patterns, so that a reference is needed.
+bool asks_for_errors(const std::vector<std::string>& patterns);
+
+}  // namespace kreisel

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "experiments/hash.hpp"
+#include "experiments/json_writer.hpp"
+#include "experiments/metric_names.hpp"
+#include "experiments/nearest.hpp"
+
+namespace kreisel {
+
+namespace {
+
+constexpr double quad_cost = 40;  // relative to double, roughly: it only orders the work
+
+// The place of a parameter error: below "parameters" where the config writes them, at the entry otherwise.
+std::string parameter_pointer(const ProblemEntry& problem, const std::string& path) {
+    return problem.pointer + "/parameters" + path;
+}
+
+// Builds the system of each problem in each formulation and precision; a start or an inertia that cannot be is an error.
+void summarise(const Config& config, const Engines& engines, Diagnostics& sink, Plan& plan) {
+    for (const ProblemEntry& problem : config.problems) {
+        std::set<std::string> said;
+        for (const std::string& formulation : config.formulations) {
+            for (const std::string& precision : config.precisions) {
+                try {
+                    SystemSummary summary =
+                        engines.of(precision).summary(problem.name, problem.parameters, formulation);
+                    for (const std::string& warning : summary.warnings) {
+                        if (said.insert(warning).second) {
+                            plan.warnings.push_back(fmt::format("{}: {}", problem.label, warning));
+                        }
+                    }
+                    plan.systems.insert_or_assign({problem.label, formulation}, std::move(summary));
+                } catch (const ParameterError& error) {
+                    if (said.insert(error.path + error.what()).second) {
+                        sink.add({parameter_pointer(problem, error.path), error.what(), ""});
+                    }
+                }
+            }
+        }
+    }
+}
+
+void check_metrics(const Document& document, const Config& config, Diagnostics& sink, const Plan& plan) {
+    if (!config.metrics_given) { return; }
+    std::set<std::string> integrals;
+    for (const auto& [key, summary] : plan.systems) {
+        for (const IntegralDescription& integral : summary.integrals) { integrals.insert(integral.name); }
+    }
+    const auto names = metric_names({integrals.begin(), integrals.end()});
+    const std::vector<std::string> families = {"error.*", "defect.*", "invariant.*", "*"};
+    for (std::size_t i = 0; i < config.metrics.size(); ++i) {
+        const std::string& pattern = config.metrics[i];
+        const bool family = std::find(families.begin(), families.end(), pattern) != families.end();
+        if (!family &&
+            std::none_of(names.begin(), names.end(), [&](const auto& name) { return matches(pattern, name); })) {
+            const std::string pointer = fmt::format("/metrics/{}", i);
+            sink.mismatch(pointer, document.value["metrics"][i],
+                          "a metric of these problems, or a pattern that fits one (see kreisel list metrics)",
+                          nearest_name(pattern, names));
+        }
+    }
+}
+
+void name_reference(PlannedCell& planned, Plan& plan) {
+    const Cell& cell = planned.cell;
+    const std::string content = ObjectWriter()
+                                    .member("problem", json_text(cell.problem))
+                                    .member("parameters", json_value(cell.parameters))
+                                    .member("t_end", json_number(cell.t_end))
+                                    .text();
+    planned.reference = hash_text(content);
+    plan.references.insert({planned.reference, {cell.problem, cell.parameters, cell.t_end, content}});
+}
+
+// Everything that decides the numbers, with keys and lists in a fixed order; the label decides none.
+std::string content_of(const PlannedCell& planned) {
+    const Cell& cell = planned.cell;
+    std::vector<std::string> metrics = cell.metrics;
+    std::sort(metrics.begin(), metrics.end());
+    return ObjectWriter()
+        .member("problem", json_text(cell.problem))
+        .member("parameters", json_value(cell.parameters))
+        .member("formulation", json_text(cell.formulation))
+        .member("method", json_text(cell.method))
+        .member("options", json_value(cell.options))
+        .member("projection", json_text(cell.projection))
+        .member("projection_options", json_value(cell.projection_options))
+        .member("precision", json_text(planned.precision))
+        .member("t_end", json_number(cell.t_end))
+        .member("steps", fmt::format("{}", cell.steps))
+        .member("samples", fmt::format("{}", cell.samples))
+        .member("metrics", json_value(metrics))
+        .text();
+}
+
+std::string identity_of(const PlannedCell& planned) {
+    const Cell& cell = planned.cell;
+    ObjectWriter object;
+    object.member("cell", json_text(planned.hash)).member("problem", json_text(cell.problem));
+    object.member("label", json_text(planned.label)).member("parameters", json_value(cell.parameters));
+    object.member("formulation", json_text(cell.formulation)).member("method", json_text(cell.method));
+    object.member("options", json_value(cell.options)).member("projection", json_text(cell.projection));
+    object.member("projection_options", json_value(cell.projection_options));
+    object.member("precision", json_text(planned.precision)).member("steps", fmt::format("{}", cell.steps));
+    object.member("h", json_number(cell.t_end / static_cast<double>(cell.steps)));
+    return object.member("t_end", json_number(cell.t_end)).open_text();
+}
+
+class Crossing {
+  public:
+    Crossing(const Document& document, const Engines& engines, Diagnostics& sink, Plan& plan)
+        : document_(document), engines_(engines), sink_(sink), plan_(plan) {}
+
+    void cross() {
+        const Config& config = plan_.config;
+        for (const ProblemEntry& problem : config.problems) {
+            for (const std::string& formulation : config.formulations) {
+                for (const OptionedEntry& method : config.methods) {
+                    for (const OptionedEntry& projection : config.projections) {
+                        add_runs(problem, formulation, method, projection);
+                    }
+                }
+            }
+        }
+    }
+
+  private:
+    void add_runs(const ProblemEntry& problem, const std::string& formulation, const OptionedEntry& method,
+                  const OptionedEntry& projection) {
+        const Config& config = plan_.config;
+        for (const std::string& precision : config.precisions) {
+            for (const long steps : config.steps) {
+                PlannedCell planned;
+                planned.cell = {problem.name,   problem.parameters, formulation,        method.name,
+                                method.options, projection.name,    projection.options, config.t_end,
+                                steps,          config.samples,     config.metrics};
+                planned.label = problem.label;
+                planned.precision = precision;
+                add(std::move(planned), problem, method, projection);
+            }
+        }
+    }
+
+    void add(PlannedCell planned, const ProblemEntry& problem, const OptionedEntry& method,
+             const OptionedEntry& projection) {
+        const SystemSummary& system = plan_.systems.at({problem.label, planned.cell.formulation});
+        planned.hash = hash_text(content_of(planned));
+        planned.identity = identity_of(planned);
+        planned.skip_reason =
+            system.skip_reason.empty() ? ask(planned, problem, method, projection) : system.skip_reason;
+        planned.weight =
+            static_cast<double>(planned.cell.steps) * std::max(1, system.bodies) * (planned.quad() ? quad_cost : 1);
+        if (planned.skip_reason.empty() && asks_for_errors(planned.cell.metrics)) { name_reference(planned, plan_); }
+        plan_.cells.push_back(std::move(planned));
+    }
+
+    std::string ask(const PlannedCell& planned, const ProblemEntry& problem, const OptionedEntry& method,
+                    const OptionedEntry& projection) {
+        try {
+            return engines_.of(planned.precision).skip_reason(planned.cell);
+        } catch (const ParameterError& error) {
+            report(parameter_pointer(problem, error.path), error.what());
+        } catch (const OptionError& error) {
+            const OptionedEntry& owner = planned.cell.options.contains(error.option) ? method : projection;
+            report(pointer_below(owner.pointer, error.option), error.what());
+        }
+        return "";
+    }
+
+    void report(const std::string& pointer, const std::string& what) {
+        if (reported_.insert(pointer + what).second) { sink_.add({pointer, what, ""}); }
+    }
+
+    const Document& document_;
+    const Engines& engines_;
+    Diagnostics& sink_;
+    Plan& plan_;
+    std::set<std::string> reported_;
+};
+
+void warn(Plan& plan) {
+    if (plan.skipped() == plan.cells.size()) {
+        plan.warnings.emplace_back("every cell of this config is skipped: nothing will be computed");
+    }
+    if (plan.config.kind == "trajectory" && plan.config.samples == 0) {
+        plan.warnings.emplace_back("a trajectory without \"output\": {\"samples\": ...} keeps its final state only");
+    }
+}
+
+}  // namespace
+
+std::size_t Plan::skipped() const {
+    return static_cast<std::size_t>(
+        std::count_if(cells.begin(), cells.end(), [](const PlannedCell& cell) { return !cell.skip_reason.empty(); }));
+}
+
+Plan make_plan(const Document& document, const Config& config, const Engines& engines) {
+    Diagnostics sink(document);
+    Plan plan;
+    plan.config = config;
+    summarise(config, engines, sink, plan);
+    sink.raise();
+    check_metrics(document, config, sink, plan);
+    Crossing(document, engines, sink, plan).cross();
+    sink.raise();
+    warn(plan);
+    return plan;
+}
+
+Plan plan_of(const Document& document, const Engines& engines) {
+    return make_plan(document, read_config(document, Registry(engines.binary64)), engines);
+}
+
+}  // namespace kreisel

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How far a run is, on the terminal or in a log.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+
+namespace kreisel {
+
+struct ProgressState {
+    std::size_t done = 0, total = 0, failed = 0;
+    double weight_done = 0, weight_total = 0;  ///< of the cells to be computed, for the estimate of the time left
+};
+
+/// On a terminal one line that rewrites itself; elsewhere a line every few seconds. Says nothing of short runs.
+class Progress {
+  public:
+    Progress(std::ostream& out, std::string name, bool terminal);
+    void show(const ProgressState& state);
+    /// Removes the line that rewrites itself.
+    void clear();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::ostream& out_;
+    std::string name_;
+    bool terminal_;
+    bool line_open_ = false;
+    Clock::time_point start_, last_;
+};
+
+/// "1 h 02 min", "3 min 07 s", "12 s".
+std::string duration_text(double seconds);
+
+}  // namespace kreisel

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which program on which machine produced a result.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kreisel {
+
+/// Identifies the code: a hash of the running program itself, so that a changed source, compiler, flag or statically
+/// linked library gives another one, also from an uncommitted tree.
+std::string build_id();
+
+/// Library names and versions the program was compiled with, and the C library it runs on.
+std::vector<std::pair<std::string, std::string>> library_versions();
+
+/// "model name" of /proc/cpuinfo; empty where there is none.
+std::string cpu_model();
+
+/// Now, UTC, as 2026-01-31T12:00:00Z.
+std::string utc_now();
+
+}  // namespace kreisel

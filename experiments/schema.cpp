@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/schema.hpp"
+
+#include "experiments/config.hpp"
+#include "experiments/config_parts.hpp"
+#include "experiments/node.hpp"
+
+namespace kreisel {
+
+namespace {
+
+using Schema = nlohmann::ordered_json;
+
+const char* const no_control_characters = "^[^\\u0000-\\u001F\\u007F-\\u009F\\u2028\\u2029]*$";
+
+Schema integer(long least, long most) { return {{"type", "integer"}, {"minimum", least}, {"maximum", most}}; }
+
+Schema number() { return {{"type", "number"}}; }
+
+Schema positive() { return {{"type", "number"}, {"exclusiveMinimum", 0}}; }
+
+Schema list(const Schema& items, std::size_t least = 1) {
+    return {{"type", "array"}, {"items", items}, {"minItems", least}};
+}
+
+Schema list_of_three(const Schema& items) {
+    return {{"type", "array"}, {"items", items}, {"minItems", 3}, {"maxItems", 3}};
+}
+
+Schema one_or_list(const Schema& one) { return {{"anyOf", {one, list(one)}}}; }
+
+Schema choice(const std::vector<std::string>& names) { return {{"type", "string"}, {"enum", names}}; }
+
+Schema text(std::size_t longest) {
+    return {{"type", "string"}, {"minLength", 1}, {"maxLength", longest}, {"pattern", no_control_characters}};
+}
+
+Schema object(const Schema& properties, const std::vector<std::string>& required) {
+    Schema schema = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+    if (!required.empty()) { schema["required"] = required; }
+    return schema;
+}
+
+Schema matrix() { return list_of_three(list_of_three(number())); }
+
+Schema inertia() { return {{"anyOf", {list_of_three(number()), matrix()}}}; }
+
+Schema body() {
+    return object({{"name", text(64)},
+                   {"mass", positive()},
+                   {"inertia", inertia()},
+                   {"x", list_of_three(number())},
+                   {"R", matrix()},
+                   {"v", list_of_three(number())},
+                   {"omega", list_of_three(number())}},
+                  {"name", "mass", "inertia", "x"});
+}
+
+Schema parameter(ParameterKind kind) {
+    switch (kind) {
+        case ParameterKind::scalar:
+            return number();
+        case ParameterKind::positive:
+            return positive();
+        case ParameterKind::vector:
+            return list_of_three(number());
+        case ParameterKind::inertia:
+            return inertia();
+        case ParameterKind::rotation:
+            return matrix();
+        case ParameterKind::bodies:
+            return list(body());
+    }
+    return {};
+}
+
+Schema problem_object(const ProblemDescription& problem) {
+    Schema parameters = Schema::object();
+    for (const ParameterDescription& description : problem.parameters) {
+        parameters[description.name] = parameter(description.kind);
+        parameters[description.name]["description"] = description.summary + " [" + description.unit + "]";
+    }
+    Schema label = text(200);
+    label["not"] = {{"pattern", "^[=+@-]"}};
+    return object({{"name", {{"const", problem.name}}}, {"label", label}, {"parameters", object(parameters, {})}},
+                  {"name"});
+}
+
+Schema option_value(const OptionDescription& option) {
+    Schema alternatives = Schema::array();
+    if (!option.choices.empty()) { alternatives.push_back(choice(option.choices)); }
+    if (option.count_max >= option.count_min) { alternatives.push_back(integer(option.count_min, option.count_max)); }
+    if (std::holds_alternative<bool>(option.standard)) { alternatives.push_back({{"type", "boolean"}}); }
+    if (option.real_max >= option.real_min) {
+        alternatives.push_back({{"type", "number"}, {"minimum", option.real_min}, {"maximum", option.real_max}});
+    }
+    return {{"anyOf", alternatives}};
+}
+
+template <class Description>
+Schema optioned_object(const Description& description) {
+    Schema properties = {{"name", {{"const", description.name}}}};
+    for (const OptionDescription& option : description.options) {
+        properties[option.name] = one_or_list(option_value(option));
+        properties[option.name]["description"] = option.summary;
+    }
+    return object(properties, {"name"});
+}
+
+template <class Description, class MakeObject>
+Schema entries(const std::vector<Description>& all, const MakeObject& make_object) {
+    Schema alternatives = Schema::array({choice(names_of(all))});
+    for (const Description& description : all) { alternatives.push_back(make_object(description)); }
+    return list({{"anyOf", alternatives}});
+}
+
+Schema time() {
+    const Schema geometric =
+        object({{"from", integer(1, largest_count)}, {"levels", integer(1, 64)}, {"factor", integer(2, 1000)}},
+               {"from", "levels"});
+    const Schema steps = {{"anyOf", {integer(1, largest_count), list(integer(1, largest_count)), geometric}}};
+    Schema schema = object({{"end", positive()}, {"steps", steps}, {"step", one_or_list(positive())}}, {"end"});
+    schema["oneOf"] = {{{"required", {"steps"}}}, {{"required", {"step"}}}};
+    return schema;
+}
+
+}  // namespace
+
+Schema config_schema(const Registry& registry) {
+    const Schema precision = choice({"double", "quad"});
+    Schema figure = {{"type", "object"}};
+    Schema schema =
+        object({{"name", {{"type", "string"}, {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]*$"}, {"maxLength", 100}}},
+                {"description", text(2000)},
+                {"kind", choice(runnable_kinds())},
+                {"precision", one_or_list(precision)},
+                {"problems", entries(registry.problems, problem_object)},
+                {"formulations", list(choice(names_of(registry.formulations)))},
+                {"methods", entries(registry.methods, optioned_object<MethodDescription>)},
+                {"projections", entries(registry.projections, optioned_object<ProjectionDescription>)},
+                {"time", time()},
+                {"metrics", list(text(100), 0)},
+                {"output", object({{"samples", integer(0, 10'000'000)}}, {})},
+                {"figure", {{"anyOf", {figure, list(figure, 0)}}}}},
+               {"name", "kind", "problems", "methods", "time"});
+    schema["$schema"] = "http://json-schema.org/draft-07/schema#";
+    schema["title"] = "kreisel config";
+    return schema;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_line.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "experiments/cli.hpp"
+
+namespace kreisel {
+
+namespace {
+
+// Diverts a stream into a string for as long as it lives.
+class Capture {
+  public:
+    explicit Capture(std::ostream& stream) : stream_(stream), old_(stream.rdbuf(text_.rdbuf())) {}
+    ~Capture() { stream_.rdbuf(old_); }
+    Capture(const Capture&) = delete;
+    Capture& operator=(const Capture&) = delete;
+    std::string text() const { return text_.str(); }
+
+  private:
+    std::ostream& stream_;
+    std::ostringstream text_;
+    std::streambuf* old_;
+};
+
+}  // namespace
+
+ProgramResult run_program(const std::vector<std::string>& words, const Engine& engine) {
+    std::vector<const char*> arguments = {"kreisel"};
+    for (const std::string& word : words) { arguments.push_back(word.c_str()); }
+    const Capture out(std::cout), messages(std::cerr);
+    const int code = kreisel_main(static_cast<int>(arguments.size()), arguments.data(), engine, engine);
+    return {code, out.text(), messages.text()};
+}
+
+ProgramResult run_program(const std::vector<std::string>& words) { return run_program(words, FakeEngine()); }
+
+ScratchFolder::ScratchFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "kreisel_test_XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) { throw std::runtime_error("cannot make " + pattern); }
+    path_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code ignored;  // a folder that stays behind harms no test
+    std::filesystem::remove_all(path_, ignored);
+}
+
+std::string ScratchFolder::file(const std::string& name, const std::string& text) const {
+    const auto path = path_ / name;
+    std::ofstream(path, std::ios::binary) << text;
+    return path.string();
+}
+
+std::string contents(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+std::string good_config() {
+    return R"({
+  "name": "good",
+  "kind": "convergence",
+  "problems": ["heavy_top"],
+  "methods": ["rkmk/midpoint", {"name": "rkmk/rk4", "coordinates": ["exp", "cayley"]}],
+  "projections": ["none", "position_velocity"],
+  "time": {"end": 1.0, "steps": {"from": 8, "levels": 2}}
+})";
+}
+
+}  // namespace kreisel

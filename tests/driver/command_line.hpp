@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Runs the whole program inside a test, and holds the files it works on.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fake_engine.hpp"
+
+namespace kreisel {
+
+struct ProgramResult {
+    int code = 0;
+    std::string out, messages;
+};
+
+/// Runs kreisel_main with the fake engine for both precisions; `words` without the program's name.
+ProgramResult run_program(const std::vector<std::string>& words, const Engine& engine);
+ProgramResult run_program(const std::vector<std::string>& words);
+
+/// A folder that is empty at first and goes when the test ends.
+class ScratchFolder {
+  public:
+    ScratchFolder();
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    /// Writes a file and answers its path.
+    std::string file(const std::string& name, const std::string& text) const;
+
+  private:
+    std::filesystem::path path_;
+};
+
+std::string contents(const std::filesystem::path& file);
+
+/// A good config of 12 cells: two methods of which one in two charts, two projections, two step counts.
+std::string good_config();
+
+}  // namespace kreisel

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fake_engine.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+namespace kreisel {
+
+namespace {
+
+Number number(double value) { return {value, fmt::format("{}", value)}; }
+
+double mass_of(const ParameterValues& parameters) {
+    const auto mass = parameters.find("mass");
+    return mass == parameters.end() ? 1 : std::get<double>(mass->second);
+}
+
+ReportedState state_at(double t, double mass) {
+    ReportedState state;
+    state.t = number(t);
+    ReportedBody body;
+    body.name = "top";
+    for (std::size_t i = 0; i < 3; ++i) {
+        body.x[i] = number(std::sin(t + static_cast<double>(i)) / mass);
+        body.v[i] = number(std::cos(t + static_cast<double>(i)));
+        body.omega[i] = number(-0.0);
+        body.R[4 * i] = number(1);
+    }
+    state.bodies = {body};
+    state.multipliers = {number(1.0 / 3), number(-1e-30), number(1e30)};
+    return state;
+}
+
+std::vector<OptionDescription> lift_options() {
+    return {{"coordinates", "chart of the group", std::string("exp"), {"exp", "cayley"}},
+            {"dexpinv", "brackets kept", std::string("exact"), {"exact", "seed"}, 0, 20}};
+}
+
+void sleep_milliseconds(long count) { std::this_thread::sleep_for(std::chrono::milliseconds(count)); }
+
+Trajectory trajectory(const Cell& cell) {
+    Trajectory result{{{"t", "s"}, {"x1", "m"}}, {}};
+    for (long k = 0; k <= cell.samples && cell.samples > 0; ++k) {
+        const double t = cell.t_end * static_cast<double>(k) / static_cast<double>(cell.samples);
+        result.rows.push_back(fmt::format("{},{}", t, std::sin(t)));
+    }
+    return result;
+}
+
+// Works through the steps, one millisecond each; false if asked to stop.
+bool work_slowly(long steps, const std::stop_token& stop) {
+    for (long i = 0; i < steps; ++i) {
+        if (stop.stop_requested()) { return false; }
+        sleep_milliseconds(1);
+    }
+    return true;
+}
+
+Outcome misbehave(const Cell& cell, Outcome outcome) {
+    if (cell.method == "fake/throws") { throw std::runtime_error("this method always throws"); }
+    if (cell.method == "fake/throws_int") { throw 7; }
+    if (cell.method == "fake/nan") {
+        outcome.status = "non_finite";
+        outcome.detail = "omega is not finite at step 5";
+        outcome.steps_done = 5;
+        outcome.t_reached = cell.t_end / 2;
+        outcome.final.reset();
+    }
+    if (cell.method == "fake/infinite") {
+        outcome.metrics.emplace_back("invariant.energy.final", Number{std::numeric_limits<double>::infinity(), "inf"});
+    }
+    return outcome;
+}
+
+}  // namespace
+
+std::vector<ProblemDescription> FakeEngine::problems() const {
+    const ParameterDescription mass{"mass", ParameterKind::positive, "kg", "mass", 15.0};
+    const ParameterDescription inertia{"inertia", ParameterKind::inertia, "kg m^2", "about the mass centre", identity3};
+    const ParameterDescription lever{"lever", ParameterKind::vector, "m", "pivot to mass centre", Vector3{0, 1, 0}};
+    const ParameterDescription rotation{"R", ParameterKind::rotation, "1", "initial attitude", identity3};
+    const ParameterDescription amplitude{"gravity_amplitude", ParameterKind::scalar, "1", "modulation", 0.5};
+    const ParameterDescription bodies{"bodies", ParameterKind::bodies, "", "the links",
+                                      std::vector<BodyData>{{.name = "upper"}, {.name = "lower"}}};
+    return {{"heavy_top", "a top on a pivot", {"source2000"}, {mass, inertia, lever, rotation, amplitude}, false},
+            {"free_top", "a free body", {}, {mass, inertia}, true},
+            {"double_pendulum", "two links", {}, {bodies}, false}};
+}
+
+std::vector<MethodDescription> FakeEngine::methods() const {
+    MethodDescription relaxed{"fake/relaxed", Order(2, 2, 1), {}, "a real option"};
+    relaxed.options = {{.name = "rho", .summary = "damping", .standard = 0.5, .real_min = 0, .real_max = 1}};
+    MethodDescription rk4{"rkmk/rk4", 4, {"kutta1901"}, "classical", 4};
+    rk4.options = lift_options();
+    MethodDescription midpoint{"rkmk/midpoint", 2, {}, "explicit midpoint", 2};
+    midpoint.options = lift_options();
+    MethodDescription quaternion{"baseline/rk4_quaternion", 4, {}, "quaternions", 4};
+    quaternion.options = {{"renormalise", "after each step", true}};
+    return {rk4,
+            midpoint,
+            quaternion,
+            relaxed,
+            {"fake/nan", 1, {}},
+            {"fake/infinite", 1, {}},
+            {"fake/slow", 1, {}},
+            {"fake/deaf", 1, {}},
+            {"fake/throws", 1, {}},
+            {"fake/throws_int", 1, {}}};
+}
+
+std::vector<ProjectionDescription> FakeEngine::projections() const {
+    return {{"none", "no projection", {}},
+            {"position_velocity", "both", {}},
+            {"terze", "joint", {}, {{"weight", "of the norm", std::string("identity"), {"identity", "mass"}}}}};
+}
+
+std::vector<FormulationDescription> FakeEngine::formulations() const {
+    return {{"SO3xR3", "direct product"}, {"SE3", "semidirect product"}, {"SO3", "fixed pivot"}};
+}
+
+SystemSummary FakeEngine::summary(const std::string& problem, const ParameterValues& parameters,
+                                  const std::string& formulation) const {
+    if (const auto inertia = parameters.find("inertia"); inertia != parameters.end()) {
+        const auto& matrix = std::get<Matrix3>(inertia->second);
+        if (matrix[0] + matrix[4] < matrix[8]) {
+            throw ParameterError("/inertia", "moments of inertia that a body can have (triangle inequality)");
+        }
+    }
+    if (const auto bodies = parameters.find("bodies");
+        bodies != parameters.end() && std::get<std::vector<BodyData>>(bodies->second).size() != 2) {
+        throw ParameterError("/bodies", "two bodies");
+    }
+    SystemSummary summary;
+    summary.bodies = problem == "double_pendulum" ? 2 : 1;
+    summary.velocities = 6 * summary.bodies;
+    summary.constraints = 3 * summary.bodies;
+    summary.integrals = {{"energy", "J", "forces have a potential"}};
+    if (formulation == "SO3" && problem == "double_pendulum") {
+        summary.skip_reason = "no body turns about a fixed point alone";
+    }
+    if (mass_of(parameters) > 1000) { summary.warnings = {"a very heavy top"}; }
+    return summary;
+}
+
+std::string FakeEngine::skip_reason(const Cell& cell) const {
+    if (cell.method.starts_with("baseline/") && cell.formulation == "SE3") {
+        return "baselines own their coordinates: SO3 and SO3xR3 only";
+    }
+    const auto coordinates = cell.options.find("coordinates");
+    if (coordinates != cell.options.end() && coordinates->second == OptionValue("cayley") &&
+        cell.options.at("dexpinv") != OptionValue("exact")) {
+        throw OptionError("dexpinv", "no dexpinv under cayley");
+    }
+    return "";
+}
+
+Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std::stop_token& stop) const {
+    ++runs;
+    Outcome outcome;
+    outcome.cost.cpu_s = 1e-3 * runs;  // differs from run to run, as times do
+    outcome.cost.evaluations = 4 * cell.steps;
+    if (cell.method == "fake/slow" && !work_slowly(cell.steps, stop)) {
+        outcome.status = "interrupted";
+        return outcome;
+    }
+    if (cell.method == "fake/deaf") { sleep_milliseconds(cell.steps); }
+    outcome.steps_done = cell.steps;
+    outcome.t_reached = cell.t_end;
+    outcome.final = state_at(cell.t_end, mass_of(cell.parameters));
+    if (reference != nullptr && cell.t_end <= reference->horizon) {
+        outcome.metrics.emplace_back("error.position", number(std::pow(static_cast<double>(cell.steps), -4)));
+    }
+    outcome.metrics.emplace_back("invariant.energy", number(1.0 / static_cast<double>(cell.steps)));
+    outcome.trajectory = trajectory(cell);
+    return misbehave(cell, outcome);
+}
+
+Reference FakeEngine::reference(const std::string& problem, const ParameterValues& parameters, double t_end) const {
+    ++references;
+    if (problem == "double_pendulum" && t_end > 100) { throw std::runtime_error("the two step sizes do not agree"); }
+    return {state_at(t_end, mass_of(parameters)), {{"error.position", number(1e-20)}}, 50, "fake"};
+}
+
+}  // namespace kreisel

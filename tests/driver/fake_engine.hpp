@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A small deterministic engine: enough problems, methods and options to exercise the driver, and methods that misbehave.
+#pragma once
+
+#include <atomic>
+
+#include "experiments/engine.hpp"
+
+namespace kreisel {
+
+/// Methods: rkmk/rk4 and rkmk/midpoint (options coordinates, dexpinv), baseline/rk4_quaternion (a flag; skipped on SE3),
+/// fake/relaxed (a real option), fake/nan (fails half way), fake/infinite (reports an infinite metric), fake/slow (one
+/// millisecond per step, listens to stop requests), fake/deaf (sleeps without listening), fake/throws, fake/throws_int.
+class FakeEngine final : public Engine {
+  public:
+    std::vector<ProblemDescription> problems() const override;
+    std::vector<MethodDescription> methods() const override;
+    std::vector<ProjectionDescription> projections() const override;
+    std::vector<FormulationDescription> formulations() const override;
+    SystemSummary summary(const std::string& problem, const ParameterValues&, const std::string& formulation) const override;
+    std::string skip_reason(const Cell&) const override;
+    Outcome run(const Cell&, const Reference* reference, const std::stop_token&) const override;
+    Reference reference(const std::string& problem, const ParameterValues&, double t_end) const override;
+
+    mutable std::atomic<int> runs = 0, references = 0;
+};
+
+}  // namespace kreisel
