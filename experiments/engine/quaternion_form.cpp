@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/engine/quaternion_form.hpp"
+
+#include "lie/so3.hpp"
+#include "mechanics/formulation.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+Mat3 rotation_of_quaternion(const Real* a) {
+    const Real s = 2 / (a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3]);
+    const Real x = s * a[1], y = s * a[2], z = s * a[3];
+    const Real wx = a[0] * x, wy = a[0] * y, wz = a[0] * z;
+    const Real xx = a[1] * x, xy = a[1] * y, xz = a[1] * z;
+    const Real yy = a[2] * y, yz = a[2] * z, zz = a[3] * z;
+    Mat3 R;
+    R << 1 - (yy + zz), xy - wz, xz + wy,  //
+        xy + wz, 1 - (xx + zz), yz - wx,   //
+        xz - wy, yz + wx, 1 - (xx + yy);
+    return R;
+}
+
+void quaternion_of_rotation(const Mat3& R, Real* a) {
+    const Vec3 u = SO3::log(R) / 2;
+    const Real t2 = u.squaredNorm();
+    a[0] = cos(sqrt(t2));
+    store(Vec3(sinc(t2) * u), a + 1);
+}
+
+QuaternionForm::QuaternionForm(const Model& model)
+    : model_(model),
+      system_(make_system(model, "SO3xR3")),
+      bodies_(system_->bodies()),
+      y_(static_cast<std::size_t>(system_->state_group().size())),
+      acceleration_(static_cast<std::size_t>(system_->velocities())),
+      rows_(static_cast<std::size_t>(system_->constraints())) {}
+
+std::vector<Real> QuaternionForm::start() const {
+    std::vector<Real> w(static_cast<std::size_t>(dimension()));
+    Real* p = w.data();
+    for (const Body& body : model_.bodies) {
+        store(body.start.x, p);
+        quaternion_of_rotation(body.start.R, p + 3);
+        store(body.start.v, p + 7), store(body.start.omega, p + 10);
+        p += body_size;
+    }
+    return w;
+}
+
+/// Flat state of SO3xR3: (x, R) of each body, then (x', omega) of each body.
+void QuaternionForm::load(const Real* w) {
+    Real* q = y_.data();
+    Real* v = q + system_->group().size();
+    for (int i = 0; i < bodies_; ++i, w += body_size, q += 12, v += 6) {
+        store(vec3(w), q), store(rotation_of_quaternion(w + 3), q + 3);
+        store(vec3(w + 7), v), store(vec3(w + 10), v + 3);
+    }
+}
+
+Status QuaternionForm::rate(const Real& t, const Real* w, Real* dw) {
+    load(w);
+    const Real* v = y_.data() + system_->group().size();
+    if (const Status s = system_->accelerations(t, y_.data(), v, acceleration_.data(), nullptr); s != Status::ok)
+        return s;
+    const Real* dv = acceleration_.data();
+    for (int i = 0; i < bodies_; ++i, w += body_size, dw += body_size, dv += 6) {
+        const Vec3 a = vec3(w + 4), half = vec3(w + 10) / 2;
+        store(vec3(w + 7), dw);
+        dw[3] = -a.dot(half);
+        store(Vec3(w[3] * half + a.cross(half)), dw + 4);
+        store(vec3(dv), dw + 7), store(vec3(dv + 3), dw + 10);
+    }
+    return Status::ok;
+}
+
+std::vector<BodyState> QuaternionForm::states(const Real* w) const {
+    std::vector<BodyState> bodies;
+    for (int i = 0; i < bodies_; ++i, w += body_size)
+        bodies.push_back({vec3(w), rotation_of_quaternion(w + 3), vec3(w + 7), vec3(w + 10)});
+    return bodies;
+}
+
+Status QuaternionForm::multipliers(const Real& t, const Real* w, std::vector<Real>& lambda) {
+    load(w);
+    lambda.resize(rows_.size());
+    const Real* v = y_.data() + system_->group().size();
+    return system_->accelerations(t, y_.data(), v, acceleration_.data(), lambda.data());
+}
+
+QuaternionForm::Residual QuaternionForm::residual(const Real& t, const Real* w) {
+    load(w);
+    const auto norm = [&] {
+        return Eigen::Map<const VecX>(rows_.data(), static_cast<Eigen::Index>(rows_.size())).norm();
+    };
+    system_->position_residual(t, y_.data(), rows_.data());
+    const Real position = norm();
+    system_->velocity_residual(t, y_.data(), y_.data() + system_->group().size(), rows_.data());
+    return {position, norm()};
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/engine/reference.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/engine/gbs.hpp"
+#include "experiments/engine/quaternion_form.hpp"
+#include "lie/so3.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+#if KREISEL_QUAD
+constexpr int columns = 11;
+#else
+constexpr int columns = 8;
+#endif
+
+/// Largest local error that a big step may have, relative to the size of each quantity. The estimate is that of the
+/// next lower order, so the true one is far smaller; less would be round-off, which extrapolation amplifies.
+Real tolerance() { return 65536 * epsilon; }
+
+/// Parts of w that are measured each by its own size: x, quaternion, v, omega of all bodies.
+struct Part {
+    int begin, end;
+};
+constexpr std::array<Part, 4> parts = {{{0, 3}, {3, 7}, {7, 10}, {10, 13}}};
+using Sizes = std::array<Real, 4>;
+
+/// Norm of each part over all bodies.
+Sizes norms(const Real* w, int dimension) {
+    Sizes sizes{};
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        Real sum = 0;
+        for (int body = 0; body < dimension; body += QuaternionForm::body_size)
+            for (int i = parts[p].begin; i < parts[p].end; ++i) sum += w[body + i] * w[body + i];
+        sizes[p] = sqrt(sum);
+    }
+    return sizes;
+}
+
+/// Largest a_p / b_p; a part that is zero throughout counts nothing.
+Real largest_ratio(const Sizes& a, const Sizes& b) {
+    Real ratio = 0;
+    for (std::size_t p = 0; p < a.size(); ++p)
+        if (a[p] > 0) ratio = max(ratio, Real(a[p] / b[p]));
+    return ratio;
+}
+
+void enlarge(Sizes& sizes, const Sizes& others) {
+    for (std::size_t p = 0; p < sizes.size(); ++p) sizes[p] = max(sizes[p], others[p]);
+}
+
+/// One run: times and states of its big steps, the start included, as far as it came.
+struct Run {
+    std::vector<Real> times;
+    std::vector<std::vector<Real>> states;
+    Sizes sizes{};  ///< largest of all steps
+    Status status = Status::ok;
+};
+
+/// Integrates one model; not copied, since the extrapolation refers to its form.
+class Integration {
+  public:
+    explicit Integration(const Model& model)
+        : form(model), gbs_(even_sequence(columns), form.dimension(), [this](const Real& t, const Real* w, Real* rate) {
+              return form.rate(t, w, rate);
+          }) {}
+    Integration(const Integration&) = delete;
+    Integration& operator=(const Integration&) = delete;
+
+    /// Big steps as large as the tolerance allows, from the guess H.
+    Run adaptive(const Real& t_end, Real H);
+    /// Every big step of another run in two halves.
+    Run halved(const Run& coarse);
+
+    QuaternionForm form;
+
+  private:
+    Run begin() {
+        Run run{{Real(0)}, {form.start()}};
+        run.sizes = norms(run.states[0].data(), form.dimension());
+        return run;
+    }
+    /// Appends the step to time t. On failure, or if its local error exceeds `allowed`, the run is as before.
+    bool append(Run& run, const Real& t, const Real& allowed);
+
+    Extrapolation gbs_;
+    Real local_error_ = 0;  // of the last step, relative to the sizes
+};
+
+bool Integration::append(Run& run, const Real& t, const Real& allowed) {
+    std::vector<Real> w = run.states.back();
+    run.status = gbs_.step(run.times.back(), t - run.times.back(), w.data());
+    if (run.status != Status::ok) return false;
+    Sizes sizes = run.sizes;
+    enlarge(sizes, norms(w.data(), form.dimension()));
+    local_error_ = largest_ratio(norms(gbs_.difference().data(), form.dimension()), sizes);
+    if (!(local_error_ <= allowed)) return false;
+    run.sizes = sizes;
+    run.times.push_back(t);
+    run.states.push_back(std::move(w));
+    return true;
+}
+
+/// The local error is that of H^{2k-1}. Steps shrink no further than to 2^-40 of the whole: what fails there has met a
+/// singularity, and what is inaccurate there is taken as it is; the halved run tells the error.
+Run Integration::adaptive(const Real& t_end, Real H) {
+    using std::pow;
+    Run run = begin();
+    const Real smallest = abs(t_end) / 1099511627776;
+    const Real infinity = std::numeric_limits<Real>::infinity();
+    while (run.times.back() != t_end) {
+        const Real t = run.times.back(), left = t_end - t;
+        const bool last = abs(H) >= abs(left), minimal = abs(H) <= smallest;
+        const bool done = append(run, last ? t_end : Real(t + H), minimal ? infinity : tolerance());
+        if (run.status != Status::ok) {
+            if (minimal) return run;
+            H = (last ? left : H) / 4;
+            continue;
+        }
+        const Real ratio = max(Real(4 * local_error_ / tolerance()), Real(epsilon));
+        const Real factor = pow(ratio, -Real(1) / (2 * columns - 1));
+        if (!done || !last) H = (last ? left : H) * min(max(factor, Real(1) / 4), Real(2));
+    }
+    return run;
+}
+
+Run Integration::halved(const Run& coarse) {
+    Run run = begin();
+    for (std::size_t n = 1; n < coarse.times.size(); ++n) {
+        const Real middle = (coarse.times[n - 1] + coarse.times[n]) / 2;
+        for (const Real& t : {middle, coarse.times[n]})
+            if (!append(run, t, std::numeric_limits<Real>::infinity())) return run;
+    }
+    return run;
+}
+
+/// A big step of about two radians, at the fastest body's initial rate.
+Real first_step(const Model& model, const Real& t_end) {
+    Real rate = 0;
+    for (const Body& body : model.bodies) rate = max(rate, Real(body.start.omega.norm()));
+    return t_end / max(Real(1), Real(rate * abs(t_end) / 2));
+}
+
+/// Last big step up to which two runs agree.
+std::size_t agreed_steps(const Run& coarse, const Run& fine, int dimension) {
+    const Real limit = Real(1) / 1000000000000;
+    std::vector<Real> difference(static_cast<std::size_t>(dimension));
+    std::size_t n = 1;
+    for (; n < coarse.states.size() && 2 * n < fine.states.size(); ++n) {
+        for (std::size_t i = 0; i < difference.size(); ++i) difference[i] = coarse.states[n][i] - fine.states[2 * n][i];
+        if (!(largest_ratio(norms(difference.data(), dimension), fine.sizes) <= limit)) break;
+    }
+    return n - 1;
+}
+
+/// The end state of the fine run, with its differences from the coarse one.
+void compare_ends(QuaternionForm& form, const Real& t_end, const Run& coarse, const Run& fine, ReferenceSolution& out) {
+    const Real *a = coarse.states.back().data(), *b = fine.states.back().data();
+    out.states = form.states(b);
+    const std::vector<BodyState> others = form.states(a);
+    Real x = 0, angle = 0, v = 0, omega = 0;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        const BodyState &one = out.states[i], &other = others[i];
+        x += (one.x - other.x).squaredNorm(), v += (one.v - other.v).squaredNorm();
+        angle += SO3::log(other.R.transpose() * one.R).squaredNorm();
+        omega += (one.omega - other.omega).squaredNorm();
+    }
+    const auto drift = form.residual(t_end, b);
+    out.position_error = max(Real(sqrt(x)), drift.position), out.rotation_error = sqrt(angle);
+    out.velocity_error = max(Real(sqrt(v)), drift.velocity), out.omega_error = sqrt(omega);
+    std::vector<Real> lambda;
+    for (const Status s : {form.multipliers(t_end, a, lambda), form.multipliers(t_end, b, out.multipliers)})
+        if (s != Status::ok) out.stopped = name(s);
+    Real sum = 0;
+    for (std::size_t i = 0; i < lambda.size(); ++i)
+        sum += (lambda[i] - out.multipliers[i]) * (lambda[i] - out.multipliers[i]);
+    out.multiplier_error = sqrt(sum);
+}
+
+}  // namespace
+
+ReferenceSolution reference_solution(const Model& model, const Real& t_end) {
+    if (!isfinite(t_end)) throw std::invalid_argument("a reference solution needs a finite end time");
+    Integration integration(model);
+    const Run coarse = integration.adaptive(t_end, first_step(model, t_end));
+    const Run fine = integration.halved(coarse);
+
+    ReferenceSolution out;
+    const std::size_t steps = coarse.states.size() - 1;
+    out.horizon = coarse.times[agreed_steps(coarse, fine, integration.form.dimension())];
+    out.route = "extrapolation of order " + std::to_string(2 * columns) + " on quaternion coordinates, " +
+                std::to_string(steps) + " and " + std::to_string(2 * steps) + " big steps";
+    for (const Run* run : {&coarse, &fine})
+        if (run->status != Status::ok) out.stopped = name(run->status);
+    if (out.stopped.empty()) compare_ends(integration.form, t_end, coarse, fine, out);
+    return out;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Reference solutions: extrapolation of high order on quaternion coordinates, another integrator family and another
+// description of the motion than any method under test.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mechanics/model.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// The state at t_end and what is known of its error. Errors are the differences between big steps H and H/2, each in
+/// the unit and norm of its metric (Euclidean over all bodies, rotation by the norm of the logarithm: m, rad, m/s,
+/// rad/s; multipliers in N over all rows); position and velocity at least the constraint residuals |Phi|, |C v + b|.
+/// If the equations of motion fail on the way (a singular configuration, NaN), `stopped` names the status and there
+/// are no states and no multipliers.
+struct ReferenceSolution {
+    std::vector<BodyState> states;
+    std::vector<Real> multipliers;  ///< rows in space axes, joints in the order of the model
+    Real position_error = 0, rotation_error = 0, velocity_error = 0, omega_error = 0, multiplier_error = 0;
+    Real horizon = 0;     ///< s; last big step up to which both runs agree to 1e-12 of each quantity's largest size
+    std::string route;    ///< how it was computed
+    std::string stopped;  ///< empty, or the name of the Status that ended the integration
+};
+
+/// Integrates from t = 0 to t_end (s), which may be negative: once with big steps chosen by their local error, and once
+/// with each of these halved. Throws std::invalid_argument if t_end is not finite.
+ReferenceSolution reference_solution(const Model& model, const Real& t_end);
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
