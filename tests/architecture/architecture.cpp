@@ -4,6 +4,7 @@
 // tree that breaks it and nothing else, so that a rule that has gone blind is noticed.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <map>
 
 #include "tests/architecture/rules.hpp"
@@ -13,15 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace architecture;
 
-/// The root of the project: the nearest folder above this file, or above the working folder, with a CITATION.cff.
-fs::path project_root() {
-    for (const auto& start : {fs::absolute(__FILE__).parent_path(), fs::current_path()}) {
-        for (auto folder = start; folder != folder.root_path(); folder = folder.parent_path()) {
-            if (fs::exists(folder / "CITATION.cff")) { return folder; }
-        }
-    }
-    throw std::runtime_error("no CITATION.cff above " __FILE__ " or the working folder");
-}
+const fs::path project_root = KREISEL_SOURCE_DIR;
 
 std::string print(const std::vector<Finding>& findings) {
     std::string lines;
@@ -32,7 +25,7 @@ std::string print(const std::vector<Finding>& findings) {
 }  // namespace
 
 TEST_CASE("the sources keep to the architecture", "[architecture]") {
-    const auto root = project_root();
+    const auto& root = project_root;
     const auto tree = load_tree(root);
     const auto bibliography = bibliography_keys(read_text(root / "paper/references.bib"));
     for (const auto* folder : {"lie", "mechanics", "problems", "methods", "experiments", "tests"}) {
@@ -63,7 +56,7 @@ TEST_CASE("each rule catches the tree that breaks it", "[architecture]") {
                                                          {"cite_list", "methods/euler.cpp:2: cite: unknown"},
                                                          {"cite_comment", "lie/so3.hpp:2: cite: nobody1999"},
                                                          {"nothing", ""}};
-    const auto bad = project_root() / "tests/architecture/bad";
+    const auto bad = project_root / "tests/architecture/bad";
     std::size_t cases = 0;
     for (const auto& entry : fs::directory_iterator(bad)) {
         const auto name = entry.path().filename().string();
