@@ -5,24 +5,22 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 
 #include "tests/orders/ordered_forests.hpp"
 
 namespace kreisel::orders {
 
-/// 100 decimal digits; expression templates off, as Eigen wants them.
-using Float100 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 using Vector100 = Eigen::Matrix<Float100, Eigen::Dynamic, 1>;
 using Matrix100 = Eigen::Matrix<Float100, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Method minus flow on the Lyndon words with exactly `order` nodes.
 template <class T>
-std::vector<T> conditions_of_order(const NumericTableau<T>& tableau, int order) {
+std::vector<T> conditions_of_order(const NumericTableau<T>& tableau, int order,
+                                   Factors stage_factors = Factors::ascending,
+                                   Factors final_factors = Factors::ascending) {
     const OrderedForests forests(order);
-    const auto method = crouch_grossman_series(forests, tableau);
+    const auto method = crouch_grossman_series(forests, tableau, stage_factors, final_factors);
     const auto flow = exact_series<T>(forests);
     std::vector<T> residuals;
     for (const std::size_t w : forests.lyndon(order)) residuals.push_back(method[w] - flow[w]);

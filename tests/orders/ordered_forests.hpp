@@ -20,6 +20,8 @@
 #include <map>
 #include <vector>
 
+#include "tests/orders/numeric_tableau.hpp"
+
 namespace kreisel::orders {
 
 /// All ordered forests with up to `order` nodes. A tree is named by the index of the forest of its branches, so B+ is
@@ -37,6 +39,8 @@ class OrderedForests {
 
     std::size_t size() const { return words_.size(); }
     const Word& word(std::size_t forest) const { return words_[forest]; }
+    /// Index of a word. Throws std::out_of_range for one with more than `order` nodes.
+    std::size_t find(const Word& word) const { return index_.at(word); }
     int nodes(std::size_t forest) const { return nodes_[forest]; }
     /// All ways to cut the word in two, empty parts included.
     const std::vector<Split>& splits(std::size_t forest) const { return splits_[forest]; }
@@ -82,27 +86,28 @@ Series<T> append_exponential(const OrderedForests& forests, const Series<T>& x, 
     return z;
 }
 
+/// Order of the factors in a product over the stages; the Crouch-Grossman method has `ascending` throughout.
+enum class Factors { ascending, descending };
+
 /// prod_j exp(weight_j B+(stage_j)).
 template <class T>
-Series<T> product(const OrderedForests& forests, const std::vector<T>& weights, const std::vector<Series<T>>& stages) {
+Series<T> product(const OrderedForests& forests, const std::vector<T>& weights, const std::vector<Series<T>>& stages,
+                  Factors order = Factors::ascending) {
     Series<T> y = one<T>(forests);
-    for (std::size_t j = 0; j < weights.size(); ++j) y = append_exponential(forests, y, weights[j], stages[j]);
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+        const std::size_t j = order == Factors::ascending ? k : weights.size() - 1 - k;
+        y = append_exponential(forests, y, weights[j], stages[j]);
+    }
     return y;
 }
 
-/// An explicit tableau in the numbers T.
+/// One step of the Crouch-Grossman method with h = 1; other orders of its factors are for comparison.
 template <class T>
-struct NumericTableau {
-    std::vector<std::vector<T>> a;  ///< row i holds a_i1 ... a_i,i-1
-    std::vector<T> b;
-};
-
-/// One step of the Crouch-Grossman method with h = 1.
-template <class T>
-Series<T> crouch_grossman_series(const OrderedForests& forests, const NumericTableau<T>& tableau) {
+Series<T> crouch_grossman_series(const OrderedForests& forests, const NumericTableau<T>& tableau,
+                                 Factors stage_factors = Factors::ascending, Factors final_factors = Factors::ascending) {
     std::vector<Series<T>> stages;
-    for (const auto& row : tableau.a) stages.push_back(product(forests, row, stages));
-    return product(forests, tableau.b, stages);
+    for (const auto& row : tableau.a) stages.push_back(product(forests, row, stages, stage_factors));
+    return product(forests, tableau.b, stages, final_factors);
 }
 
 /// The exact flow at time 1: n Y(w) = Y(head) Y(last tree) for a word w with n nodes.

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every registered Munthe-Kaas method satisfies the classical conditions of its declared order exactly, violates one of
+// the next order, and notices every single coefficient.
+#include <catch2/catch.hpp>
+
+#include "methods/method.hpp"
+#include "tests/orders/registered.hpp"
+#include "tests/orders/rooted_trees.hpp"
+
+using namespace kreisel;
+using namespace kreisel::orders;
+
+namespace {
+
+/// Largest p up to 6 such that the conditions of the orders 1 to p hold within `slack`.
+int butcher_order(const NumericTableau<Rational>& tableau, const Rational& slack) {
+    int order = 0;
+    while (order < 6 && all_within(butcher_conditions(tableau, order + 1), slack)) ++order;
+    return order;
+}
+
+}  // namespace
+
+TEST_CASE("there are 1, 1, 2, 4, 9, 20 rooted trees with 1 to 6 nodes", "[butcher]") {
+    const RootedTrees trees(6);
+    const std::vector<std::size_t> expected = {1, 1, 2, 4, 9, 20};
+    for (int n = 1; n <= 6; ++n) CHECK(trees.of_order(n).size() == expected[static_cast<std::size_t>(n - 1)]);
+}
+
+TEST_CASE("densities run from n (a bush) to n! (a tall tree)", "[butcher]") {
+    const RootedTrees trees(6);
+    long factorial = 1;
+    for (int n = 1; n <= 6; ++n) {
+        factorial *= n;
+        long least = factorial, greatest = 0;
+        for (const std::size_t tree : trees.of_order(n)) {
+            least = std::min(least, trees.density(tree));
+            greatest = std::max(greatest, trees.density(tree));
+        }
+        CHECK(least == n);
+        CHECK(greatest == factorial);
+    }
+}
+
+TEST_CASE("Munthe-Kaas tableaus have their declared order exactly", "[butcher]") {
+    const auto methods = registered(Scheme::Kind::munthe_kaas);
+    REQUIRE(methods.size() >= 6);
+    for (const Method* method : methods) {
+        INFO(method->description.name);
+        const Tableau& tableau = method->factory.scheme->tableau;
+        CHECK(butcher_order(exact(tableau), rounding(tableau)) == method->description.order.configuration);
+    }
+}
+
+TEST_CASE("a Munthe-Kaas coefficient off by 1e-6 violates a condition of the declared order", "[butcher]") {
+    for (const Method* method : registered(Scheme::Kind::munthe_kaas)) {
+        const Tableau& tableau = method->factory.scheme->tableau;
+        each_changed(exact(tableau), [&](const NumericTableau<Rational>& changed, int coefficient) {
+            INFO(method->description.name << ", coefficient " << coefficient);
+            CHECK(butcher_order(changed, rounding(tableau)) < method->description.order.configuration);
+        });
+    }
+}

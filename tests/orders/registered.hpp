@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the order suites ask of the registry and of their residuals.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "methods/method.hpp"
+#include "tests/orders/numeric_tableau.hpp"
+
+namespace kreisel::orders {
+
+/// Registered methods that declare a scheme of this kind.
+inline std::vector<const Method*> registered(Scheme::Kind kind) {
+    std::vector<const Method*> found;
+    for (const Method& method : methods())
+        if (method.factory.scheme && method.factory.scheme->kind == kind) found.push_back(&method);
+    return found;
+}
+
+template <class T>
+bool all_within(const std::vector<T>& residuals, const T& slack) {
+    return std::all_of(residuals.begin(), residuals.end(), [&](const T& r) { return abs(r) <= slack; });
+}
+
+/// Calls f(tableau with one coefficient larger by 1e-6, number of the coefficient) for each coefficient.
+template <class F>
+void each_changed(NumericTableau<Rational> tableau, F f) {
+    int number = 0;
+    each_coefficient(tableau, [&](Rational& coefficient) {
+        const Rational declared = coefficient;
+        coefficient += Rational(1, 1000000);
+        f(tableau, number++);
+        coefficient = declared;
+    });
+}
+
+}  // namespace kreisel::orders
