@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "experiments/errors.hpp"
+#include "experiments/node.hpp"
 
 namespace kreisel {
 
@@ -23,9 +24,11 @@ std::string cut(std::string_view text) {
     return std::string(text.substr(0, end)) + "...";
 }
 
+// Control characters beyond ASCII, which a terminal may obey, make all that is not ASCII appear as \\u....
 std::string escaped(std::string_view text) {
     const std::string dumped =
-        nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+        nlohmann::json(std::string(text))
+            .dump(-1, ' ', has_control_character(text), nlohmann::json::error_handler_t::replace);
     return dumped.substr(1, dumped.size() - 2);
 }
 

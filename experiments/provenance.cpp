@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
 
-#include <Eigen/src/Core/util/Macros.h>
+#include <eigen3/Eigen/src/Core/util/Macros.h>
 #include <CLI/Version.hpp>
 #include <boost/version.hpp>
 #include <ctime>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fake_engine.hpp"
+#include "tests/driver/fake_engine.hpp"
 
 namespace kreisel {
 

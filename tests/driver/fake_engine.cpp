@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fake_engine.hpp"
+#include "tests/driver/fake_engine.hpp"
 
 #include <fmt/format.h>
 

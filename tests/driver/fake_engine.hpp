@@ -18,7 +18,8 @@ class FakeEngine final : public Engine {
     std::vector<MethodDescription> methods() const override;
     std::vector<ProjectionDescription> projections() const override;
     std::vector<FormulationDescription> formulations() const override;
-    SystemSummary summary(const std::string& problem, const ParameterValues&, const std::string& formulation) const override;
+    SystemSummary summary(const std::string& problem, const ParameterValues&,
+                          const std::string& formulation) const override;
     std::string skip_reason(const Cell&) const override;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&) const override;
     Reference reference(const std::string& problem, const ParameterValues&, double t_end) const override;

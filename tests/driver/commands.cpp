@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The command line: exit codes, help, what list, info and plan tell.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/driver/command_line.hpp"
+
+using namespace kreisel;
+
+namespace {
+
+bool tells(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("wrong usage ends with 2 and the nearest command or option") {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {{}, "A subcommand is required"},
+        {{"rnu"}, "did you mean \"run\"?"},
+        {{"pln", "x.json"}, "did you mean \"plan\"?"},
+        {{"quantum"}, ""},
+        {{"run"}, "config is required"},
+        {{"run", "x.json", "--resum"}, "did you mean \"--resume\"?"},
+        {{"plan", "x.json", "--jsno"}, "did you mean \"--json\"?"},
+        {{"run", "x.json", "-j", "0"}, "0"},
+        {{"run", "x.json", "-j", "many"}, "many"},
+        {{"run", "x.json", "--shard", "4/3"}, "1 <= I <= N"},
+        {{"run", "x.json", "--shard", "-1/3"}, "1 <= I <= N"},
+        {{"run", "x.json", "--shard", "1of3"}, "1 <= I <= N"},
+        {{"list", "metods"}, "did you mean \"methods\"?"},
+        {{"info", "heavytop"}, "did you mean \"heavy_top\"?"},
+        {{"info", "rk4"}, "did you mean \"rkmk/rk4\"?"},
+        {{"merge", "/absent"}, "/absent"},
+        {{"verify", "/absent"}, "/absent"},
+        {{"check", "/absent.json"}, "No such file"},
+    };
+    for (const auto& [words, phrase] : cases) {
+        const auto result = run_program(words);
+        INFO((words.empty() ? "" : words[0]) << ": " << result.messages);
+        CHECK(result.code == 2);
+        CHECK(result.out.empty());
+        CHECK(tells(result.messages, phrase));
+    }
+    CHECK_FALSE(tells(run_program({"quantum"}).messages, "did you mean"));
+}
+
+TEST_CASE("help and version end with 0") {
+    CHECK(tells(run_program({"--help"}).out, "130 interrupted"));
+    CHECK(tells(run_program({"run", "--help"}).out, "--resume"));
+    CHECK(run_program({"--help"}).code == 0);
+    const auto version = run_program({"--version"});
+    CHECK(version.code == 0);
+    CHECK(tells(version.out, "kreisel "));
+}
+
+TEST_CASE("list tells all, or one topic") {
+    const auto all = run_program({"list"}).out;
+    for (const char* name : {"heavy_top", "rkmk/rk4", "position_velocity", "SE3", "error.rotation"}) {
+        CHECK(tells(all, name));
+    }
+    const auto methods = run_program({"list", "methods"}).out;
+    CHECK(tells(methods, "order 4; classical"));
+    CHECK_FALSE(tells(methods, "heavy_top"));
+}
+
+TEST_CASE("info tells parameters, options, integrals and why a formulation is impossible") {
+    const auto problem = run_program({"info", "double_pendulum"}).out;
+    CHECK(tells(problem, "invariant.energy [J]: forces have a potential"));
+    CHECK(tells(problem, "SO3: not possible: no body turns"));
+    const auto top = run_program({"info", "heavy_top"}).out;
+    CHECK(tells(top, "mass [kg]: a number greater than 0 (default 15)"));
+    CHECK(tells(top, "source2000"));
+    const auto method = run_program({"info", "rkmk/rk4"}).out;
+    CHECK(tells(method, "a whole number from 0 to 20"));
+    CHECK(tells(run_program({"info", "fake/relaxed"}).out, "order 2 (configuration), 2 (velocity), 1 (multipliers)"));
+    CHECK(tells(run_program({"info", "terze"}).out, "weight"));
+    CHECK(tells(run_program({"info", "SE3"}).out, "semidirect"));
+}
+
+TEST_CASE("plan tells the cells, for people and for scripts") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("good.json", good_config());
+    const auto table = run_program({"plan", config});
+    CHECK(table.code == 0);
+    CHECK(tells(table.out, "12 cells: 12 to run, 0 skipped; 1 reference solution\n"));
+    CHECK(tells(table.out, "coordinates=cayley dexpinv=exact"));
+    const auto json = nlohmann::json::parse(run_program({"plan", config, "--json"}).out);
+    REQUIRE(json["cells"].size() == 12);
+    CHECK(json["cells"][5]["method"] == "rkmk/rk4");
+    CHECK(json["cells"][5].contains("reference"));
+}

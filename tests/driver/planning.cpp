@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From a config to its cells.
+#include <catch2/catch.hpp>
+#include <regex>
+#include <set>
+
+#include "experiments/hash.hpp"
+#include "experiments/json_strict.hpp"
+#include "experiments/metric_names.hpp"
+#include "experiments/plan.hpp"
+#include "tests/driver/command_line.hpp"
+
+using namespace kreisel;
+
+namespace {
+
+const FakeEngine engine;
+const Engines engines{engine, engine};
+
+Plan plan_from(const std::string& text) { return plan_of(parse_document("test.json", text), engines); }
+
+std::string one_cell(const std::string& problem, const std::string& rest) {
+    return R"({"name": "n", "kind": "drift", "problems": [)" + problem +
+           R"(], "methods": ["rkmk/rk4"], "time": {"end": 2, "steps": 4})" + rest + "}";
+}
+
+std::string hash_of(const std::string& text) {
+    const Plan plan = plan_from(text);
+    REQUIRE(plan.cells.size() == 1);
+    return plan.cells.front().hash;
+}
+
+}  // namespace
+
+TEST_CASE("every axis is crossed with every other, the steps varying fastest") {
+    const Plan plan = plan_from(R"({"name": "n", "kind": "drift", "precision": ["double", "quad"],
+        "problems": ["heavy_top", "double_pendulum"], "formulations": ["SO3xR3", "SE3"],
+        "methods": [{"name": "rkmk/rk4", "dexpinv": ["exact", 0, "seed"]}, "rkmk/midpoint"],
+        "projections": ["none", {"name": "terze", "weight": ["mass", "identity"]}],
+        "time": {"end": 1, "steps": [4, 2]}})");
+    REQUIRE(plan.cells.size() == 2 * 2 * 2 * 4 * 3 * 2);
+    CHECK(plan.cells[0].cell.steps == 4);
+    CHECK(plan.cells[1].cell.steps == 2);
+    CHECK(plan.cells[2].precision == "quad");
+    CHECK(plan.cells[4].cell.projection_options.at("weight") == OptionValue("mass"));
+    CHECK(plan.cells[12].cell.options.at("dexpinv") == OptionValue(0L));
+    CHECK(plan.cells[48].cell.formulation == "SE3");
+    CHECK(plan.cells[96].cell.problem == "double_pendulum");
+    std::set<std::string> hashes;
+    for (const PlannedCell& cell : plan.cells) {
+        CHECK(std::regex_match(cell.hash, std::regex("[0-9a-f]{16}")));
+        hashes.insert(cell.hash);
+    }
+    CHECK(hashes.size() == plan.cells.size());
+    CHECK(plan.references.empty());  // drift asks for no error
+}
+
+TEST_CASE("defaults are those of the contract") {
+    const Plan plan = plan_from(one_cell("\"heavy_top\"", ""));
+    const Cell& cell = plan.cells.front().cell;
+    CHECK(cell.formulation == "SO3xR3");
+    CHECK(cell.projection == "none");
+    CHECK(plan.cells.front().precision == "double");
+    CHECK(cell.samples == 0);
+    CHECK(cell.metrics == std::vector<std::string>{"defect.*", "invariant.*"});
+    CHECK(std::get<double>(cell.parameters.at("mass")) == 15);
+    CHECK(cell.options.at("coordinates") == OptionValue("exp"));
+}
+
+TEST_CASE("the time grid in its four spellings") {
+    const auto steps = [](const std::string& time) {
+        return plan_from(
+                   R"({"name": "n", "kind": "drift", "problems": ["heavy_top"], "methods": ["rkmk/rk4"], "time": )" +
+                   time + "}")
+            .config.steps;
+    };
+    CHECK(steps(R"({"end": 1, "steps": 7})") == std::vector<long>{7});
+    CHECK(steps(R"({"end": 1, "steps": [7, 3]})") == std::vector<long>{7, 3});
+    CHECK(steps(R"({"end": 1, "steps": {"from": 5, "levels": 3}})") == std::vector<long>{5, 10, 20});
+    CHECK(steps(R"({"end": 1, "steps": {"from": 5, "levels": 3, "factor": 10}})") == std::vector<long>{5, 50, 500});
+    CHECK(steps(R"({"end": 1, "step": [0.1, 0.001]})") == std::vector<long>{10, 1000});
+    CHECK(steps(R"({"end": 0.3, "step": 0.1})") == std::vector<long>{3});  // 0.3/0.1 is no whole double
+}
+
+TEST_CASE("an inertia may be written as three numbers or as a matrix") {
+    CHECK(hash_of(one_cell(R"({"name": "heavy_top", "parameters": {"inertia": [1, 2, 2]}})", "")) ==
+          hash_of(
+              one_cell(R"({"name": "heavy_top", "parameters": {"inertia": [[1, 0, 0], [0, 2, 0], [0, 0, 2]]}})", "")));
+}
+
+TEST_CASE("a cell's name depends on what decides its numbers and on nothing else") {
+    const std::string name = hash_of(one_cell("\"heavy_top\"", ""));
+    CHECK(name == "c64bbc55218c5760");  // changes only with the hash's recipe: then results must be computed again
+    // order of keys, spelling of numbers, defaults written out, labels
+    CHECK(name == hash_of(R"({"time": {"steps": 4, "end": 2.0}, "methods": [{"dexpinv": "exact", "name": "rkmk/rk4"}],
+                             "problems": [{"parameters": {"mass": 1.5e1}, "label": "other", "name": "heavy_top"}],
+                             "kind": "drift", "name": "another", "precision": "double", "projections": ["none"],
+                             "metrics": ["invariant.*", "defect.*"], "output": {"samples": 0}})"));
+    // everything else changes it
+    for (const char* rest : {R"(, "precision": "quad")", R"(, "formulations": ["SE3"])",
+                             R"(, "projections": ["terze"])", R"(, "metrics": [])", R"(, "output": {"samples": 2})"}) {
+        CHECK(name != hash_of(one_cell("\"heavy_top\"", rest)));
+    }
+    CHECK(name != hash_of(one_cell("\"free_top\"", "")));
+    CHECK(name != hash_of(one_cell(R"({"name": "heavy_top", "parameters": {"mass": 15.000000000000002}})", "")));
+}
+
+TEST_CASE("the hash is FNV-1a of 64 bits") {
+    CHECK(hash_text("") == "cbf29ce484222325");
+    CHECK(hash_text("a") == "af63dc4c8601ec8c");
+    CHECK(hash_text("foobar") == "85944171f73967e8");
+    CHECK(hash64("bar", hash64("foo")) == hash64("foobar"));
+}
+
+TEST_CASE("what does not apply is skipped with the reason") {
+    const Plan plan =
+        plan_from(R"({"name": "n", "kind": "drift", "problems": ["double_pendulum"], "formulations": ["SE3", "SO3"],
+        "methods": ["baseline/rk4_quaternion"], "time": {"end": 1, "steps": 4}})");
+    REQUIRE(plan.cells.size() == 2);
+    CHECK(plan.cells[0].skip_reason.find("own their coordinates") != std::string::npos);
+    CHECK(plan.cells[1].skip_reason.find("fixed point") != std::string::npos);
+    REQUIRE(plan.warnings.size() == 1);
+    CHECK(plan.warnings.front().find("every cell of this config is skipped") != std::string::npos);
+}
+
+TEST_CASE("a reference is planned once for each problem, and only where errors are asked for") {
+    CHECK(plan_from(good_config()).references.size() == 1);
+    CHECK(plan_from(one_cell("\"heavy_top\"", R"(, "metrics": ["error.rotation"])")).references.size() == 1);
+    CHECK(plan_from(one_cell("\"heavy_top\"", R"(, "metrics": ["*.position"])")).references.size() == 1);
+    CHECK(plan_from(one_cell("\"heavy_top\"", R"(, "metrics": ["defect.position"])")).references.empty());
+}
+
+TEST_CASE("a resolved config is a config and leads to the same cells") {
+    const Plan plan = plan_from(R"({"name": "n", "kind": "drift", "precision": ["double", "quad"], "description": "d",
+        "problems": ["heavy_top", {"name": "double_pendulum", "label": "l", "parameters": {"bodies": [
+            {"name": "a", "mass": 0.1, "inertia": [1, 1, 1], "x": [0, 0, 1e-7], "v": [1, 2, 3]},
+            {"name": "b", "mass": 3, "inertia": [1, 1, 1], "x": [0, 0, 1]}]}}],
+        "methods": [{"name": "rkmk/rk4", "dexpinv": [0, "seed"]}, {"name": "fake/relaxed", "rho": [0.1, 1]}],
+        "projections": ["none", {"name": "terze", "weight": ["mass", "identity"]}],
+        "time": {"end": 1, "step": 0.25}, "output": {"samples": 2}, "figure": {"axes": ["t", "x"]}})");
+    const Plan again = plan_from(resolved_config(plan.config));
+    REQUIRE(again.cells.size() == plan.cells.size());
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) { CHECK(again.cells[i].identity == plan.cells[i].identity); }
+    CHECK(again.config.figure == plan.config.figure);
+    CHECK(resolved_config(again.config) == resolved_config(plan.config));
+}
+
+TEST_CASE("patterns") {
+    CHECK(matches("error.*", "error.position"));
+    CHECK(matches("*", ""));
+    CHECK(matches("*.fin*l", "defect.position.final"));
+    CHECK(matches("a*b*c", "aXbYbZc"));
+    CHECK_FALSE(matches("a*b*c", "aXbYbZ"));
+    CHECK_FALSE(matches("error.position", "error.positions"));
+    CHECK_FALSE(matches("", "x"));
+    CHECK_FALSE(matches(std::string(30, '*') + "b", std::string(5000, 'a')));
+}
