@@ -19,6 +19,7 @@
 #include <Eigen/Geometry>
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <boost/math/special_functions/ellint_rj.hpp>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -78,7 +79,7 @@ struct Phase {
 Phase jacobi(const Real& u, const Real& k1) {
     using std::atan, std::cosh, std::tanh;
     if (k1 == 0) {
-        const Real sech = 1 / cosh(u);
+        const Real sech = max(Real(1 / cosh(u)), std::numeric_limits<Real>::min());  // cn/dn = 1 to the end
         return {u, 2 * atan(tanh(u / 2)), tanh(u), sech, sech};
     }
     struct Mean {
@@ -100,20 +101,24 @@ Phase jacobi(const Real& u, const Real& k1) {
     return {u, phi, s, c, sqrt(c * c + k1 * k1 * s * s)};
 }
 
+/// Pi(am u, N, k) for N in [k^2, 1), by Carlson's R_J; `complement` is 1 - N without cancellation, k12 = k'^2 > 0.
+Real third_kind_positive(const Phase& p, const Real& N, const Real& complement, const Real& k12) {
+    using boost::math::ellint_rj, std::round;
+    const Real half_turns = round(p.am / pi()), sign = cos(half_turns * pi()) < 0 ? -1 : 1;
+    const Real s = sign * p.sn, s2 = s * s, c2 = p.cn * p.cn;
+    const Real part = s * s2 * ellint_rj(c2, p.dn * p.dn, Real(1), c2 + complement * s2);
+    const Real whole = half_turns == 0 ? Real(0) : 2 * half_turns * ellint_rj(Real(0), k12, Real(1), complement);
+    return p.u + N / 3 * (part + whole);
+}
+
 /// Pi(am u, n, k) for n <= 0: the integral of 1 / (1 - n sn^2) over [0, u], through the characteristic
 /// N = (k^2 - n)/(1 - n) in [k^2, 1] (Abramowitz & Stegun, 17.7.15 and 17.7.16).
 Real third_kind(const Phase& p, const Real& n, const Real& k2, const Real& k12) {
-    using std::round;
     if (n == 0) return p.u;
-    const Real N = (k2 - n) / (1 - n), complement = k12 / (1 - n);  // 1 - N
-    const Real half_turns = round(p.am / pi()), sign = cos(half_turns * pi()) < 0 ? -1 : 1;
-    const Real s = sign * p.sn, c2 = p.cn * p.cn, s2 = s * s;
-    using boost::math::ellint_rj;
-    Real integral = p.u + N / 3 * s * s2 * ellint_rj(c2, p.dn * p.dn, Real(1), c2 + complement * s2);
-    if (half_turns != 0) integral += 2 * half_turns * N / 3 * ellint_rj(Real(0), k12, Real(1), complement);
-    const Real d = k2 - n;
-    return -n * k12 / ((1 - n) * d) * integral + k2 / d * p.u +
-           atan2(sqrt(-n * N) * p.sn * p.cn, p.dn) * sqrt(-n / (d * (1 - n)));
+    const Real N = (k2 - n) / (1 - n), d = k2 - n;
+    const Real rest = k2 / d * p.u + atan2(sqrt(-n * N) * p.sn * p.cn, p.dn) * sqrt(-n / (d * (1 - n)));
+    if (k12 == 0) return rest;
+    return rest - n * k12 / ((1 - n) * d) * third_kind_positive(p, N, k12 / (1 - n), k12);
 }
 
 /// The motion in axes where it circles about axis 1 or is the separatrix; omega(0), omega(2) >= 0, and no rotation
