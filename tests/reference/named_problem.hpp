@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "problems/problem.hpp"
+
+namespace reference_tests {
+
+/// A problem with its default parameters.
+inline kreisel::Model standard_model(const std::string& name) {
+    kreisel::ParameterValues values;
+    const kreisel::Problem& problem = kreisel::problem(name);
+    for (const kreisel::ParameterDescription& p : problem.description.parameters) values[p.name] = p.standard;
+    return problem.build(kreisel::Parameters(values));
+}
+
+}  // namespace reference_tests
