@@ -39,8 +39,10 @@ using std::acos;
 using std::atan2;
 using std::cbrt;
 using std::cos;
+using std::log2;
 using std::max;
 using std::min;
+using std::pow;
 using std::sin;
 using std::sqrt;
 

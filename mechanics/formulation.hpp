@@ -30,6 +30,10 @@ std::vector<FirstIntegral> first_integrals(const Model& model);
 /// The system in a formulation that applies, its first integrals attached.
 std::unique_ptr<System> make_system(const Model& model, const std::string& formulation);
 
+/// Checks that a model starts on its constraints: residual of position and velocity at most 1e-9 relative to the size and
+/// speed of the system, and independent constraint rows. Throws ParameterError naming the joints and their residuals.
+void check_start(const Model& model);
+
 /// The state in which a model starts.
 std::vector<Real> initial_state(const System& system, const Model& model);
 

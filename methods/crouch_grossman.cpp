@@ -5,6 +5,7 @@
 
 #include "mechanics/system.hpp"
 #include "methods/bound_tableau.hpp"
+#include "methods/integrator.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -4,7 +4,7 @@
 // is what one does without groups. A step reads the coordinates off R, integrates them as a plain vector, and writes R.
 #pragma once
 
-#include "methods/method.hpp"
+#include "methods/integrator.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

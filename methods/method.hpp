@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a method is, and how it is registered: one line in its own file. Lean on purpose: a method file needs no Eigen.
+// What a method is, and how it is registered: one line in its own file. Lean on purpose: the file of a tableau sees
+// neither Eigen nor the number type, and compiles in no time in every precision.
 #pragma once
 
 #include <functional>
@@ -9,8 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "lie/real.hpp"
-#include "lie/status.hpp"
 #include "methods/description.hpp"
 #include "methods/tableau.hpp"
 
@@ -18,16 +17,7 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 class System;
-
-/// Moves a state y in TG by one step. Work space is sized when method and system meet: a step allocates nothing.
-class Integrator {
-  public:
-    virtual ~Integrator() = default;
-    /// Called before the first step; methods with memory start it here.
-    virtual Status start(const Real& /*t*/, const Real* /*y*/) { return Status::ok; }
-    /// y(t) -> y(t + h) in place. Any status but ok leaves y as it was.
-    virtual Status step(const Real& t, const Real& h, Real* y) = 0;
-};
+class Integrator;
 
 /// How a scheme combines its stages; the certification evaluates the declared scheme independently from this.
 struct Scheme {
@@ -41,6 +31,8 @@ struct Factory {
     std::vector<OptionDescription> options = {};
     int stages = 0;  ///< solves of the dynamics per step
     std::optional<Scheme> scheme = {};
+    /// Why a combination of options does not apply; empty if it does.
+    std::function<std::string(const OptionValues&)> why_not = [](const OptionValues&) { return std::string(); };
 };
 
 struct Method {

@@ -4,6 +4,7 @@
 #include "lie/chart.hpp"
 #include "mechanics/system.hpp"
 #include "methods/bound_tableau.hpp"
+#include "methods/integrator.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -75,6 +76,11 @@ Factory rkmk(const Tableau& tableau) {
                         .choices = {"exact", "seed"},
                         .count_min = 0,
                         .count_max = max_brackets}};
+    factory.why_not = [](const OptionValues& options) -> std::string {
+        const bool truncated = options.at("dexpinv") != OptionValue("exact");
+        const bool cayley = options.at("coordinates") == OptionValue("cayley");
+        return truncated && cayley ? "dexpinv does not apply under cayley coordinates" : "";
+    };
     factory.stages = static_cast<int>(tableau.b.size());
     factory.scheme = Scheme{Scheme::Kind::munthe_kaas, tableau};
     return factory;

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Nanoseconds per step of every method on every problem and formulation, no projection, no metrics.
+// Use --benchmark_filter=heavy_top/SO3xR3 to choose.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+
+#include "mechanics/formulation.hpp"
+#include "methods/integrator.hpp"
+#include "problems/problem.hpp"
+
+using namespace kreisel;
+
+namespace {
+
+Model standard(const Problem& problem) {
+    ParameterValues values;
+    for (const ParameterDescription& parameter : problem.description.parameters)
+        values[parameter.name] = parameter.standard;
+    return problem.build(Parameters(values));
+}
+
+void step(benchmark::State& state, const Model& model, const std::string& formulation, const Method& method) {
+    auto system = make_system(model, formulation);
+    OptionValues options;
+    for (const OptionDescription& option : method.description.options) options[option.name] = option.standard;
+    auto integrator = method.factory.make(*system, options, method.description);
+    std::vector<Real> y = initial_state(*system, model);
+    // Short steps, started over now and then: drift must not lead into a singularity.
+    const Real h = Real(1) / 100000;
+    const std::vector<Real> start = y;
+    long i = 0;
+    for (auto _ : state) {
+        if (integrator->step(h * Real(i), h, y.data()) != Status::ok) state.SkipWithError("the step failed");
+        if (++i % 10000 == 0) y = start, i = 0;
+    }
+    benchmark::DoNotOptimize(y.data());
+}
+
+void register_all() {
+    for (const Problem& problem : problems()) {
+        const Model model = standard(problem);
+        for (const Formulation& entry : formulations()) {
+            if (!entry.why_not(model).empty()) continue;
+            for (const Method& method : methods()) {
+                const auto& only = method.description.formulations;
+                if (!only.empty() && std::find(only.begin(), only.end(), entry.name) == only.end()) continue;
+                const std::string name = problem.description.name + "/" + entry.name + "/" + method.description.name;
+                benchmark::RegisterBenchmark(name.c_str(), [model, &entry, &method](benchmark::State& state) {
+                    step(state, model, entry.name, method);
+                });
+            }
+        }
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    register_all();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,12 @@
+# The driver knows no `Real`: it is compiled once and sees the numerical code through experiments/engine.hpp.
+file(GLOB driver_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/experiments/*.cpp)
+list(REMOVE_ITEM driver_sources ${CMAKE_SOURCE_DIR}/experiments/main.cpp)
+add_library(kreisel_driver OBJECT ${driver_sources})
+target_include_directories(kreisel_driver PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
+target_compile_definitions(kreisel_driver PUBLIC KREISEL_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 Threads::Threads)
+
+if(NOT KREISEL_SANITIZE)
+  add_executable(kreisel ${CMAKE_SOURCE_DIR}/experiments/main.cpp)
+  target_link_libraries(kreisel PRIVATE kreisel_driver kreisel_binary64 kreisel_binary128)
+endif()

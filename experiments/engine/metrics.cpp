@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/engine/metrics.hpp"
+
+#include "experiments/engine/report.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+void LineFit::add(const Real& t, const Real& y) {
+    ++points_;
+    const Real dt = t - t_, dy = y - y_;
+    t_ += dt / Real(points_);
+    y_ += dy / Real(points_);
+    t_t_ += dt * (t - t_);
+    t_y_ += dt * (y - y_);
+    y_y_ += dy * (y - y_);
+}
+
+Real LineFit::slope_error() const {
+    const Real rest = y_y_ - slope() * t_y_;
+    return sqrt(max(rest, Real(0)) / Real(points_ - 2) / t_t_);
+}
+
+namespace {
+
+bool matches_one(const char* pattern, const char* name) {
+    if (*pattern == '\0') return *name == '\0';
+    if (*pattern == '*') return matches_one(pattern + 1, name) || (*name != '\0' && matches_one(pattern, name + 1));
+    return *pattern == *name && matches_one(pattern + 1, name + 1);
+}
+
+const char* const defect_suffixes[] = {"", ".final"};
+const char* const integral_suffixes[] = {"", ".final", ".relative", ".slope", ".slope_error"};
+
+template <std::size_t n>
+bool any_matches(const std::vector<std::string>& patterns, const std::string& name, const char* const (&suffixes)[n]) {
+    for (const char* suffix : suffixes)
+        if (matches(patterns, name + suffix)) return true;
+    return false;
+}
+
+}  // namespace
+
+bool matches(const std::vector<std::string>& patterns, const std::string& name) {
+    for (const std::string& pattern : patterns)
+        if (matches_one(pattern.c_str(), name.c_str())) return true;
+    return false;
+}
+
+Monitor::Monitor(System& system, std::vector<std::string> patterns)
+    : system_(system),
+      patterns_(std::move(patterns)),
+      states_(static_cast<std::size_t>(system.bodies())),
+      rows_(system.constraints()),
+      xi_(system.constraints()),
+      bias_(system.constraints()),
+      dv_(system.velocities()) {
+    const auto add = [&](Level level, const char* name, const char* unit) {
+        if (any_matches(patterns_, name, defect_suffixes)) defects_.push_back({level, name, unit});
+    };
+    if (system.constraints() > 0) {
+        add(Level::position, "defect.position", "m");
+        add(Level::velocity, "defect.velocity", "m/s");
+        add(Level::acceleration, "defect.acceleration", "m/s^2");
+    }
+    add(Level::orthogonality, "defect.orthogonality", "1");
+    for (const FirstIntegral& integral : system.integrals()) {
+        const std::string name = "invariant." + integral.name;
+        if (any_matches(patterns_, name, integral_suffixes)) integrals_.push_back({&integral, name, 0, 0, 0, {}});
+    }
+}
+
+Real Monitor::measure(Level level, const Real& t, const Real* y) {
+    const Real* v = y + system_.group().size();
+    switch (level) {
+        case Level::position: system_.position_residual(t, y, rows_.data()); break;
+        case Level::velocity: system_.velocity_residual(t, y, v, rows_.data()); break;
+        case Level::orthogonality: return system_.group().orthogonality_defect(y);
+        case Level::acceleration:
+            ++evaluations_;
+            if (system_.accelerations(t, y, v, dv_.data(), nullptr) != Status::ok) measured_ = false;
+            system_.velocity_residual(t, y, dv_.data(), rows_.data());  // C v' + b
+            system_.velocity_bias(t, y, bias_.data());
+            system_.acceleration_bias(t, y, v, xi_.data());
+            rows_ -= bias_ + xi_;
+            break;
+    }
+    return rows_.norm();
+}
+
+void Monitor::observe(const Real& t, const Real* y) {
+    for (Defect& defect : defects_) {
+        defect.now = measure(defect.level, t, y);
+        defect.worst = max(defect.worst, defect.now);
+    }
+    if (integrals_.empty()) return;
+    system_.read(y, states_.data());
+    for (Integral& integral : integrals_) {
+        const Real value = integral.source->value(states_);
+        if (!started_) integral.start = value;
+        integral.now = value - integral.start;
+        integral.worst = max(integral.worst, Real(abs(integral.now)));
+        integral.fit.add(t, integral.now);
+    }
+    started_ = true;
+}
+
+std::vector<std::pair<std::string, Number>> Monitor::metrics() const {
+    std::vector<std::pair<std::string, Number>> all;
+    const auto add = [&](const std::string& name, const Real& value) {
+        if (isfinite(value) && matches(patterns_, name)) all.emplace_back(name, to_number(value));
+    };
+    for (const Defect& defect : defects_) {
+        if (defect.level == Level::acceleration && !measured_) continue;
+        add(defect.name, defect.worst);
+        add(defect.name + ".final", defect.now);
+    }
+    for (const Integral& integral : integrals_) {
+        add(integral.name, integral.worst);
+        add(integral.name + ".final", Real(abs(integral.now)));
+        if (integral.start != 0) add(integral.name + ".relative", integral.worst / abs(integral.start));
+        if (integral.fit.points() < 3) continue;
+        add(integral.name + ".slope", integral.fit.slope());
+        add(integral.name + ".slope_error", integral.fit.slope_error());
+    }
+    return all;
+}
+
+std::vector<Column> Monitor::columns() const {
+    std::vector<Column> all;
+    const auto add = [&](const std::string& name, const std::string& unit) {
+        all.push_back({name, unit});
+        all.push_back({name + ".max", unit});
+    };
+    for (const Defect& defect : defects_) add(defect.name, defect.unit);
+    for (const Integral& integral : integrals_) add(integral.name, integral.source->unit);
+    return all;
+}
+
+void Monitor::append_values(std::vector<Real>& row) const {
+    for (const Defect& defect : defects_) row.insert(row.end(), {defect.now, defect.worst});
+    for (const Integral& integral : integrals_) row.insert(row.end(), {integral.now, integral.worst});
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What is measured along a run, step by step: constraint defects on three levels, orthogonality, first integrals. Only
+// what was asked for is computed.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/engine.hpp"
+#include "mechanics/system.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// Least-squares line through (t, y), kept by running means (one pass, no cancellation).
+class LineFit {
+  public:
+    void add(const Real& t, const Real& y);
+    Real slope() const { return t_t_ > 0 ? t_y_ / t_t_ : Real(0); }
+    /// Standard error of the slope; needs three points.
+    Real slope_error() const;
+    long points() const { return points_; }
+
+  private:
+    long points_ = 0;
+    Real t_ = 0, y_ = 0, t_t_ = 0, t_y_ = 0, y_y_ = 0;
+};
+
+/// Name patterns of metrics, `*` standing for any text.
+bool matches(const std::vector<std::string>& patterns, const std::string& name);
+
+class Monitor {
+  public:
+    Monitor(System& system, std::vector<std::string> patterns);
+    bool idle() const { return defects_.empty() && integrals_.empty(); }
+    /// Measures the state y at time t; the first call fixes the initial values of the integrals.
+    void observe(const Real& t, const Real* y);
+    /// The metrics asked for, in a fixed order.
+    std::vector<std::pair<std::string, Number>> metrics() const;
+    /// Columns and current values for a trajectory: each quantity and its running maximum.
+    std::vector<Column> columns() const;
+    void append_values(std::vector<Real>& row) const;
+    long evaluations() const { return evaluations_; }
+
+  private:
+    enum class Level { position, velocity, acceleration, orthogonality };
+    struct Defect {
+        Level level;
+        std::string name, unit;
+        Real now = 0, worst = 0;
+    };
+    struct Integral {
+        const FirstIntegral* source;
+        std::string name;
+        Real start = 0, now = 0, worst = 0;
+        LineFit fit;
+    };
+    Real measure(Level level, const Real& t, const Real* y);
+
+    System& system_;
+    std::vector<std::string> patterns_;
+    std::vector<Defect> defects_;
+    std::vector<Integral> integrals_;
+    std::vector<BodyState> states_;
+    VecX rows_, xi_, bias_, dv_;
+    bool started_ = false, measured_ = true;
+    long evaluations_ = 0;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Between Real and the text in which numbers leave and enter the engine.
+#pragma once
+
+#include <vector>
+
+#include "experiments/engine.hpp"
+#include "mechanics/system.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+Number to_number(const Real& x);
+Real from_number(const Number& x);
+
+ReportedState to_report(const Real& t, const std::vector<BodyState>& states, const std::vector<std::string>& names,
+                        const std::vector<Real>& multipliers);
+std::vector<BodyState> from_report(const ReportedState& report);
+
+/// The distances behind error.*: Euclidean norms over all bodies of x, v, omega (m, m/s, rad/s), and of log(R_b^T R_a) (rad).
+struct Distance {
+    Real position = 0, rotation = 0, velocity = 0, omega = 0;
+};
+Distance distance(const std::vector<BodyState>& a, const std::vector<BodyState>& b);
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/engine/run.hpp"
+
+#include <algorithm>
+#include <ctime>
+
+#include "experiments/engine/metrics.hpp"
+#include "experiments/engine/report.hpp"
+#include "mechanics/formulation.hpp"
+#include "methods/integrator.hpp"
+#include "methods/projection.hpp"
+#include "problems/problem.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) / 1000000000;
+}
+
+bool applies(const std::vector<std::string>& formulations, const std::string& name) {
+    return formulations.empty() || std::find(formulations.begin(), formulations.end(), name) != formulations.end();
+}
+
+std::string only_for(const std::string& who, const std::vector<std::string>& formulations) {
+    std::string list;
+    for (const std::string& name : formulations) list += (list.empty() ? "" : ", ") + name;
+    return who + " runs for " + list + " only";
+}
+
+/// Sum of all entries: finite exactly where every entry is, but for overflow, which ends a run just the same.
+bool all_finite(const std::vector<Real>& y) {
+    Real sum = 0;
+    for (const Real& x : y) sum += x;
+    return isfinite(sum);
+}
+
+/// A run in progress: everything that meets for one cell.
+class Run {
+  public:
+    explicit Run(const Cell& cell)
+        : cell_(cell),
+          model_(problem(cell.problem).build(Parameters(cell.parameters))),
+          system_(make_system(model_, cell.formulation)),
+          integrator_(bind_method()),
+          projection_(projection(cell.projection).make(*system_, cell.projection_options)),
+          monitor_(*system_, cell.metrics),
+          t_end_(decimal(cell.t_end)),
+          h_(t_end_ / Real(cell.steps)),
+          y_(initial_state(*system_, model_)),
+          states_(model_.bodies.size()),
+          multipliers_(static_cast<std::size_t>(system_->constraints())),
+          dv_(static_cast<std::size_t>(system_->velocities())) {
+        for (const Body& body : model_.bodies) names_.push_back(body.name);
+    }
+
+    Outcome execute(const Reference* reference, const std::stop_token& stop) {
+        const double begin = thread_seconds();
+        if (cell_.samples > 0) outcome_.trajectory.columns = columns();
+        monitor_.observe(0, y_.data());
+        sample(0);
+        advance(stop);
+        finish(reference);
+        outcome_.cost.cpu_s = thread_seconds() - begin;
+        return std::move(outcome_);
+    }
+
+  private:
+    std::unique_ptr<Integrator> bind_method() {
+        const Method& entry = method(cell_.method);
+        return entry.factory.make(*system_, cell_.options, entry.description);
+    }
+
+    Real time(long step) const { return step == cell_.steps ? t_end_ : Real(h_ * Real(step)); }
+
+    void advance(const std::stop_token& stop) {
+        if (const Status status = integrator_->start(0, y_.data()); status != Status::ok) return fail(status, 0, "start");
+        for (long i = 0; i < cell_.steps; ++i) {
+            if (i % 256 == 0 && stop.stop_requested()) {
+                outcome_.status = "interrupted";
+                return;
+            }
+            const Real t = time(i);
+            if (const Status status = integrator_->step(t, h_, y_.data()); status != Status::ok)
+                return fail(status, i, "step of " + cell_.method);
+            if (const Status status = projection_->project(time(i + 1), y_.data()); status != Status::ok)
+                return fail(status, i, "projection " + cell_.projection);
+            if (!all_finite(y_)) return fail(Status::non_finite, i, where_not_finite());
+            outcome_.steps_done = i + 1;
+            if (!monitor_.idle()) monitor_.observe(time(i + 1), y_.data());
+            sample(i + 1);
+        }
+    }
+
+    void fail(Status status, long step, const std::string& where) {
+        outcome_.status = name(status);
+        outcome_.detail = where + " failed in step " + std::to_string(step + 1) + " of " + std::to_string(cell_.steps) +
+                          ", from t = " + to_text(time(step)) + " s";
+    }
+
+    std::string where_not_finite() {
+        system_->read(y_.data(), states_.data());
+        for (std::size_t i = 0; i < states_.size(); ++i) {
+            const BodyState& s = states_[i];
+            const char* quantity = !isfinite(Real(s.x.sum()))   ? "x"
+                                   : !isfinite(Real(s.R.sum())) ? "R"
+                                   : !isfinite(Real(s.v.sum())) ? "v"
+                                                                : "omega";
+            if (!isfinite(Real(s.x.sum() + s.R.sum() + s.v.sum() + s.omega.sum())))
+                return std::string(quantity) + " of body \"" + names_[i] + "\" is not finite: the step";
+        }
+        return "the step";
+    }
+
+    std::vector<Column> columns() const {
+        std::vector<Column> all = {{"t", "s"}};
+        for (const std::string& body : names_) {
+            const auto add = [&](const char* quantity, const char* unit, int count) {
+                for (int i = 1; i <= count; ++i) all.push_back({body + "." + quantity + std::to_string(i), unit});
+            };
+            add("x", "m", 3);
+            for (int i = 1; i <= 3; ++i)
+                for (int j = 1; j <= 3; ++j) all.push_back({body + ".R" + std::to_string(i) + std::to_string(j), "1"});
+            add("v", "m/s", 3);
+            add("omega", "rad/s", 3);
+        }
+        for (std::size_t i = 0; i < multipliers_.size(); ++i) all.push_back({"lambda" + std::to_string(i + 1), "N"});
+        for (Column& column : monitor_.columns()) all.push_back(std::move(column));
+        return all;
+    }
+
+    void sample(long step) {
+        if (cell_.samples == 0 || step % (cell_.steps / cell_.samples) != 0) return;
+        std::vector<Real> row = {time(step)};
+        system_->read(y_.data(), states_.data());
+        for (const BodyState& s : states_) {
+            row.insert(row.end(), {s.x[0], s.x[1], s.x[2]});
+            for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j) row.push_back(s.R(i, j));
+            row.insert(row.end(), {s.v[0], s.v[1], s.v[2], s.omega[0], s.omega[1], s.omega[2]});
+        }
+        const bool known = solve_multipliers(time(step));
+        std::string line;
+        const auto append = [&](const std::string& text) { line += (line.empty() ? "" : ",") + text; };
+        for (const Real& x : row) append(to_text(x));
+        for (const Real& lambda : multipliers_) append(known ? to_text(lambda) : "");
+        row.clear();
+        monitor_.append_values(row);
+        for (const Real& x : row) append(isfinite(x) ? to_text(x) : "");
+        outcome_.trajectory.rows.push_back(std::move(line));
+    }
+
+    /// Multipliers at the present state; false where they cannot be solved for.
+    bool solve_multipliers(const Real& t) {
+        if (multipliers_.empty()) return true;
+        ++outcome_.cost.output_evaluations;
+        const Real* v = y_.data() + system_->group().size();
+        return system_->accelerations(t, y_.data(), v, dv_.data(), multipliers_.data()) == Status::ok;
+    }
+
+    void finish(const Reference* reference) {
+        const Real t = time(outcome_.steps_done);
+        outcome_.t_reached = to_double(t);
+        outcome_.cost.evaluations = system_->evaluations();
+        outcome_.cost.projection_iterations = projection_->iterations();
+        outcome_.cost.output_evaluations += monitor_.evaluations();
+        if (outcome_.status == "ok") {
+            const bool known = solve_multipliers(t);
+            system_->read(y_.data(), states_.data());
+            outcome_.final = to_report(t, states_, names_, known ? multipliers_ : std::vector<Real>());
+            if (reference) add_errors(*reference, known);
+        }
+        for (auto& metric : monitor_.metrics()) outcome_.metrics.push_back(std::move(metric));
+    }
+
+    void add_errors(const Reference& reference, bool multipliers_known) {
+        if (cell_.t_end > reference.horizon) return;
+        const auto add = [&](const std::string& metric, const Real& value) {
+            if (isfinite(value) && matches(cell_.metrics, metric)) outcome_.metrics.emplace_back(metric, to_number(value));
+        };
+        const Distance d = distance(states_, from_report(reference.state));
+        add("error.position", d.position);
+        add("error.rotation", d.rotation);
+        add("error.velocity", d.velocity);
+        add("error.omega", d.omega);
+        const auto& exact = reference.state.multipliers;
+        if (!multipliers_known || multipliers_.empty() || exact.size() != multipliers_.size()) return;
+        Real sum = 0;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+            const Real difference = multipliers_[i] - from_number(exact[i]);
+            sum += difference * difference;
+        }
+        add("error.multipliers", sqrt(sum));
+    }
+
+    const Cell& cell_;
+    Model model_;
+    std::unique_ptr<System> system_;
+    std::unique_ptr<Integrator> integrator_;
+    std::unique_ptr<Projection> projection_;
+    Monitor monitor_;
+    Real t_end_, h_;
+    std::vector<Real> y_;
+    std::vector<BodyState> states_;
+    std::vector<std::string> names_;
+    std::vector<Real> multipliers_, dv_;
+    Outcome outcome_;
+};
+
+}  // namespace
+
+std::string why_skipped(const Cell& cell) {
+    const Model model = problem(cell.problem).build(Parameters(cell.parameters));
+    check_start(model);
+    const Method& entry = method(cell.method);
+    const ProjectionMethod& projector = projection(cell.projection);
+    if (const std::string reason = formulation(cell.formulation).why_not(model); !reason.empty()) return reason;
+    if (!applies(entry.description.formulations, cell.formulation))
+        return only_for(cell.method, entry.description.formulations);
+    if (const std::string reason = entry.factory.why_not(cell.options); !reason.empty()) return reason;
+    if (cell.projection == "none") return "";
+    if (!applies(projector.description.formulations, cell.formulation))
+        return only_for("projection " + cell.projection, projector.description.formulations);
+    const bool free = make_system(model, cell.formulation)->constraints() == 0;
+    return free ? "there is no constraint to project onto in formulation " + cell.formulation : "";
+}
+
+Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop) {
+    return Run(cell).execute(reference, stop);
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

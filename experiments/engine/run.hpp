@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One cell: a problem, a formulation, a method and a projection meet, run, and are measured.
+#pragma once
+
+#include <stop_token>
+
+#include "experiments/engine.hpp"
+#include "lie/real.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+std::string why_skipped(const Cell& cell);
+Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop);
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

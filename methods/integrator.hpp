@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lie/real.hpp"
+#include "lie/status.hpp"
+#include "methods/method.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// Moves a state y in TG by one step. Work space is sized when method and system meet: a step allocates nothing.
+class Integrator {
+  public:
+    virtual ~Integrator() = default;
+    /// Called before the first step; methods with memory start it here.
+    virtual Status start(const Real& /*t*/, const Real* /*y*/) { return Status::ok; }
+    /// y(t) -> y(t + h) in place. Any status but ok leaves y as it was.
+    virtual Status step(const Real& t, const Real& h, Real* y) = 0;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A step allocates nothing: the global allocator is counted while each method and projection steps.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "tests/methods/stepping.hpp"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace kreisel;
+using namespace models;
+using namespace stepping;
+
+TEST_CASE("a step and a projection allocate nothing", "[methods]") {
+    for (const Method& entry : methods())
+        for (const ProjectionMethod& projector : projections())
+            for (const Named& named : all())
+                for (const std::string& formulation : applicable(named.model)) {
+                    if (!runs_on(entry.description, formulation)) continue;
+                    const auto& only = projector.description.formulations;
+                    if (!only.empty() && std::find(only.begin(), only.end(), formulation) == only.end()) continue;
+                    Trip trip(named.model, formulation, entry, projector.description.name);
+                    const long before = allocations;
+                    const Status status = trip.run(Real(1) / 100, 10);
+                    const long during = allocations - before;
+                    INFO(entry.description.name << ", " << projector.description.name << ", " << named.name << ", " << formulation);
+                    CHECK(status == Status::ok);
+                    CHECK(during == 0);
+                }
+}
+
+TEST_CASE("the count above sees an allocation", "[methods][control]") {
+    const long before = allocations;
+    const std::vector<Real> memory(10);
+    CHECK(allocations - before == 1);
+    CHECK(memory.size() == 10);
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Runs of a method on a problem of the registry, without the driver.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "experiments/engine/report.hpp"
+#include "methods/integrator.hpp"
+#include "methods/projection.hpp"
+#include "tests/mechanics/models.hpp"
+
+namespace stepping {
+
+using namespace kreisel;
+
+inline OptionValues default_options(const std::vector<OptionDescription>& options) {
+    OptionValues values;
+    for (const OptionDescription& option : options) values[option.name] = option.standard;
+    return values;
+}
+
+inline bool runs_on(const MethodDescription& method, const std::string& formulation) {
+    const auto& only = method.formulations;
+    return only.empty() || std::find(only.begin(), only.end(), formulation) != only.end();
+}
+
+/// A method, a projection and a system, stepping.
+struct Trip {
+    Trip(const Model& m, const std::string& formulation, const Method& method, const OptionValues& options,
+         const std::string& projector = "none", OptionValues projection_options = {})
+        : model(m), system(make_system(model, formulation)), y(initial_state(*system, model)) {
+        integrator = method.factory.make(*system, options, method.description);
+        const ProjectionMethod& entry = projection(projector);
+        for (const auto& [name, value] : default_options(entry.description.options)) projection_options.insert({name, value});
+        project = entry.make(*system, projection_options);
+    }
+    Trip(const Model& m, const std::string& formulation, const Method& method, const std::string& projector = "none")
+        : Trip(m, formulation, method, default_options(method.description.options), projector) {}
+
+    /// N steps to t_end; the first status that is not ok, or ok.
+    Status run(const Real& t_end, long steps) {
+        const Real h = t_end / Real(steps);
+        Status status = integrator->start(0, y.data());
+        for (long i = 0; i < steps && status == Status::ok; ++i) {
+            status = integrator->step(h * Real(i), h, y.data());
+            if (status == Status::ok) status = project->project(h * Real(i + 1), y.data());
+        }
+        return status;
+    }
+
+    std::vector<BodyState> bodies() const {
+        std::vector<BodyState> states(model.bodies.size());
+        system->read(y.data(), states.data());
+        return states;
+    }
+    Real position_defect() const {
+        VecX rows(system->constraints());
+        system->position_residual(0, y.data(), rows.data());
+        return rows.norm();
+    }
+    Real velocity_defect() const {
+        VecX rows(system->constraints());
+        system->velocity_residual(0, y.data(), y.data() + system->group().size(), rows.data());
+        return rows.norm();
+    }
+
+    Model model;
+    std::unique_ptr<System> system;
+    std::vector<Real> y;
+    std::unique_ptr<Integrator> integrator;
+    std::unique_ptr<Projection> project;
+};
+
+/// Largest of the four distances.
+inline Real worst(const Distance& d) { return max(max(d.position, d.rotation), max(d.velocity, d.omega)); }
+
+}  // namespace stepping
