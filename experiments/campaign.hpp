@@ -26,6 +26,7 @@ struct RunSettings {
 struct CampaignReport {
     CellCounts counts;
     std::size_t reused = 0;
+    double seconds = 0;
     std::vector<std::pair<std::string, std::string>>
         failures;  ///< one line for each failed cell; the second: its status
     bool interrupted = false;

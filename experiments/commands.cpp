@@ -61,7 +61,7 @@ Exit report(const CampaignReport& report, const PlannedConfig& planned, const st
     std::string text = fmt::format("{}: {} ok, {} skipped, {} failed", planned.plan.config.name, counts.ok,
                                    counts.skipped, counts.failed);
     if (report.reused > 0) { text += fmt::format(" ({} taken over from before)", report.reused); }
-    fmt::print(messages, "{}; results in {}\n", text, planned.folder.string());
+    fmt::print(messages, "{} in {}; results in {}\n", text, duration_text(report.seconds), planned.folder.string());
     if (report.interrupted) {
         const std::string shard =
             settings.shards == 1 ? "" : fmt::format(" --shard {}/{}", settings.shard, settings.shards);

@@ -42,6 +42,22 @@ void copy_trajectory(const FinishedCell& cell, const std::filesystem::path& from
     write_atomically(to / trajectory_file(cell.hash), read_text(from / trajectory_file(cell.hash)));
 }
 
+void copy_references(const std::filesystem::path& from, const std::filesystem::path& to) {
+    if (from == to || !std::filesystem::is_directory(from / "references")) { return; }
+    make_folder(to / "references");
+    for (const auto& file : files_like(from / "references", "", ".json")) {
+        write_atomically(to / "references" / file.filename(), read_text(file));
+    }
+}
+
+// So that the merged folder can be resumed, and merged again, like any other.
+void write_journal(const std::filesystem::path& folder, const std::map<std::string, FinishedCell>& finished,
+                   const std::string& build) {
+    std::string text;
+    for (const auto& [hash, cell] : finished) { text += journal_line(cell, build) + "\n"; }
+    write_atomically(journal_file(folder, ""), text);
+}
+
 }  // namespace
 
 Exit merge_command(const Paths& folders, const std::filesystem::path& output, const std::string& build,
@@ -56,8 +72,10 @@ Exit merge_command(const Paths& folders, const std::filesystem::path& output, co
         JournalContents journals = read_journals(folder, build);
         for (const std::string& complaint : journals.complaints) { fmt::print(terminal.messages, "{}\n", complaint); }
         for (const auto& [hash, cell] : journals.cells) { copy_trajectory(cell, folder, target); }
+        copy_references(folder, target);
         finished.merge(journals.cells);
     }
+    write_journal(target, finished, build);
     write_results(plan, finished, target);
     const CellCounts counts = count_cells(plan, finished, {});
     times.ended = utc_now();

@@ -15,6 +15,7 @@ constexpr double terminal_interval = 0.2, log_interval = 5.0;  // s
 }  // namespace
 
 std::string duration_text(double seconds) {
+    if (seconds < 10) { return fmt::format("{:.1f} s", seconds); }
     const long whole = std::lround(seconds);
     if (whole >= 3600) { return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60); }
     return whole >= 60 ? fmt::format("{} min {:02} s", whole / 60, whole % 60) : fmt::format("{} s", whole);
@@ -29,6 +30,9 @@ void Progress::show(const ProgressState& state) {
     if (seconds(now - last_) < (terminal_ ? terminal_interval : log_interval)) { return; }
     last_ = now;
     std::string text = fmt::format("{}: {}/{} cells", name_, state.done, state.total);
+    if (state.references_done < state.references) {
+        text += fmt::format(", {}/{} reference solutions", state.references_done, state.references);
+    }
     if (state.failed > 0) { text += fmt::format(", {} failed", state.failed); }
     if (state.weight_done > 0 && state.weight_total > state.weight_done) {
         const double left = seconds(now - start_) * (state.weight_total - state.weight_done) / state.weight_done;

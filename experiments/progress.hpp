@@ -12,6 +12,7 @@ namespace kreisel {
 
 struct ProgressState {
     std::size_t done = 0, total = 0, failed = 0;
+    std::size_t references_done = 0, references = 0;
     double weight_done = 0, weight_total = 0;  ///< of the cells to be computed, for the estimate of the time left
 };
 
@@ -32,7 +33,7 @@ class Progress {
     Clock::time_point start_, last_;
 };
 
-/// "1 h 02 min", "3 min 07 s", "12 s".
+/// "1 h 02 min", "3 min 07 s", "12 s", "0.4 s".
 std::string duration_text(double seconds);
 
 }  // namespace kreisel

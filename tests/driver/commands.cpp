@@ -3,7 +3,10 @@
 // The command line: exit codes, help, what list, info and plan tell.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
 
+#include "experiments/progress.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;
@@ -52,6 +55,20 @@ TEST_CASE("help and version end with 0") {
     const auto version = run_program({"--version"});
     CHECK(version.code == 0);
     CHECK(tells(version.out, "kreisel "));
+}
+
+TEST_CASE("durations and progress in a log") {
+    CHECK(duration_text(0.44) == "0.4 s");
+    CHECK(duration_text(12) == "12 s");
+    CHECK(duration_text(187) == "3 min 07 s");
+    CHECK(duration_text(3720) == "1 h 02 min");
+    std::ostringstream out;
+    Progress progress(out, "name", true);
+    std::this_thread::sleep_for(std::chrono::milliseconds(250));
+    progress.show({3, 10, 1, 0, 2, 1, 4});
+    progress.clear();
+    CHECK(tells(out.str(), "name: 3/10 cells, 0/2 reference solutions, 1 failed, about "));
+    CHECK(out.str().ends_with("\r\x1b[K"));
 }
 
 TEST_CASE("list tells all, or one topic") {

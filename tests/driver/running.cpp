@@ -92,6 +92,11 @@ TEST_CASE("the results are the same bytes for any number of workers and any shar
     CHECK(run_program({"merge", (scratch / "a").string()}).messages.find("48 missing") != std::string::npos);
     run_program({"merge", (scratch / "b").string(), (scratch / "a").string(), "-o", (scratch / "ab").string()});
     require_same_results(scratch / "j1", scratch / "ab");
+    const FakeEngine engine;
+    run(config, scratch / "ab", {"--resume"}, engine);
+    CHECK(engine.runs == 48);  // what was thrown is tried again, the rest is there
+    CHECK(engine.references == 0);
+    require_same_results(scratch / "j1", scratch / "ab");
     for (const auto& entry : std::filesystem::directory_iterator(scratch / "j1" / "trajectories")) {
         CHECK(contents(entry.path()) == contents(scratch / "ab" / "trajectories" / entry.path().filename().string()));
     }
