@@ -7,7 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "tests/orders/crouch_grossman_conditions.hpp"
+#include "tests/orders/crouch_grossman_system.hpp"
 #include "tests/orders/published_cg4a.hpp"
 
 namespace {
@@ -61,7 +61,8 @@ void print(const Vector100& x) {
 int main() try {
     const Vector100 start = read(published_cg4a()), solution = rounded(solve(start));
     std::cerr << "largest change of a printed coefficient: " << largest(solution - start).str(3) << '\n'
-              << "largest residual of what is printed here: " << largest(conditions(solution, stages, order)).str(3) << '\n';
+              << "largest residual of what is printed here: " << largest(conditions(solution, stages, order)).str(3)
+              << '\n';
     print(solution);
 } catch (const std::exception& error) {
     std::cerr << "solve_crouch_grossman: " << error.what() << '\n';

@@ -6,8 +6,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "tests/orders/crouch_grossman_conditions.hpp"
-#include "tests/orders/crouch_grossman_order.hpp"
+#include "tests/orders/crouch_grossman_system.hpp"
 #include "tests/orders/registered.hpp"
 
 using namespace kreisel;

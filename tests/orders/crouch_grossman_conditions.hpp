@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Order conditions of Crouch-Grossman methods as a system of polynomial equations in the coefficients of an explicit
-// tableau, with its Jacobian; generated from ordered_forests.hpp.
+// Order conditions of Crouch-Grossman methods, generated from ordered_forests.hpp.
 #pragma once
-
-#include <Eigen/Core>
-#include <boost/multiprecision/eigen.hpp>
 
 #include "tests/orders/ordered_forests.hpp"
 
 namespace kreisel::orders {
-
-using Vector100 = Eigen::Matrix<Float100, Eigen::Dynamic, 1>;
-using Matrix100 = Eigen::Matrix<Float100, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Method minus flow on the Lyndon words with exactly `order` nodes.
 template <class T>
@@ -27,13 +20,15 @@ std::vector<T> conditions_of_order(const NumericTableau<T>& tableau, int order,
     return residuals;
 }
 
-/// All coefficients, rows of `a` first, then b.
-Vector100 unknowns(const NumericTableau<Float100>& tableau);
-NumericTableau<Float100> tableau_of(const Vector100& unknowns, std::size_t stages);
-
-/// Conditions of the orders 1 to `order`, one after another.
-Vector100 conditions(const Vector100& unknowns, std::size_t stages, int order);
-/// Their derivatives by one-sided differences of width 1e-50, so correct to some 50 digits.
-Matrix100 conditions_jacobian(const Vector100& unknowns, std::size_t stages, int order);
+/// Largest p up to 5 such that the conditions of the orders 1 to p hold within `slack`, for a method that takes its
+/// factors in the given orders.
+inline int crouch_grossman_order(const NumericTableau<Rational>& tableau, const Rational& slack,
+                                 Factors stage_factors = Factors::ascending,
+                                 Factors final_factors = Factors::ascending) {
+    int order = 0;
+    while (order < 5 && all_within(conditions_of_order(tableau, order + 1, stage_factors, final_factors), slack))
+        ++order;
+    return order;
+}
 
 }  // namespace kreisel::orders

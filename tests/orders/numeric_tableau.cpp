@@ -18,8 +18,8 @@ Rational decimal_rational(std::string text) {
     text.erase(0, negative ? 1 : 0);
     text.erase(0, text.find_first_not_of('0'));  // a leading 0 would make it octal
     const boost::multiprecision::cpp_int numerator(text.empty() ? "0" : text);
-    const Rational magnitude(numerator, boost::multiprecision::pow(boost::multiprecision::cpp_int(10),
-                                                                   static_cast<unsigned>(decimals)));
+    const Rational magnitude(
+        numerator, boost::multiprecision::pow(boost::multiprecision::cpp_int(10), static_cast<unsigned>(decimals)));
     return negative ? -magnitude : magnitude;
 }
 

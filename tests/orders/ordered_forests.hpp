@@ -104,7 +104,8 @@ Series<T> product(const OrderedForests& forests, const std::vector<T>& weights, 
 /// One step of the Crouch-Grossman method with h = 1; other orders of its factors are for comparison.
 template <class T>
 Series<T> crouch_grossman_series(const OrderedForests& forests, const NumericTableau<T>& tableau,
-                                 Factors stage_factors = Factors::ascending, Factors final_factors = Factors::ascending) {
+                                 Factors stage_factors = Factors::ascending,
+                                 Factors final_factors = Factors::ascending) {
     std::vector<Series<T>> stages;
     for (const auto& row : tableau.a) stages.push_back(product(forests, row, stages, stage_factors));
     return product(forests, tableau.b, stages, final_factors);

@@ -3,7 +3,6 @@
 // What the order suites ask of the registry and of their residuals.
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "methods/method.hpp"
@@ -17,11 +16,6 @@ inline std::vector<const Method*> registered(Scheme::Kind kind) {
     for (const Method& method : methods())
         if (method.factory.scheme && method.factory.scheme->kind == kind) found.push_back(&method);
     return found;
-}
-
-template <class T>
-bool all_within(const std::vector<T>& residuals, const T& slack) {
-    return std::all_of(residuals.begin(), residuals.end(), [&](const T& r) { return abs(r) <= slack; });
 }
 
 /// Calls f(tableau with one coefficient larger by 1e-6, number of the coefficient) for each coefficient.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/orders/crouch_grossman_conditions.hpp"
+#include "tests/orders/crouch_grossman_system.hpp"
 
 namespace kreisel::orders {
 

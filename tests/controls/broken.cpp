@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/controls/broken.hpp"
+
+#include <algorithm>
+
+#include "mechanics/system.hpp"
+#include "methods/bound_tableau.hpp"
+#include "methods/integrator.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+using Vector = std::vector<Real>;
+
+/// What both families share: the slopes of the stages, each at its point and time.
+class Broken : public Integrator {
+  public:
+    Broken(System& system, const Tableau& tableau)
+        : system_(system), group_(system.state_group()), tableau_(tableau), slopes_(tableau.b.size(), algebra()) {}
+
+    Status step(const Real& t, const Real& h, Real* y) override {
+        Vector point(static_cast<std::size_t>(group_.size()));
+        for (std::size_t i = 0; i < slopes_.size(); ++i) {
+            std::copy_n(y, point.size(), point.begin());
+            Vector u = append(tableau_.a[i], h, point.data(), false);
+            const Status status = system_.vector_field(stage_time(t, h, i), point.data(), slopes_[i].data());
+            if (status != Status::ok) return status;
+            finish_slope(u, slopes_[i]);
+        }
+        append(tableau_.b, h, y, true);
+        return Status::ok;
+    }
+
+  protected:
+    /// y <- the point that the weights and the slopes so far lead to; answers its coordinates around the old y.
+    virtual Vector append(const Combination& weights, const Real& h, Real* y, bool final) = 0;
+    virtual void finish_slope(const Vector& /*u*/, Vector& /*slope*/) const {}
+    virtual Real stage_time(const Real& t, const Real& h, std::size_t i) const { return t + tableau_.c[i] * h; }
+
+    Vector algebra() const { return Vector(static_cast<std::size_t>(group_.dim())); }
+
+    System& system_;
+    const TangentGroup& group_;
+    BoundTableau tableau_;
+    std::vector<Vector> slopes_;
+};
+
+class BrokenMuntheKaas final : public Broken {
+  public:
+    BrokenMuntheKaas(System& system, const Tableau& tableau, MuntheKaasFault fault)
+        : Broken(system, tableau), fault_(fault) {}
+
+  private:
+    Vector append(const Combination& weights, const Real& h, Real* y, bool) override {
+        Vector u = algebra();
+        for (const Term& term : weights)
+            for (std::size_t j = 0; j < u.size(); ++j)
+                u[j] += h * term.coefficient * slopes_[static_cast<std::size_t>(term.stage)][j];
+        group_.append_exp(y, u.data(), y);
+        return u;
+    }
+
+    void finish_slope(const Vector& u, Vector& slope) const override {
+        if (fault_.dexpinv == MuntheKaasFault::Dexpinv::absent) return;
+        Vector around = u;
+        if (fault_.dexpinv == MuntheKaasFault::Dexpinv::wrong_sign)
+            for (Real& x : around) x = -x;
+        group_.dexpinv_left(around.data(), slope.data(), slope.data());
+    }
+
+    Real stage_time(const Real& t, const Real& h, std::size_t i) const override {
+        return fault_.frozen_time ? t : Broken::stage_time(t, h, i);
+    }
+
+    MuntheKaasFault fault_;
+};
+
+class BrokenCrouchGrossman final : public Broken {
+  public:
+    BrokenCrouchGrossman(System& system, const Tableau& tableau, CrouchGrossmanFault fault)
+        : Broken(system, tableau), fault_(fault) {}
+
+  private:
+    Vector append(const Combination& weights, const Real& h, Real* y, bool final) override {
+        Combination factors = weights;
+        if (final ? fault_.reversed_final_factors : fault_.reversed_stage_factors)
+            std::reverse(factors.begin(), factors.end());
+        for (const Term& term : factors) {
+            Vector u = slopes_[static_cast<std::size_t>(term.stage)];
+            for (Real& x : u) x *= h * term.coefficient;
+            group_.append_exp(y, u.data(), y);
+        }
+        return {};
+    }
+
+    CrouchGrossmanFault fault_;
+};
+
+}  // namespace
+
+Factory broken_rkmk(const Tableau& declared, MuntheKaasFault fault) {
+    Factory factory;
+    factory.make = [declared, fault](System& system, const OptionValues&, const MethodDescription&) {
+        return std::make_unique<BrokenMuntheKaas>(system, declared, fault);
+    };
+    factory.stages = static_cast<int>(declared.b.size());
+    factory.scheme = Scheme{Scheme::Kind::munthe_kaas, declared};
+    return factory;
+}
+
+Factory broken_crouch_grossman(const Tableau& declared, CrouchGrossmanFault fault) {
+    Factory factory;
+    factory.make = [declared, fault](System& system, const OptionValues&, const MethodDescription&) {
+        Tableau used = declared;
+        if (fault.reversed_rows)
+            for (auto& row : used.a) std::reverse(row.begin(), row.end());
+        return std::make_unique<BrokenCrouchGrossman>(system, used, fault);
+    };
+    factory.stages = static_cast<int>(declared.b.size());
+    factory.scheme = Scheme{Scheme::Kind::crouch_grossman, declared};
+    return factory;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
