@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A figure as plain data: panels with curves, axes and labels, and where they lie on the page. gnuplot only draws it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace kreisel {
+
+struct Point {
+    double x = 0, y = 0;
+};
+
+/// Labels here are enhanced text of gnuplot: what comes from outside goes through enhanced_escape first.
+struct Curve {
+    std::string label;
+    std::vector<Point> points;
+    int style = 1;  ///< line, point and dash type; equal numbers look equal in all panels
+};
+
+struct Mark {
+    Point at;
+    std::string text;
+};
+
+struct Panel {
+    std::string title, x_label, y_label;
+    bool log_x = false, log_y = false;
+    std::vector<Curve> curves;
+    std::vector<std::vector<Point>> guides;  ///< thin grey lines without a legend: fitted laws, slope triangles
+    std::vector<Mark> marks;                 ///< small grey texts centred at a point
+};
+
+struct PanelFigure {
+    std::string kind, name, title;
+    std::vector<Panel> panels;
+    long columns = 2;
+};
+
+/// Writes plotdata/<name>.gp (titles, ranges, layout) and one data file per curve and panel. Throws FileError, and
+/// std::invalid_argument where a label holds a control character.
+void write_panels(const std::filesystem::path& plotdata, const PanelFigure& figure);
+
+/// `text` as a single-quoted string of gnuplot. Throws std::invalid_argument on a control character.
+std::string gnuplot_quoted(const std::string& text);
+/// Makes enhanced text show `text` as it is.
+std::string enhanced_escape(const std::string& text);
+/// Width of enhanced text in characters: mark-up does not count.
+std::size_t enhanced_width(const std::string& text);
+
+}  // namespace kreisel

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/table.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "experiments/errors.hpp"
+#include "experiments/table_drift.hpp"
+#include "experiments/table_orders.hpp"
+
+namespace kreisel {
+
+namespace {
+
+// What a table is told by once, above it, when it is the same in every row.
+std::vector<std::string> common_columns() {
+    auto columns = CellNames::axes();
+    columns.insert(columns.end(), {"steps", "h [s]", "defect", "integral", "status"});
+    return columns;
+}
+
+class TableWriter {
+  public:
+    explicit TableWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    void write(const TextTable& full, const TextTable& brief, bool print) {
+        if (full.rows.empty()) { return; }
+        const TextTable compact = without_constant_columns(brief, common_columns());
+        write_table(folder_, full, compact);
+        if (print) { std::cout << terminal_text(compact) << "\n"; }
+    }
+    void write(const TextTable& table, bool print) { write(table, table, print); }
+
+  private:
+    std::filesystem::path folder_;
+};
+
+void print_counts(const Results& results) {
+    std::size_t ok = 0, skipped = 0;
+    for (const ResultRow& row : results.rows) {
+        ok += row.ok() ? 1U : 0U;
+        skipped += row.status == "skipped" ? 1U : 0U;
+    }
+    fmt::print("{}: {} cells: {} ok, {} skipped, {} failed\n\n", results.name, results.rows.size(), ok, skipped,
+               results.rows.size() - ok - skipped);
+}
+
+}  // namespace
+
+int table_command(const std::filesystem::path& folder) {
+    const Results results = read_results(folder);
+    for (const std::string& damage : results.damage) { std::cerr << damage << "\n"; }
+    print_counts(results);
+    const auto tables = folder / "tables";
+    std::filesystem::remove_all(tables);  // a table of an earlier run must not survive beside those of this one
+    TableWriter writer(tables);
+    const bool convergence = !error_metrics(results.rows).empty();
+    if (convergence) {
+        writer.write(orders_in_full(results), orders_in_brief(results), true);
+        writer.write(errors_in_full(results), errors_in_brief(results), true);
+    }
+    writer.write(drift_table(results, folder, exact_number), drift_table(results, folder, short_number), !convergence);
+    writer.write(invariants_table(results, exact_number), invariants_table(results, short_number), !convergence);
+    writer.write(cost_table(results), false);
+    writer.write(failures_table(results), true);
+    fmt::print("tables in {}\n", tables.string());
+    return static_cast<int>(results.damage.empty() ? Exit::ok : Exit::cells_failed);
+}
+
+}  // namespace kreisel

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/table_drift.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "experiments/order.hpp"
+#include "experiments/table_orders.hpp"
+
+namespace kreisel {
+
+namespace {
+
+double metric(const ResultRow& row, const std::string& name) {
+    const auto found = row.metrics.find(name);
+    return found == row.metrics.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+TextTable table_of(std::string name, std::string title, const std::vector<std::string>& columns) {
+    TextTable table{std::move(name), std::move(title), CellNames::axes(), {}};
+    table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+    return table;
+}
+
+void add(TextTable& table, const CellNames& names, const ResultRow& row, const std::vector<std::string>& cells) {
+    auto line = identity(names, row);
+    line.insert(line.end(), cells.begin(), cells.end());
+    table.rows.push_back(std::move(line));
+}
+
+std::vector<std::string> growth_cells(const std::optional<GrowthLaw>& growth) {
+    if (!growth) { return {"-", "-", "-"}; }
+    return {fmt::format("{:.3f}", growth->exponent), fmt::format("{:.3f}", growth->error),
+            fmt::format("{:.4g}–{:.4g}", growth->from, growth->to)};
+}
+
+}  // namespace
+
+double roundoff_level(const std::string& precision) { return 1e4 * epsilon_of(precision); }
+
+std::optional<GrowthLaw> growth_of(const TrajectoryTable& trajectory, const std::string& name,
+                                   const std::string& precision) {
+    const auto* t = trajectory.find("t");
+    const auto* y = trajectory.find(name + ".max");
+    if (t == nullptr || y == nullptr) { return std::nullopt; }
+    return fit_growth(*t, *y, roundoff_level(precision));
+}
+
+std::vector<std::string> plain_metrics(const std::vector<ResultRow>& rows, const std::string& prefix) {
+    std::vector<std::string> found;
+    for (const ResultRow& row : rows) {
+        for (const auto& [name, value] : row.metrics) {
+            const bool plain = name.starts_with(prefix) && name.find('.', prefix.size()) == std::string::npos;
+            if (plain && std::find(found.begin(), found.end(), name) == found.end()) { found.push_back(name); }
+        }
+    }
+    return found;
+}
+
+TextTable drift_table(const Results& results, const std::filesystem::path& folder, std::string (*number)(double)) {
+    const CellNames names(results.rows);
+    TextTable table = table_of("drift", "Constraint and orthogonality defects: " + results.name,
+                               {"steps", "h [s]", "defect", "maximum", "final", "exponent", "error", "range [s]"});
+    table.notes = {
+        "Growth law: the running maximum of the defect grows like t^exponent over the given range of t (least "
+        "squares in log-log, second half of the time span, +- standard error); none is given for round-off."};
+    const auto metrics = plain_metrics(results.rows, "defect.");
+    for (const ResultRow& row : results.rows) {
+        if (row.status == "skipped") { continue; }
+        const auto trajectory = row.has_trajectory ? read_trajectory(folder, row) : TrajectoryTable{};
+        for (const std::string& name : metrics) {
+            if (!row.metrics.contains(name)) { continue; }
+            std::vector<std::string> cells = {fmt::format("{}", row.steps), number(row.h), name.substr(7),
+                                              number(metric(row, name)), number(metric(row, name + ".final"))};
+            for (std::string& cell : growth_cells(growth_of(trajectory, name, row.precision))) {
+                cells.push_back(std::move(cell));
+            }
+            add(table, names, row, cells);
+        }
+    }
+    return table;
+}
+
+TextTable invariants_table(const Results& results, std::string (*number)(double)) {
+    const CellNames names(results.rows);
+    TextTable table = table_of("invariants", "First integrals: " + results.name,
+                               {"steps", "h [s]", "integral", "maximum", "relative", "slope [1/s]", "slope error"});
+    table.notes = {
+        "Largest |I - I0| and |I - I0|/|I0| over all steps; slope: least-squares secular rate of I - I0, in the "
+        "unit of the integral per second, with its standard error."};
+    for (const ResultRow& row : results.rows) {
+        if (row.status == "skipped") { continue; }
+        for (const std::string& name : plain_metrics({row}, "invariant.")) {
+            add(table, names, row,
+                {fmt::format("{}", row.steps), number(row.h), name.substr(10), number(metric(row, name)),
+                 number(metric(row, name + ".relative")), number(metric(row, name + ".slope")),
+                 number(metric(row, name + ".slope_error"))});
+        }
+    }
+    return table;
+}
+
+TextTable cost_table(const Results& results) {
+    const CellNames names(results.rows);
+    TextTable table = table_of("cost", "Cost: " + results.name,
+                               {"steps", "evaluations", "per step", "projection iterations", "iterations per step"});
+    table.notes = {
+        "Evaluations are solves of the dynamics inside the steps; those of start, projection and output are "
+        "counted apart."};
+    for (const ResultRow& row : results.rows) {
+        if (!row.ok() || !row.cost.contains("evaluations")) { continue; }
+        const double evaluations = row.cost.at("evaluations");
+        const auto found = row.cost.find("projection_iterations");
+        const double iterations = found == row.cost.end() ? 0 : found->second;
+        const auto steps = static_cast<double>(row.steps);
+        add(table, names, row,
+            {fmt::format("{}", row.steps), fmt::format("{}", evaluations), fmt::format("{:.3g}", evaluations / steps),
+             fmt::format("{}", iterations), fmt::format("{:.3g}", iterations / steps)});
+    }
+    return table;
+}
+
+TextTable failures_table(const Results& results) {
+    const CellNames names(results.rows);
+    TextTable table = table_of("not_ok", "Cells that did not finish: " + results.name, {"steps", "status", "reason"});
+    for (const ResultRow& row : results.rows) {
+        if (!row.ok()) { add(table, names, row, {fmt::format("{}", row.steps), row.status, row.detail}); }
+    }
+    return table;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The results of a run as tables and figures need them: numbers rounded to double, damage reported and passed over.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kreisel {
+
+/// One cell. Numbers of quad cells are rounded to double: enough for tables, slopes and drawings.
+struct ResultRow {
+    std::string cell, problem, label, formulation, method, projection, precision, status, detail;
+    std::map<std::string, std::string> options, projection_options;
+    nlohmann::json parameters;
+    long steps = 0;
+    double h = 0, t_end = 0;
+    std::map<std::string, double> metrics;
+    std::map<std::string, double> reference_error;  ///< by error.* metric; empty without a reference
+    std::map<std::string, double> scale;            ///< by error.* metric: size of the final state, same unit
+    std::map<std::string, double> cost;
+    std::optional<int> declared_order;
+    bool has_trajectory = false;
+
+    bool ok() const { return status == "ok"; }
+};
+
+struct Results {
+    std::vector<ResultRow> rows;
+    std::vector<std::string> damage;  ///< one text per line that could not be read
+    nlohmann::json config;            ///< as resolved; null where there is no manifest
+    std::string name;                 ///< of the experiment
+};
+
+/// Reads DIR/results.jsonl and DIR/manifest.json. A damaged line is left out and named in `damage`. Throws FileError
+/// where results.jsonl cannot be read.
+Results read_results(const std::filesystem::path& folder);
+
+/// One line of results.jsonl. Throws std::exception on a line that is none.
+ResultRow read_result_line(const std::string& line);
+
+/// A sampled trajectory by column.
+struct TrajectoryTable {
+    std::vector<std::string> names, units;
+    std::vector<std::vector<double>> columns;  ///< NaN where a value is absent
+
+    /// Null where there is no such column.
+    const std::vector<double>* find(const std::string& name) const;
+    std::string unit(const std::string& name) const;
+};
+
+/// DIR/trajectories/<cell>.csv. Throws FileError if it cannot be read or is damaged.
+TrajectoryTable read_trajectory(const std::filesystem::path& folder, const ResultRow& row);
+
+}  // namespace kreisel

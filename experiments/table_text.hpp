@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A table as text: aligned for a terminal, Markdown, CSV and LaTeX. Every cell is data: each writer escapes what its
+// format would take for syntax.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace kreisel {
+
+struct TextTable {
+    std::string name;   ///< file name without extension
+    std::string title;  ///< one line
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string>> rows;
+    std::vector<std::string> notes = {};  ///< how to read it; a paragraph each
+};
+
+/// "1.15e-03"; "0" for zero; "-" for a number that is absent (NaN).
+std::string short_number(double value);
+/// Shortest text that reads back exactly; empty where absent (NaN).
+std::string exact_number(double value);
+
+/// Moves the columns that hold one value all over into a note "problem: heavy_top; precision: double".
+TextTable without_constant_columns(const TextTable& table, const std::vector<std::string>& candidates);
+
+std::string terminal_text(const TextTable& table);
+std::string markdown_text(const TextTable& table);
+/// RFC 4180. Text that a spreadsheet would take for a formula is preceded by an apostrophe; notes are left out.
+std::string csv_text(const TextTable& table);
+/// A `tabular` with the rules of booktabs, numbers as 1.15 * 10^-3 in mathematics; notes as comments.
+std::string latex_text(const TextTable& table);
+
+/// Writes folder/<name>.md, .csv and .tex. `full` goes to the CSV, `brief` to the others. Throws FileError.
+void write_table(const std::filesystem::path& folder, const TextTable& full, const TextTable& brief);
+
+/// Text in LaTeX: every special character escaped, control characters replaced by a question mark.
+std::string latex_escaped(const std::string& text);
+
+}  // namespace kreisel

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Axes of the figures in space: one scale for all three, the floor at the bottom of the box.
+set xrange [low_1:high_1]
+set yrange [low_2:high_2]
+set zrange [low_3:high_3]
+set cbrange [t_first:t_last]
+set view elevation, azimuth, 1.15
+set view equal xyz
+set xyplane at low_3
+set border 127 + 256 + 512 lw 0.5 lc rgb '#999999'
+set grid x y ls 101
+set tics nomirror scale 0.5 offset 0, -0.2
+set xtics 0.5
+set ytics 0.5
+set ztics 0.5 offset 0.5, 0
+set xlabel 'x_1 [m]' offset 0, -0.3
+set ylabel 'x_2 [m]' offset 0, -0.3
+set zlabel 'x_3 [m]' rotate parallel offset 1, 0
+set cblabel 't [s]' offset -0.5, 0
+set colorbox user origin 0.88, 0.25 size 0.025, 0.5
+# viridis: even in lightness, told apart with any colour vision
+set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b')
+if (strlen(figure_title)) { set title figure_title }
+unset key
