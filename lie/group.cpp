@@ -8,6 +8,7 @@ inline namespace KREISEL_PRECISION {
 
 void AdditiveGroup::identity(Real* q) const { std::fill_n(q, dim(), Real(0)); }
 void AdditiveGroup::multiply(const Real* a, const Real* b, Real* out) const {
+    KREISEL_ELEMENTWISE
     for (int i = 0; i < dim(); ++i) out[i] = a[i] + b[i];
 }
 void AdditiveGroup::inverse(const Real* a, Real* out) const {
@@ -130,12 +131,13 @@ void TangentGroup::append_cay(const Real* y, const Real* u, Real* out) const {
 }
 bool TangentGroup::dexpinv_left(const Real* u, const Real* z, Real* out) const {
     const int n = base_->dim();
-    velocities_.log(z + n, out + n);
+    if (out != z) velocities_.log(z + n, out + n);
     return base_->dexpinv_left(u, z, out);
 }
 void TangentGroup::dcayinv_left(const Real* u, const Real* z, Real* out) const {
     const int n = base_->dim();
-    base_->dcayinv_left(u, z, out), velocities_.log(z + n, out + n);
+    if (out != z) velocities_.log(z + n, out + n);
+    base_->dcayinv_left(u, z, out);
 }
 Real TangentGroup::orthogonality_defect(const Real* y) const { return base_->orthogonality_defect(y); }
 

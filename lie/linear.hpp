@@ -31,8 +31,11 @@ using Mat3 = Eigen::Matrix<Real, 3, 3>;
 using VecX = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using MatX = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
+/// For the innermost functions: inline every call in the body, which the compiler's own limits stop short of in Eigen.
+#define KREISEL_HOT [[gnu::flatten]]
+
 inline Vec3 vec3(const Real* p) { return {p[0], p[1], p[2]}; }
-inline Mat3 mat3(const Real* p) { return Eigen::Map<const Mat3>(p); }
+inline Eigen::Map<const Mat3> mat3(const Real* p) { return Eigen::Map<const Mat3>(p); }
 inline void store(const Vec3& v, Real* p) { p[0] = v[0], p[1] = v[1], p[2] = v[2]; }
 inline void store(const Mat3& m, Real* p) { Eigen::Map<Mat3>{p} = m; }
 

@@ -65,15 +65,15 @@ class Power final : public Group {
         for (int i = 0; i < dim(); i += K::dim)
             K::save_algebra(K::dexp(K::load_algebra(u + i), K::load_algebra(v + i)), out + i);
     }
-    void append_exp(const Real* q, const Real* u, Real* out) const override {
+    KREISEL_HOT void append_exp(const Real* q, const Real* u, Real* out) const override {
         for (int i = 0; i < copies_; ++i, q += K::size, u += K::dim, out += K::size)
             K::save(K::multiply(K::load(q), K::exp(K::load_algebra(u))), out);
     }
-    void append_cay(const Real* q, const Real* u, Real* out) const override {
+    KREISEL_HOT void append_cay(const Real* q, const Real* u, Real* out) const override {
         for (int i = 0; i < copies_; ++i, q += K::size, u += K::dim, out += K::size)
             K::save(K::multiply(K::load(q), K::cay(K::load_algebra(u))), out);
     }
-    bool dexpinv_left(const Real* u, const Real* v, Real* out) const override {
+    KREISEL_HOT bool dexpinv_left(const Real* u, const Real* v, Real* out) const override {
         const Real limit = 39;  // just below (2 pi)^2 = 39.478...; beyond, dexpinv has passed its pole
         bool inside = true;
         for (int i = 0; i < dim(); i += K::dim) {
@@ -83,7 +83,7 @@ class Power final : public Group {
         }
         return inside;
     }
-    void dcayinv_left(const Real* u, const Real* v, Real* out) const override {
+    KREISEL_HOT void dcayinv_left(const Real* u, const Real* v, Real* out) const override {
         for (int i = 0; i < dim(); i += K::dim)
             K::save_algebra(K::dcayinv(negated(u + i), K::load_algebra(v + i)), out + i);
     }

@@ -11,37 +11,40 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
+/// A rotation where it lies in the state.
+using Rotation = Eigen::Map<const Mat3>;
+
 /// SO(3) x R^3 per body: q = (x, R), v = (x', omega). Translation in space axes, rotation in body axes.
 struct MixedCoordinates {
     using Factor = Pair<Rn<3>, SO3>;
     /// x' in space axes.
-    static Vec3 space_velocity(const Mat3&, const Vec3& linear) { return linear; }
-    static Vec3 from_space_velocity(const Mat3&, const Vec3& velocity) { return velocity; }
+    static Vec3 space_velocity(const Rotation&, const Vec3& linear) { return linear; }
+    static Vec3 from_space_velocity(const Rotation&, const Vec3& velocity) { return velocity; }
     /// Body-axis vector to the linear part of a velocity or of M^{-1} force, and back.
-    static Vec3 from_body(const Mat3& R, const Vec3& a) { return R * a; }
-    static Vec3 to_body(const Mat3& R, const Vec3& a) { return R.transpose() * a; }
-    static Vec3 from_space(const Mat3&, const Vec3& a) { return a; }
+    static Vec3 from_body(const Rotation& R, const Vec3& a) { return R * a; }
+    static Vec3 to_body(const Rotation& R, const Vec3& a) { return R.transpose() * a; }
+    static Vec3 from_space(const Rotation&, const Vec3& a) { return a; }
     /// Linear part of v' from A.
-    static Vec3 acceleration(const Mat3& R, const Vec3& A, const Vec3&, const Vec3&) { return R * A; }
+    static Vec3 acceleration(const Rotation& R, const Vec3& A, const Vec3&, const Vec3&) { return R * A; }
     /// d(linear velocity)/dt - its body-axis image is A: the centripetal part of the body frame, none here.
     static Vec3 gyroscopic(const Real&, const Vec3&, const Vec3&) { return Vec3::Zero(); }
     /// d(point velocity in space axes)/d(linear).
-    static Mat3 linear_columns(const Mat3&) { return Mat3::Identity(); }
+    static Mat3 linear_columns(const Rotation&) { return Mat3::Identity(); }
 };
 
 /// SE(3) per body: q = (x, R), v = (V, omega) with V = R^T x'.
 struct ScrewCoordinates {
     using Factor = SE3;
-    static Vec3 space_velocity(const Mat3& R, const Vec3& linear) { return R * linear; }
-    static Vec3 from_space_velocity(const Mat3& R, const Vec3& velocity) { return R.transpose() * velocity; }
-    static Vec3 from_body(const Mat3&, const Vec3& a) { return a; }
-    static Vec3 to_body(const Mat3&, const Vec3& a) { return a; }
-    static Vec3 from_space(const Mat3& R, const Vec3& a) { return R.transpose() * a; }
+    static Vec3 space_velocity(const Rotation& R, const Vec3& linear) { return R * linear; }
+    static Vec3 from_space_velocity(const Rotation& R, const Vec3& velocity) { return R.transpose() * velocity; }
+    static Vec3 from_body(const Rotation&, const Vec3& a) { return a; }
+    static Vec3 to_body(const Rotation&, const Vec3& a) { return a; }
+    static Vec3 from_space(const Rotation& R, const Vec3& a) { return R.transpose() * a; }
     /// V' = R^T x'' - omega x V.
-    static Vec3 acceleration(const Mat3&, const Vec3& A, const Vec3& omega, const Vec3& V) { return A - omega.cross(V); }
+    static Vec3 acceleration(const Rotation&, const Vec3& A, const Vec3& omega, const Vec3& V) { return A - omega.cross(V); }
     /// -m omega x V.
     static Vec3 gyroscopic(const Real& mass, const Vec3& omega, const Vec3& V) { return -mass * omega.cross(V); }
-    static Mat3 linear_columns(const Mat3& R) { return R; }
+    static Mat3 linear_columns(const Rotation& R) { return R; }
 };
 
 }  // namespace KREISEL_PRECISION

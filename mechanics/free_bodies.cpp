@@ -8,32 +8,27 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-namespace {
-
-/// omega x (omega x r).
-Vec3 centripetal(const Vec3& omega, const Vec3& r) { return omega.cross(omega.cross(r)); }
-
-}  // namespace
-
 template <class Coordinates>
 FreeBodies<Coordinates>::FreeBodies(Model model)
     : System(std::make_shared<Power<Factor>>(static_cast<int>(model.bodies.size()))),
       model_(std::move(model)),
       complement_(model_),
-      A_(model_.bodies.size()),
-      dw_(model_.bodies.size()),
       relative_(model_.joints.size(), Mat3::Identity()),
-      mu_(3 * model_.joints.size()) {
-    for (const Body& body : model_.bodies) inertia_.push_back({body.mass, 1 / body.mass, body.J, body.J.inverse()});
+      mu_(model_.joints.size(), Vec3::Zero()) {
+    for (const Body& body : model_.bodies) nodes_.push_back({1 / body.mass, body.J, body.J.inverse()});
+    for (const SphericalJoint& joint : model_.joints) {
+        const auto node = [&](int body) { return body == ground ? nullptr : &nodes_[static_cast<std::size_t>(body)]; };
+        links_.push_back({node(joint.first), node(joint.second), joint.first * Factor::size + 3,
+                          joint.second * Factor::size + 3, joint.first * 6 + 3, joint.second * 6 + 3, joint.r_first,
+                          joint.r_second});
+    }
 }
 
 template <class Coordinates>
-Status FreeBodies<Coordinates>::prepare_joints(const Real* q) {
-    if (complement_.is_constant()) return complement_.status();
-    for (std::size_t j = 0; j < relative_.size(); ++j) {
-        const SphericalJoint& joint = model_.joints[j];
-        if (joint.first != ground)
-            relative_[j].noalias() = rotation(q, joint.second).transpose() * rotation(q, joint.first);
+Status FreeBodies<Coordinates>::refactor(const Real* q) {
+    for (std::size_t j = 0; j < links_.size(); ++j) {
+        const Link& link = links_[j];
+        if (link.first) relative_[j].noalias() = mat3(q + link.second_R).transpose() * mat3(q + link.first_R);
     }
     return complement_.factor(relative_.data());
 }
@@ -41,46 +36,43 @@ Status FreeBodies<Coordinates>::prepare_joints(const Real* q) {
 template <class Coordinates>
 void FreeBodies<Coordinates>::apply_reactions() {
     complement_.solve(mu_.data());
-    for (std::size_t j = 0; j < relative_.size(); ++j) {
-        const SphericalJoint& joint = model_.joints[j];
-        const Vec3 mu = vec3(&mu_[3 * j]);
-        const auto b = static_cast<std::size_t>(joint.second);
-        A_[b] += inertia_[b].inverse_mass * mu;
-        dw_[b] += inertia_[b].J_inverse * joint.r_second.cross(mu);
-        if (joint.first == ground) continue;
-        const auto a = static_cast<std::size_t>(joint.first);
-        const Vec3 on_first = relative_[j].transpose() * mu;
-        A_[a] -= inertia_[a].inverse_mass * on_first;
-        dw_[a] -= inertia_[a].J_inverse * joint.r_first.cross(on_first);
+    const Vec3* mu = mu_.data();
+    const Mat3* E = relative_.data();
+    for (const Link& link : links_) {
+        link.second->apply(*mu, link.r_second);
+        if (link.first) link.first->apply(-(E->transpose() * *mu), link.r_first);
+        ++mu, ++E;
     }
 }
 
 template <class Coordinates>
-Status FreeBodies<Coordinates>::accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) {
+KREISEL_HOT Status FreeBodies<Coordinates>::accelerations(const Real& t, const Real* q, const Real* v, Real* dv,
+                                                          Real* lambda) {
     const Vec3 g = model_.gravity.at(t);
-    for (std::size_t i = 0; i < inertia_.size(); ++i) {
-        const int body = static_cast<int>(i);
-        const Vec3 w = angular(v, body), Jw = inertia_[i].J * w;
-        A_[i] = rotation(q, body).transpose() * g;
-        dw_[i] = inertia_[i].J_inverse * Jw.cross(w);
+    const Real* R = q + 3;
+    const Real* omega = v + 3;
+    for (Node& node : nodes_) {
+        const Vec3 w = vec3(omega), Jw = node.J * w;
+        node.A = mat3(R).transpose() * g;
+        node.dw = node.J_inverse * Jw.cross(w);
+        R += Factor::size, omega += 6;
     }
     if (const Status status = prepare_joints(q); status != Status::ok) return status;
-    for (std::size_t j = 0; j < relative_.size(); ++j) {
-        const SphericalJoint& joint = model_.joints[j];
-        Vec3 rho = -point_acceleration(joint.second, joint.r_second) -
-                   centripetal(angular(v, joint.second), joint.r_second);
-        if (joint.first != ground)
-            rho += relative_[j] * (point_acceleration(joint.first, joint.r_first) +
-                                   centripetal(angular(v, joint.first), joint.r_first));
-        store(rho, &mu_[3 * j]);
+    Vec3* rho = mu_.data();
+    const Mat3* E = relative_.data();
+    for (const Link& link : links_) {
+        *rho = -link.second->point_acceleration(link.r_second, vec3(v + link.second_omega));
+        if (link.first) *rho += *E * link.first->point_acceleration(link.r_first, vec3(v + link.first_omega));
+        ++rho, ++E;
     }
-    if (!relative_.empty()) apply_reactions();
+    if (!links_.empty()) apply_reactions();
     Real sum = 0;
-    for (std::size_t i = 0; i < inertia_.size(); ++i) {
-        const int body = static_cast<int>(i);
-        const Vec3 a = Coordinates::acceleration(rotation(q, body), A_[i], angular(v, body), linear(v, body));
-        sum += a.sum() + dw_[i].sum();
-        store(a, dv + 6 * i), store(dw_[i], dv + 6 * i + 3);
+    R = q + 3;
+    for (const Node& node : nodes_) {
+        const Vec3 a = Coordinates::acceleration(mat3(R), node.A, vec3(v + 3), vec3(v));
+        sum += a.sum() + node.dw.sum();
+        store(a, dv), store(node.dw, dv + 3);
+        R += Factor::size, v += 6, dv += 6;
     }
     if (lambda) report_multipliers(q, lambda);
     return isfinite(sum) ? Status::ok : Status::non_finite;
@@ -89,24 +81,28 @@ Status FreeBodies<Coordinates>::accelerations(const Real& t, const Real* q, cons
 template <class Coordinates>
 Status FreeBodies<Coordinates>::solve_kkt(const Real&, const Real* q, const Real* f, const Real* c, Real* a,
                                           Real* lambda) {
-    for (std::size_t i = 0; i < inertia_.size(); ++i) {
-        const int body = static_cast<int>(i);
-        A_[i] = inertia_[i].inverse_mass * Coordinates::to_body(rotation(q, body), linear(f, body));
-        dw_[i] = inertia_[i].J_inverse * angular(f, body);
+    const Real* R = q + 3;
+    for (Node& node : nodes_) {
+        node.A = node.inverse_mass * Coordinates::to_body(mat3(R), vec3(f));
+        node.dw = node.J_inverse * vec3(f + 3);
+        R += Factor::size, f += 6;
     }
     if (const Status status = prepare_joints(q); status != Status::ok) return status;
-    for (std::size_t j = 0; j < relative_.size(); ++j) {
-        const SphericalJoint& joint = model_.joints[j];
-        Vec3 rho = -point_acceleration(joint.second, joint.r_second) - to_joint_axes(q, joint, vec3(c + 3 * j));
-        if (joint.first != ground) rho += relative_[j] * point_acceleration(joint.first, joint.r_first);
-        store(rho, &mu_[3 * j]);
+    Vec3* rho = mu_.data();
+    const Mat3* E = relative_.data();
+    for (const Link& link : links_) {
+        *rho = -link.second->point_acceleration(link.r_second) - mat3(q + link.second_R).transpose() * vec3(c);
+        if (link.first) *rho += *E * link.first->point_acceleration(link.r_first);
+        ++rho, ++E, c += 3;
     }
-    if (!relative_.empty()) apply_reactions();
+    if (!links_.empty()) apply_reactions();
     Real sum = 0;
-    for (std::size_t i = 0; i < inertia_.size(); ++i) {
-        const Vec3 out = Coordinates::from_body(rotation(q, static_cast<int>(i)), A_[i]);
-        sum += out.sum() + dw_[i].sum();
-        store(out, a + 6 * i), store(dw_[i], a + 6 * i + 3);
+    R = q + 3;
+    for (const Node& node : nodes_) {
+        const Vec3 out = Coordinates::from_body(mat3(R), node.A);
+        sum += out.sum() + node.dw.sum();
+        store(out, a), store(node.dw, a + 3);
+        R += Factor::size, a += 6;
     }
     if (lambda) report_multipliers(q, lambda);
     return isfinite(sum) ? Status::ok : Status::non_finite;
@@ -114,17 +110,17 @@ Status FreeBodies<Coordinates>::solve_kkt(const Real&, const Real* q, const Real
 
 template <class Coordinates>
 void FreeBodies<Coordinates>::report_multipliers(const Real* q, Real* lambda) const {
-    for (std::size_t j = 0; j < relative_.size(); ++j)
-        store(Vec3(rotation(q, model_.joints[j].second) * vec3(&mu_[3 * j])), lambda + 3 * j);
+    for (std::size_t j = 0; j < links_.size(); ++j)
+        store(Vec3(mat3(q + links_[j].second_R) * mu_[j]), lambda + 3 * j);
 }
 
 template <class Coordinates>
 void FreeBodies<Coordinates>::mass(const Real*, Real* blocks) const {
-    for (const Inertia& inertia : inertia_) {
+    for (const Body& body : model_.bodies) {
         Eigen::Map<Eigen::Matrix<Real, 6, 6>> block(blocks);
         block.setZero();
-        block.template topLeftCorner<3, 3>() = inertia.mass * Mat3::Identity();
-        block.template bottomRightCorner<3, 3>() = inertia.J;
+        block.template topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
+        block.template bottomRightCorner<3, 3>() = body.J;
         blocks += 36;
     }
 }
@@ -132,19 +128,19 @@ void FreeBodies<Coordinates>::mass(const Real*, Real* blocks) const {
 template <class Coordinates>
 void FreeBodies<Coordinates>::applied_force(const Real& t, const Real* q, const Real*, Real* f) const {
     const Vec3 g = model_.gravity.at(t);
-    for (std::size_t i = 0; i < inertia_.size(); ++i) {
-        store(Vec3(inertia_[i].mass * Coordinates::from_space(rotation(q, static_cast<int>(i)), g)), f + 6 * i);
-        store(Vec3(Vec3::Zero()), f + 6 * i + 3);
+    for (int i = 0; i < bodies(); ++i, f += 6) {
+        store(Vec3(model_.bodies[static_cast<std::size_t>(i)].mass * Coordinates::from_space(rotation(q, i), g)), f);
+        store(Vec3(Vec3::Zero()), f + 3);
     }
 }
 
 template <class Coordinates>
 void FreeBodies<Coordinates>::gyroscopic_force(const Real*, const Real* v, Real* f) const {
-    for (std::size_t i = 0; i < inertia_.size(); ++i) {
-        const int body = static_cast<int>(i);
-        const Vec3 w = angular(v, body);
-        store(Coordinates::gyroscopic(inertia_[i].mass, w, linear(v, body)), f + 6 * i);
-        store(Vec3(-w.cross(inertia_[i].J * w)), f + 6 * i + 3);
+    for (const Body& body : model_.bodies) {
+        const Vec3 w = vec3(v + 3);
+        store(Coordinates::gyroscopic(body.mass, w, vec3(v)), f);
+        store(Vec3(-w.cross(body.J * w)), f + 3);
+        v += 6, f += 6;
     }
 }
 
@@ -162,7 +158,7 @@ void FreeBodies<Coordinates>::jacobian(const Real&, const Real* q, Real* C) cons
     rows.setZero();
     const auto add = [&](Eigen::Index row, int body, const Vec3& r, int sign) {
         if (body == ground) return;
-        const Mat3 R = rotation(q, body);
+        const Rotation R = rotation(q, body);
         rows.template block<3, 3>(row, 6 * body) = sign * Coordinates::linear_columns(R);
         rows.template block<3, 3>(row, 6 * body + 3) = -sign * R * hat(r);
     };
@@ -178,7 +174,7 @@ template <class Coordinates>
 void FreeBodies<Coordinates>::velocity_residual(const Real&, const Real* q, const Real* v, Real* residual) const {
     const auto velocity = [&](int body, const Vec3& r) -> Vec3 {
         if (body == ground) return Vec3::Zero();
-        const Mat3 R = rotation(q, body);
+        const Rotation R = rotation(q, body);
         return Coordinates::space_velocity(R, linear(v, body)) + R * angular(v, body).cross(r);
     };
     for (const SphericalJoint& joint : model_.joints) {
@@ -223,7 +219,7 @@ void FreeBodies<Coordinates>::acceleration_bias(const Real&, const Real* q, cons
         if (body == ground) return Vec3::Zero();
         const Vec3 w = angular(v, body);
         const Vec3 turning = -Coordinates::gyroscopic(Real(1), w, linear(v, body));
-        return rotation(q, body) * (centripetal(w, r) + turning);
+        return rotation(q, body) * (w.cross(w.cross(r)) + turning);
     };
     for (const SphericalJoint& joint : model_.joints) {
         store(Vec3(bias(joint.second, joint.r_second) - bias(joint.first, joint.r_first)), xi);
@@ -244,7 +240,8 @@ template <class Coordinates>
 Real FreeBodies<Coordinates>::potential(const Real& t, const Real* q) const {
     const Vec3 g = model_.gravity.at(t);
     Real sum = 0;
-    for (std::size_t i = 0; i < inertia_.size(); ++i) sum -= inertia_[i].mass * g.dot(position(q, static_cast<int>(i)));
+    for (int i = 0; i < bodies(); ++i)
+        sum -= model_.bodies[static_cast<std::size_t>(i)].mass * g.dot(position(q, i));
     return sum;
 }
 
@@ -252,7 +249,7 @@ template <class Coordinates>
 void FreeBodies<Coordinates>::read(const Real* y, BodyState* states) const {
     const Real* v = y + group().size();
     for (int i = 0; i < bodies(); ++i) {
-        const Mat3 R = rotation(y, i);
+        const Rotation R = rotation(y, i);
         states[i] = {position(y, i), R, Coordinates::space_velocity(R, linear(v, i)), angular(v, i)};
     }
 }
@@ -263,7 +260,7 @@ void FreeBodies<Coordinates>::write(const BodyState* states, Real* y) const {
     for (int i = 0; i < bodies(); ++i) {
         const BodyState& state = states[i];
         store(state.x, y + i * Factor::size), store(state.R, y + i * Factor::size + 3);
-        store(Coordinates::from_space_velocity(state.R, state.v), v + 6 * i), store(state.omega, v + 6 * i + 3);
+        store(Coordinates::from_space_velocity(rotation(y, i), state.v), v + 6 * i), store(state.omega, v + 6 * i + 3);
     }
 }
 

@@ -10,6 +10,7 @@
 // with E = R_second^T R_first for the first body and the identity for the second.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "lie/power.hpp"
@@ -48,11 +49,29 @@ class FreeBodies final : public System {
 
   private:
     using Factor = typename Coordinates::Factor;
-    struct Inertia {
-        Real mass, inverse_mass;
+    /// A body with what one evaluation computes for it: A = R^T x'' and omega'.
+    struct Node {
+        Real inverse_mass;
         Mat3 J, J_inverse;
+        Vec3 A = Vec3::Zero(), dw = Vec3::Zero();
+        /// Body-axis acceleration of a point fixed in the body, turning with angular velocity w.
+        Vec3 point_acceleration(const Vec3& r, const Vec3& w) const { return A + dw.cross(r) + w.cross(w.cross(r)); }
+        Vec3 point_acceleration(const Vec3& r) const { return A + dw.cross(r); }
+        /// A force at r, both in body axes.
+        void apply(const Vec3& force, const Vec3& r) {
+            A += inverse_mass * force;
+            dw += J_inverse * r.cross(force);
+        }
     };
-    static Mat3 rotation(const Real* q, int body) { return mat3(q + body * Factor::size + 3); }
+    /// A joint with pointers to its bodies and the offsets of their states; `first` is null for the ground.
+    struct Link {
+        Node* first;
+        Node* second;
+        std::ptrdiff_t first_R, second_R, first_omega, second_omega;
+        Vec3 r_first, r_second;
+    };
+
+    static Rotation rotation(const Real* q, int body) { return mat3(q + body * Factor::size + 3); }
     static Vec3 position(const Real* q, int body) { return vec3(q + body * Factor::size); }
     static Vec3 linear(const Real* v, int body) { return vec3(v + body * 6); }
     static Vec3 angular(const Real* v, int body) { return vec3(v + body * 6 + 3); }
@@ -60,25 +79,21 @@ class FreeBodies final : public System {
     static Vec3 point(const Real* q, int body, const Vec3& r) {
         return body == ground ? r : Vec3(position(q, body) + rotation(q, body) * r);
     }
-    Status prepare_joints(const Real* q);
-    Vec3 to_joint_axes(const Real* q, const SphericalJoint& joint, const Vec3& row) const {
-        return rotation(q, joint.second).transpose() * row;
+    /// Relative rotations and the factors of the complement at q.
+    Status prepare_joints(const Real* q) {
+        return complement_.is_constant() ? complement_.status() : refactor(q);
     }
-    /// Body-axis acceleration of a point fixed in a body, without the centripetal part.
-    Vec3 point_acceleration(int body, const Vec3& r) const {
-        const auto i = static_cast<std::size_t>(body);
-        return A_[i] + dw_[i].cross(r);
-    }
-    /// Solves for the joint forces mu_ (on entry: the residual) and applies them to A_, dw_.
+    Status refactor(const Real* q);
+    /// Solves for the joint forces (on entry mu_ holds the residual) and applies them to the bodies.
     void apply_reactions();
     void report_multipliers(const Real* q, Real* lambda) const;
 
     Model model_;
-    std::vector<Inertia> inertia_;
     SchurComplement complement_;
-    std::vector<Vec3> A_, dw_;
+    std::vector<Node> nodes_;
+    std::vector<Link> links_;
     std::vector<Mat3> relative_;
-    std::vector<Real> mu_;
+    std::vector<Vec3> mu_;
 };
 
 }  // namespace KREISEL_PRECISION

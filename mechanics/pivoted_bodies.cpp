@@ -47,7 +47,7 @@ PivotedBodies::PivotedBodies(Model model)
     }
 }
 
-Status PivotedBodies::accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real*) {
+KREISEL_HOT Status PivotedBodies::accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real*) {
     const Vec3 g = gravity_.at(t);
     Real sum = 0;
     for (const Pivoted& body : bodies_) {

@@ -39,7 +39,7 @@ class PivotedBodies final : public System {
         Mat3 J_O, J_O_inverse;
         Vec3 pivot, lever;
     };
-    Vec3 gravity_torque(const Pivoted& body, const Mat3& R, const Vec3& g) const {
+    Vec3 gravity_torque(const Pivoted& body, const Eigen::Map<const Mat3>& R, const Vec3& g) const {
         return body.lever.cross(body.mass * (R.transpose() * g));
     }
     Gravity gravity_;

@@ -124,13 +124,9 @@ Status SchurComplement::factor_blocks() {
     return Status::ok;
 }
 
-void SchurComplement::solve(Real* b) const {
+void SchurComplement::substitute(Vec3* b) const {
     const std::size_t n = columns_.size();
-    if (n == 1) {
-        store(Vec3(inverse_pivots_[0] * vec3(b)), b);
-        return;
-    }
-    for (std::size_t k = 0; k < n; ++k) rhs_[k] = vec3(b + 3 * joint_at_[k]);
+    for (std::size_t k = 0; k < n; ++k) rhs_[k] = b[joint_at_[k]];
     for (std::size_t k = 0; k < n; ++k)
         for (const Entry& entry : columns_[k])
             rhs_[static_cast<std::size_t>(entry.row)] -= scaled_[static_cast<std::size_t>(entry.block)] * rhs_[k];
@@ -139,7 +135,7 @@ void SchurComplement::solve(Real* b) const {
         for (const Entry& entry : columns_[k])
             x -= scaled_[static_cast<std::size_t>(entry.block)].transpose() * rhs_[static_cast<std::size_t>(entry.row)];
         rhs_[k] = x;
-        store(x, b + 3 * joint_at_[k]);
+        b[joint_at_[k]] = x;
     }
 }
 

@@ -24,8 +24,13 @@ class SchurComplement {
     bool is_constant() const { return moving_.empty(); }
     /// Assembles and factors S; `relative[j]` = R_second^T R_first of joint j (unused where the first is ground).
     Status factor(const Mat3* relative);
-    /// Solves S x = b in place; b holds three reals per joint, in the order of the model.
-    void solve(Real* b) const;
+    /// Solves S x = b in place; one block of b per joint, in the order of the model.
+    void solve(Vec3* b) const {
+        if (columns_.size() == 1)
+            *b = inverse_pivots_[0] * *b;
+        else
+            substitute(b);
+    }
     /// Status of the factorisation of a constant S.
     Status status() const { return status_; }
 
@@ -45,6 +50,7 @@ class SchurComplement {
     };
 
     Status factor_blocks();
+    void substitute(Vec3* b) const;
 
     std::vector<int> joint_at_;                 // elimination position -> joint
     std::vector<std::vector<Entry>> columns_;   // below-diagonal blocks of each column

@@ -45,15 +45,18 @@ class System {
     virtual int constraints() const { return 0; }                 ///< m, rows of C
     virtual int position_constraints() const { return constraints(); }  ///< rows of Phi, the first of C
 
-    /// Right-hand side of y' = y F(t, y) on TG: z = (v, v'). Counted.
-    Status vector_field(const Real& t, const Real* y, Real* z) {
+    /// v' at the state y. Counted: this is the solve of the dynamics a method pays for.
+    Status evaluate(const Real& t, const Real* y, Real* dv) {
         ++evaluations_;
-        const Real* v = y + group_->size();
-        const int n = velocities();
-        for (int i = 0; i < n; ++i) z[i] = v[i];
-        return accelerations(t, y, v, z + n, nullptr);
+        return accelerations(t, y, y + group_->size(), dv, nullptr);
     }
-    /// Calls of vector_field since construction.
+    /// Right-hand side of y' = y F(t, y) on TG: z = (v, v') [terzezlatarmueller, eq. 9].
+    Status vector_field(const Real& t, const Real* y, Real* z) {
+        const Real* v = y + group_->size();
+        for (int i = 0; i < velocities(); ++i) z[i] = v[i];
+        return evaluate(t, y, z + velocities());
+    }
+    /// Solves of the dynamics since construction.
     long evaluations() const { return evaluations_; }
 
     /// Solves the index-1 system for v' (n) and lambda (m; may be null).

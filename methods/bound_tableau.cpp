@@ -39,34 +39,5 @@ BoundTableau::BoundTableau(const Tableau& tableau) : b(nonzero(tableau.b)) {
     if (abs(sum(b) - 1) > 64 * epsilon) throw std::invalid_argument("the weights of the tableau do not sum to 1");
 }
 
-void combine(const Combination& terms, const Real& h, const Real* slopes, int n, Real* out) {
-    const auto slope = [&](std::size_t j) { return slopes + terms[j].stage * n; };
-    const auto weight = [&](std::size_t j) { return h * terms[j].coefficient; };
-    std::size_t done = 0;
-    if (terms.size() >= 4) {
-        const Real w0 = weight(0), w1 = weight(1), w2 = weight(2), w3 = weight(3);
-        const Real *k0 = slope(0), *k1 = slope(1), *k2 = slope(2), *k3 = slope(3);
-        for (int i = 0; i < n; ++i) out[i] = w0 * k0[i] + w1 * k1[i] + w2 * k2[i] + w3 * k3[i];
-        done = 4;
-    } else if (terms.size() >= 2) {
-        const Real w0 = weight(0), w1 = weight(1);
-        const Real *k0 = slope(0), *k1 = slope(1);
-        for (int i = 0; i < n; ++i) out[i] = w0 * k0[i] + w1 * k1[i];
-        done = 2;
-    } else if (terms.size() == 1) {
-        const Real w0 = weight(0);
-        const Real* k0 = slope(0);
-        for (int i = 0; i < n; ++i) out[i] = w0 * k0[i];
-        done = 1;
-    } else {
-        for (int i = 0; i < n; ++i) out[i] = 0;
-    }
-    for (; done < terms.size(); ++done) {
-        const Real w = weight(done);
-        const Real* k = slope(done);
-        for (int i = 0; i < n; ++i) out[i] += w * k[i];
-    }
-}
-
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods/rkmk.hpp"
 
+#include <algorithm>
+
 #include "lie/chart.hpp"
 #include "mechanics/system.hpp"
 #include "methods/bound_tableau.hpp"
@@ -11,45 +13,58 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
+/// On TG = G x R^n the velocity factor is additive: there psi(u) adds and its inverse differential is the identity, so
+/// the chart is needed on G only. A slope is k~ = (dpsi^{-1}_{-u}(v), v'), and u carries both parts.
 class MuntheKaas final : public Integrator {
   public:
     MuntheKaas(System& system, std::unique_ptr<Chart> chart, const BoundTableau& tableau)
         : system_(system),
           chart_(std::move(chart)),
           tableau_(tableau),
-          dim_(system.state_group().dim()),
-          u_(static_cast<std::size_t>(dim_)),
-          k_(u_.size()),
-          slopes_(u_.size() * static_cast<std::size_t>(tableau.stages())),
-          stage_(static_cast<std::size_t>(system.state_group().size())) {}
+          n_(static_cast<std::size_t>(system.velocities())),
+          size_(static_cast<std::size_t>(system.group().size())),
+          u_(2 * n_),
+          slopes_(2 * n_ * tableau.stages()),
+          stage_(size_ + n_) {}
 
     Status step(const Real& t, const Real& h, Real* y) override {
-        for (int i = 0; i < tableau_.stages(); ++i)
-            if (const Status status = stage(i, t, h, y); status != Status::ok) return status;
-        combine(tableau_.b, h, slopes_.data(), dim_, u_.data());
-        chart_->append(y, u_.data(), y);
+        Real* slope = slopes_.data();
+        for (std::size_t i = 0; i < tableau_.stages(); ++i, slope += 2 * n_)
+            if (const Status status = stage(tableau_.a[i], t + tableau_.c[i] * h, h, y, slope); status != Status::ok)
+                return status;
+        combine(tableau_.b, h, slopes_.data(), 2 * n_, u_.data());
+        append(y, y);
         return Status::ok;
     }
 
   private:
+    /// out = y psi(u).
+    void append(const Real* y, Real* out) const {
+        const Real *u = u_.data() + n_, *v = y + size_;
+        chart_->append(y, u_.data(), out);
+        out += size_;
+        KREISEL_ELEMENTWISE
+        for (std::size_t i = 0; i < n_; ++i) out[i] = v[i] + u[i];
+    }
+
     /// The slope k~_i in the chart around y.
-    Status stage(int i, const Real& t, const Real& h, const Real* y) {
-        const auto index = static_cast<std::size_t>(i);
-        Real* slope = &slopes_[index * u_.size()];
-        const Combination& row = tableau_.a[index];
-        if (row.empty()) return system_.vector_field(t + tableau_.c[index] * h, y, slope);  // u = 0: k~ = k
-        combine(row, h, slopes_.data(), dim_, u_.data());
-        chart_->append(y, u_.data(), stage_.data());
-        const Status status = system_.vector_field(t + tableau_.c[index] * h, stage_.data(), k_.data());
+    Status stage(const Combination& row, const Real& t, const Real& h, const Real* y, Real* slope) {
+        if (row.empty()) {  // u = 0: k~ = k
+            std::copy_n(y + size_, n_, slope);
+            return system_.evaluate(t, y, slope + n_);
+        }
+        combine(row, h, slopes_.data(), 2 * n_, u_.data());
+        append(y, stage_.data());
+        const Status status = system_.evaluate(t, stage_.data(), slope + n_);
         if (status != Status::ok) return status;
-        return chart_->pull_back(u_.data(), k_.data(), slope) ? Status::ok : Status::left_chart;
+        return chart_->pull_back(u_.data(), stage_.data() + size_, slope) ? Status::ok : Status::left_chart;
     }
 
     System& system_;
     std::unique_ptr<Chart> chart_;
     BoundTableau tableau_;
-    int dim_;
-    std::vector<Real> u_, k_, slopes_, stage_;
+    std::size_t n_, size_;
+    std::vector<Real> u_, slopes_, stage_;
 };
 
 std::unique_ptr<Chart> make_chart(const Group& group, const OptionValues& options, int order) {
@@ -65,7 +80,7 @@ std::unique_ptr<Chart> make_chart(const Group& group, const OptionValues& option
 Factory rkmk(const Tableau& tableau) {
     Factory factory;
     factory.make = [tableau](System& system, const OptionValues& options, const MethodDescription& declared) {
-        auto chart = make_chart(system.state_group(), options, declared.order.configuration);
+        auto chart = make_chart(system.group(), options, declared.order.configuration);
         return std::make_unique<MuntheKaas>(system, std::move(chart), BoundTableau(tableau));
     };
     factory.options = {{.name = "coordinates", .summary = "local coordinates of a step", .standard = "exp", .choices = {"exp", "cayley"}},
