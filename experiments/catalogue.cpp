@@ -65,7 +65,7 @@ void print_sources(std::ostream& out, const std::vector<std::string>& keys) {
 void print_options(std::ostream& out, const std::vector<OptionDescription>& options) {
     std::vector<Row> rows;
     for (const OptionDescription& option : options) {
-        rows.emplace_back(option.name, fmt::format("{}: {} (default {})", option.summary, expectation(option),
+        rows.emplace_back(option.name, fmt::format("{}: {} (default {})", option.summary, allowed_values(option),
                                                    json_value(option.standard)));
     }
     if (rows.empty()) {
@@ -87,7 +87,8 @@ void describe_problem(const Engine& engine, const ProblemDescription& problem, s
     fmt::print(out, "Closed form: {}\n", problem.closed_form ? "yes" : "none");
     std::vector<Row> rows;
     for (const ParameterDescription& parameter : problem.parameters) {
-        rows.emplace_back(parameter.name, fmt::format("{} [{}]: {} (default {})", parameter.summary, parameter.unit,
+        const std::string unit = parameter.unit.empty() ? "" : " [" + parameter.unit + "]";
+        rows.emplace_back(parameter.name, fmt::format("{}{}: {} (default {})", parameter.summary, unit,
                                                       expectation(parameter.kind), json_value(parameter.standard)));
     }
     print_rows(out, "Parameters", rows);

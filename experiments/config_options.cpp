@@ -78,7 +78,7 @@ std::vector<OptionValues> crossed(const std::vector<OptionValues>& combinations,
 
 }  // namespace
 
-std::string expectation(const OptionDescription& option) {
+std::string allowed_values(const OptionDescription& option) {
     std::vector<std::string> parts;
     if (!option.choices.empty()) { parts.push_back("one of " + listed(option.choices)); }
     if (takes_counts(option)) {
@@ -88,7 +88,11 @@ std::string expectation(const OptionDescription& option) {
     if (takes_reals(option)) {
         parts.push_back(fmt::format("a number from {} to {}", option.real_min, option.real_max));
     }
-    return fmt::format("{} for the option {}", fmt::join(parts, ", or "), in_quotes(option.name));
+    return fmt::format("{}", fmt::join(parts, ", or "));
+}
+
+std::string expectation(const OptionDescription& option) {
+    return allowed_values(option) + " for the option " + in_quotes(option.name);
 }
 
 std::vector<OptionValues> default_options(const std::vector<OptionDescription>& options) {

@@ -21,7 +21,8 @@ ParameterValues default_parameters(const ProblemDescription& problem);
 /// The keys of an entry of a `bodies` list.
 const std::vector<std::string>& body_keys();
 
-/// The values an option takes, in words.
+/// The values an option takes, in words; `expectation` names the option too.
+std::string allowed_values(const OptionDescription& option);
 std::string expectation(const OptionDescription& option);
 
 /// All combinations of the options written beside "name" in `written` (an object), an option given as a list being an

@@ -77,7 +77,7 @@ std::string message_at(const Document& document, std::size_t byte, const std::st
 }
 
 std::string message(const Document& document, const Issue& issue) {
-    std::string text = "expected " + issue.expected;
+    std::string text = issue.sentence.empty() ? "expected " + issue.expected : issue.sentence;
     if (!issue.got.empty()) { text += ", got " + issue.got; }
     if (!issue.suggestion.empty()) { text += "; did you mean " + in_quotes(issue.suggestion) + "?"; }
     return message_at(document, locate(document.text, issue.pointer, issue.target, issue.occurrence), issue.pointer,

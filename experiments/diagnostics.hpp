@@ -19,14 +19,16 @@ struct Document {
     nlohmann::json value;
 };
 
-/// One error: `expected ..., got ...; did you mean "..."?` at a JSON pointer. Empty parts are left out.
+/// One error at a JSON pointer: `expected ..., got ...; did you mean "..."?`, of which empty parts are left out, or a
+/// `sentence` of the engine as it is.
 struct Issue {
     std::string pointer;
-    std::string expected;
-    std::string got;
+    std::string expected = {};
+    std::string got = {};
     std::string suggestion = {};
     Target target = Target::value;
     int occurrence = 1;
+    std::string sentence = {};
 };
 
 /// `file:line:column: /pointer: expected ..., got ...; did you mean "..."?`, on one line whatever the file holds.
@@ -51,6 +53,10 @@ class Diagnostics {
     /// The same with "got" taken from the file.
     void mismatch(const std::string& pointer, const nlohmann::json& value, const std::string& expected,
                   const std::string& suggestion = "");
+    /// What the engine found, in its own words.
+    void add_sentence(const std::string& pointer, const std::string& sentence) {
+        issues_.push_back({.pointer = pointer, .sentence = sentence});
+    }
     bool empty() const { return issues_.empty(); }
     const std::vector<Issue>& issues() const { return issues_; }
     /// Throws UsageError with all messages in the order of the text; does nothing if there are none.

@@ -39,7 +39,7 @@ void summarise(const Config& config, const Engines& engines, Diagnostics& sink, 
                     plan.systems.insert_or_assign({problem.label, formulation}, std::move(summary));
                 } catch (const ParameterError& error) {
                     if (said.insert(error.path + error.what()).second) {
-                        sink.add({parameter_pointer(problem, error.path), error.what(), ""});
+                        sink.add_sentence(parameter_pointer(problem, error.path), error.what());
                     }
                 }
             }
@@ -175,7 +175,7 @@ class Crossing {
     }
 
     void report(const std::string& pointer, const std::string& what) {
-        if (reported_.insert(pointer + what).second) { sink_.add({pointer, what, ""}); }
+        if (reported_.insert(pointer + what).second) { sink_.add_sentence(pointer, what); }
     }
 
     const Document& document_;

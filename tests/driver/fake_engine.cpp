@@ -127,12 +127,12 @@ SystemSummary FakeEngine::summary(const std::string& problem, const ParameterVal
     if (const auto inertia = parameters.find("inertia"); inertia != parameters.end()) {
         const auto& matrix = std::get<Matrix3>(inertia->second);
         if (matrix[0] + matrix[4] < matrix[8]) {
-            throw ParameterError("/inertia", "moments of inertia that a body can have (triangle inequality)");
+            throw ParameterError("/inertia", "expected moments of inertia that a body can have (triangle inequality)");
         }
     }
     if (const auto bodies = parameters.find("bodies");
         bodies != parameters.end() && std::get<std::vector<BodyData>>(bodies->second).size() != 2) {
-        throw ParameterError("/bodies", "two bodies");
+        throw ParameterError("/bodies", "expected two bodies");
     }
     SystemSummary summary;
     summary.bodies = problem == "double_pendulum" ? 2 : 1;
@@ -153,7 +153,7 @@ std::string FakeEngine::skip_reason(const Cell& cell) const {
     const auto coordinates = cell.options.find("coordinates");
     if (coordinates != cell.options.end() && coordinates->second == OptionValue("cayley") &&
         cell.options.at("dexpinv") != OptionValue("exact")) {
-        throw OptionError("dexpinv", "no dexpinv under cayley");
+        throw OptionError("dexpinv", "expected no dexpinv under cayley");
     }
     return "";
 }
