@@ -7,6 +7,8 @@ target_compile_definitions(kreisel_driver PUBLIC KREISEL_SOURCE_DIR="${CMAKE_SOU
 target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 Threads::Threads)
 
 if(NOT KREISEL_SANITIZE)
-  add_executable(kreisel ${CMAKE_SOURCE_DIR}/experiments/main.cpp)
-  target_link_libraries(kreisel PRIVATE kreisel_driver kreisel_binary64 kreisel_binary128)
+  # Objects only, no usage requirements: main.cpp belongs to neither precision.
+  add_executable(kreisel ${CMAKE_SOURCE_DIR}/experiments/main.cpp $<TARGET_OBJECTS:kreisel_binary64>
+                         $<TARGET_OBJECTS:kreisel_binary128>)
+  target_link_libraries(kreisel PRIVATE kreisel_driver quadmath)
 endif()
