@@ -101,7 +101,7 @@ void add_body_momenta(const Model& model, std::vector<FirstIntegral>& integrals)
             if (joint.first == static_cast<int>(i) || joint.second == static_cast<int>(i)) only = &joint, ++joints;
         if (joints > 1 || (only && only->first != ground)) continue;
         const Vec3 lever = only ? Vec3(-only->r_second) : Vec3(Vec3::Zero());
-        const Mat3 J_O = body.J - body.mass * hat(lever) * hat(lever);
+        const Mat3 J_O = inertia_about(body, lever);
         const auto axis = symmetry_axis(J_O);
         if (!axis || axis->cross(lever).norm() > 16 * epsilon * lever.norm()) continue;
         const Vec3 e = *axis * (axis->sum() < 0 ? -1 : 1);

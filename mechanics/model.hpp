@@ -28,6 +28,11 @@ struct Body {
     BodyState start;
 };
 
+/// Inertia about a point, J + m (|c|^2 I - c c^T), with c from the point to the mass centre.
+inline Mat3 inertia_about(const Body& body, const Vec3& c) {
+    return body.J + body.mass * (c.squaredNorm() * Mat3::Identity() - c * c.transpose());
+}
+
 inline constexpr int ground = -1;
 
 /// Spherical joint: Phi = (point of first) - (point of second) = 0, three rows in space axes. A point is given in the

@@ -42,7 +42,7 @@ PivotedBodies::PivotedBodies(Model model)
         const auto joints = joints_of(model, static_cast<int>(i));
         const Vec3 lever = joints.empty() ? Vec3(Vec3::Zero()) : Vec3(-joints[0]->r_second);
         const Vec3 pivot = joints.empty() ? body.start.x : joints[0]->r_first;
-        const Mat3 J_O = body.J - body.mass * hat(lever) * hat(lever);
+        const Mat3 J_O = inertia_about(body, lever);
         bodies_.push_back({body.mass, J_O, J_O.inverse(), pivot, lever});
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Bodies that each turn about a fixed point: q = R, v = omega, no constraint left. With the lever c from the point to
-// the mass centre (body axes) and J_O = J - m c^ c^,
+// the mass centre (body axes) and J_O = J + m (|c|^2 I - c c^T),
 //   J_O omega' = c x m R^T g - omega x J_O omega,   x = P + R c,   x' = R (omega x c).
 #pragma once
 

@@ -39,15 +39,16 @@ std::vector<std::set<int>> joint_graph(const std::vector<std::vector<Touch>>& to
     return adjacent;
 }
 
-/// Inverse of a symmetric positive definite 3x3 block by cofactors; false if it is not definite to working precision.
-bool invert_pivot(const Mat3& S, Mat3& inverse) {
+/// Inverse of a symmetric positive definite 3x3 pivot by cofactors. False if its least eigenvalue, which
+/// det S / (tr S)^2 bounds from below up to a factor of 4, is round-off of `size`, the trace before elimination: a
+/// dependent row leaves round-off there, never exactly zero, and the inverse alone is blind to that.
+bool invert_pivot(const Mat3& S, const Real& size, Mat3& inverse) {
     const Vec3 c0 = S.col(1).cross(S.col(2)), c1 = S.col(2).cross(S.col(0)), c2 = S.col(0).cross(S.col(1));
-    const Real determinant = S.col(0).dot(c0), size = S.trace();
+    const Real determinant = S.col(0).dot(c0), trace = S.trace();
     inverse.row(0) = c0 / determinant;
     inverse.row(1) = c1 / determinant;
     inverse.row(2) = c2 / determinant;
-    // Blind to rank on its own: a pivot is small relative to the trace, never exactly zero.
-    return determinant > 64 * epsilon * size * size * size;
+    return determinant > 64 * epsilon * size * trace * trace;
 }
 
 }  // namespace
@@ -92,6 +93,7 @@ SchurComplement::SchurComplement(const Model& model) {
     }
     blocks_ = scaled_ = constant_;
     inverse_pivots_.assign(joints, Mat3::Zero());
+    sizes_.assign(joints, Real(0));
     rhs_.assign(joints, Vec3::Zero());
     if (is_constant()) status_ = factor_blocks();
 }
@@ -111,8 +113,9 @@ Status SchurComplement::factor(const Mat3* relative) {
 }
 
 Status SchurComplement::factor_blocks() {
+    for (std::size_t k = 0; k < columns_.size(); ++k) sizes_[k] = blocks_[k].trace();
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-        if (!invert_pivot(blocks_[k], inverse_pivots_[k])) return Status::singular_kkt;
+        if (!invert_pivot(blocks_[k], sizes_[k], inverse_pivots_[k])) return Status::singular_kkt;
         for (const Entry& entry : columns_[k]) {
             const auto i = static_cast<std::size_t>(entry.block);
             scaled_[i] = blocks_[i] * inverse_pivots_[k];

@@ -60,6 +60,7 @@ class SchurComplement {
     std::vector<Mat3> blocks_;          // S, then L D
     std::vector<Mat3> scaled_;          // L
     std::vector<Mat3> inverse_pivots_;  // D^{-1}
+    std::vector<Real> sizes_;           // traces of the diagonal of S
     mutable std::vector<Vec3> rhs_;
     Status status_ = Status::ok;
 };

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // rkmk/rk4 on the literature's fast top: errors and drift of the index-1 form without stabilisation, and what the
-// projections make of them. The reference at t = 1 was obtained by two independent programs to 22 digits.
+// projections make of them. The reference at t = 1 was obtained by two independent programs to 22 digits. The expected
+// errors are those of double precision runs, so the file is empty in quad.
 #include "tests/methods/stepping.hpp"
 
 using namespace kreisel;
 using namespace models;
 using namespace stepping;
+
+#if !KREISEL_QUAD
 
 namespace {
 
@@ -48,8 +51,9 @@ TEST_CASE("fast top: a joint to the ground leaves a subgroup of SE3, so nothing 
     for (const long steps : {250, 1000, 4000}) {
         Trip trip(standard("heavy_top"), "SE3", method("rkmk/rk4"));
         REQUIRE(trip.run(1, steps) == Status::ok);
-        CHECK(trip.position_defect() <= 400 * epsilon);
-        CHECK(trip.velocity_defect() <= 400 * epsilon);
+        // Round-off of accelerations of size 700 over one second.
+        CHECK(trip.position_defect() <= 700 * 4 * epsilon);
+        CHECK(trip.velocity_defect() <= 700 * 4 * epsilon);
     }
 }
 
@@ -95,3 +99,5 @@ TEST_CASE("on a pivoted body the formulations give the same rotation at equal h"
         }
     }
 }
+
+#endif

@@ -6,9 +6,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "closed_form_double.hpp"
+#include "tests/reference/closed_form_double.hpp"
 #include "experiments/engine/reference.hpp"
-#include "free_bodies.hpp"
+#include "tests/reference/free_bodies.hpp"
 
 using namespace kreisel;
 using namespace reference_tests;

@@ -5,7 +5,7 @@
 #undef KREISEL_QUAD
 #define KREISEL_PRECISION binary64
 #define KREISEL_QUAD 0
-#include "closed_form_double.hpp"
+#include "tests/reference/closed_form_double.hpp"
 
 #include "problems/free_top_closed_form.cpp"
 

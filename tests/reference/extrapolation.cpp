@@ -9,7 +9,7 @@
 #include "experiments/engine/gbs.hpp"
 #include "experiments/engine/quaternion_form.hpp"
 #include "experiments/engine/reference.hpp"
-#include "named_problem.hpp"
+#include "tests/reference/named_problem.hpp"
 
 using namespace kreisel;
 using namespace reference_tests;

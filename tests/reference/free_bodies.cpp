@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "free_bodies.hpp"
+#include "tests/reference/free_bodies.hpp"
 
 #include "problems/problem.hpp"
 

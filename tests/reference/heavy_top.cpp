@@ -6,7 +6,7 @@
 
 #include "experiments/engine/reference.hpp"
 #include "lie/so3.hpp"
-#include "named_problem.hpp"
+#include "tests/reference/named_problem.hpp"
 
 using namespace kreisel;
 using namespace reference_tests;

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "experiments/engine/reference.hpp"
-#include "named_problem.hpp"
+#include "tests/reference/named_problem.hpp"
 #include "problems/free_top_closed_form.hpp"
 
 using namespace kreisel;
