@@ -75,10 +75,12 @@ TEST_CASE("position_velocity and terze hold both constraints below 1e-11", "[met
 }
 
 TEST_CASE("projections keep the order of the method", "[methods]") {
+    // terze in the identity norm has a large next term: its slopes fall to 4 as 4.44, 4.29, 4.17, 4.09, 4.05 from 1,000 to
+    // 32,000 steps, halving the excess each time, so the asymptotic range starts there.
     for (const char* projector : {"velocity", "position", "position_velocity", "terze"}) {
-        const Real coarse = error_at_one("SO3xR3", 4000, projector), fine = error_at_one("SO3xR3", 8000, projector);
+        const Real coarse = error_at_one("SO3xR3", 16000, projector), fine = error_at_one("SO3xR3", 32000, projector);
         INFO(projector);
-        CHECK(to_double(log2(coarse / fine)) == Approx(4).margin(0.15));
+        CHECK(to_double(log2(coarse / fine)) == Approx(4).margin(0.1));
     }
 }
 
