@@ -17,12 +17,13 @@ const Names axes = {"problem", "formulation", "method", "projection", "precision
 
 // The keys that each kind understands, besides kind, name, title, select.
 const Names& keys_of(const std::string& kind) {
-    static const std::map<std::string, Names> keys = {{"path3d", {"body", "view"}},
-                                                      {"motion", {"body", "view", "instants", "radius", "lever"}},
-                                                      {"components", {"body", "quantity", "stacked", "columns"}},
-                                                      {"convergence", {"metric", "facet", "columns"}},
-                                                      {"drift", {"metric", "facet", "columns"}},
-                                                      {"invariants", {"metric", "facet", "columns", "relative"}}};
+    static const std::map<std::string, Names> keys = {
+        {"path3d", {"body", "view", "until"}},
+        {"motion", {"body", "view", "until", "instants", "radius", "lever"}},
+        {"components", {"body", "until", "quantity", "stacked", "columns"}},
+        {"convergence", {"metric", "facet", "columns"}},
+        {"drift", {"metric", "facet", "columns"}},
+        {"invariants", {"metric", "facet", "columns", "relative"}}};
     return keys.at(kind);
 }
 
@@ -92,6 +93,7 @@ void read_drawing(const Node& node, FigureSpec& spec) {
     if (const auto view = node.find("view")) {
         spec.view = read_numbers<2>(*view, "two angles in degrees, [elevation, azimuth]").value_or(spec.view);
     }
+    if (const auto until = node.find("until")) { spec.until = until->positive("a time greater than 0, s"); }
     if (const auto lever = node.find("lever")) { spec.lever = read_numbers<3>(*lever, "three numbers"); }
     if (const auto radius = node.find("radius")) { spec.radius = radius->positive().value_or(spec.radius); }
     if (const auto instants = node.find("instants")) {

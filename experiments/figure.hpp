@@ -13,6 +13,7 @@
 //   body      path3d, motion, components: name of the body; default the first
 //   quantity  components: x, v, omega or multipliers ("x")
 //   stacked   components: one panel per component (false)
+//   until     path3d, motion, components: draw the samples up to this time, s; default all
 //   instants  motion: how many tops are drawn, evenly spaced over time (9)
 //   radius    motion: radius of the drawn rim, m (0.3)
 //   lever     motion: from the tip of the drawn top to the mass centre, body axes, m; default the problem's `lever`
@@ -41,6 +42,7 @@ struct FigureSpec {
     long instants = 9, columns = 2;
     double radius = 0.3;
     std::optional<std::array<double, 3>> lever;
+    std::optional<double> until;
     std::array<double, 2> view = {65, 35};
 };
 

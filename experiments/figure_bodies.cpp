@@ -167,7 +167,7 @@ std::vector<std::vector<Point3>> drawn_top(const Point3& x, const std::array<dou
 void write_bodies(const std::filesystem::path& plotdata, const FigureSpec& spec, const Results& results,
                   const std::filesystem::path& folder) {
     const ResultRow row = selected_trajectory(spec, results);
-    const TrajectoryTable table = read_trajectory(folder, row);
+    const TrajectoryTable table = selected_samples(spec, row, folder);
     const BodyPath path = read_path(table, body_of(spec, table));
     Box box;
     for (const Point3& x : path.x) { box.add(x); }

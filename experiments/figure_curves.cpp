@@ -68,15 +68,15 @@ std::string order_text(const ObservedOrder& order) {
     if (order.order) { return fmt::format("{:.2f} ± {:.2f}", *order.order, order.uncertainty); }
     switch (order.why) {
         case NoOrder::pre_asymptotic:
-            return "no order: pre-asymptotic";
+            return "pre-asymptotic";
         case NoOrder::round_off:
-            return "no order: floor";
+            return "floor";
         case NoOrder::not_settled:
-            return "no order: not settled";
+            return "not settled";
         case NoOrder::not_convergent:
             return "no convergence";
         default:
-            return "no order: too few points";
+            return "too few points";
     }
 }
 
@@ -96,8 +96,9 @@ void add_triangles(Panel& panel, const std::vector<ObservedOrder>& orders) {
         const int rounded = static_cast<int>(std::lround(*order.order));
         if (rounded < 1 || std::abs(*order.order - rounded) > 0.25) { continue; }
         const auto window = window_points(order);
+        const auto height = [&](const Point& point) { return point.y / std::pow(point.x, rounded); };
         auto& best = lowest[rounded];
-        if (best.empty() || window.back().y < best.back().y) { best = window; }
+        if (best.empty() || height(window.back()) < height(best.back())) { best = window; }
     }
     for (const auto& [rounded, window] : lowest) {
         const SlopeTriangle triangle = slope_triangle(window, rounded);
@@ -112,7 +113,9 @@ std::vector<Point> growth_line(const GrowthLaw& law) {
 }
 
 std::string growth_text(const std::optional<GrowthLaw>& law, double largest, double roundoff) {
-    if (law) { return fmt::format("~ t^{{{:.2f} ± {:.2f}}}", law->exponent, law->error); }
+    if (largest == 0) { return "zero"; }
+    if (law && std::abs(law->exponent) < 0.005) { return "constant"; }
+    if (law) { return fmt::format("∝ t^{{{:.2f} ± {:.2f}}}", law->exponent, law->error); }
     return largest <= roundoff ? "round-off" : "no growth law";
 }
 
@@ -165,7 +168,7 @@ SlopeTriangle slope_triangle(const std::vector<Point>& window, int order) {
     return triangle;
 }
 
-std::vector<ResultRow> selected_rows(const FigureSpec& spec, const Results& results) {
+std::vector<ResultRow> selected_rows(const FigureSpec& spec, const Results& results, bool failed) {
     std::vector<ResultRow> rows;
     const CellNames names(results.rows);
     for (const ResultRow& row : results.rows) {
@@ -176,7 +179,7 @@ std::vector<ResultRow> selected_rows(const FigureSpec& spec, const Results& resu
             return has(values, names.axis(row, key)) || (key == "method" && has(values, row.method)) ||
                    (key == "projection" && has(values, row.projection));
         });
-        if (chosen && row.ok()) { rows.push_back(row); }
+        if (chosen && (row.ok() || (failed && row.status != "skipped"))) { rows.push_back(row); }
     }
     if (rows.empty()) { throw FigureError(fmt::format("{}: no cell that is ok fits \"select\"", spec.name)); }
     return rows;
@@ -189,6 +192,17 @@ ResultRow selected_trajectory(const FigureSpec& spec, const Results& results) {
             fmt::format("{}: {} trajectories fit \"select\", this figure draws one", spec.name, rows.size()));
     }
     return rows.front();
+}
+
+TrajectoryTable selected_samples(const FigureSpec& spec, const ResultRow& row, const std::filesystem::path& folder) {
+    TrajectoryTable table = read_trajectory(folder, row);
+    const auto* t = table.find("t");
+    if (!spec.until || t == nullptr) { return table; }
+    // Times are sums of decimals: half a step's rounding must not lose the last sample.
+    const double last = *spec.until * (1 + 1e-9);
+    const auto count = std::count_if(t->begin(), t->end(), [&](double time) { return time <= last; });
+    for (auto& column : table.columns) { column.resize(static_cast<std::size_t>(count)); }
+    return table;
 }
 
 std::string metric_label(const std::string& metric) {
@@ -211,7 +225,7 @@ std::string metric_label(const std::string& metric) {
 }
 
 PanelFigure convergence_figure(const FigureSpec& spec, const Results& results) {
-    const auto rows = selected_rows(spec, results);
+    const auto rows = selected_rows(spec, results, true);
     const CellNames names(rows);
     const auto axes = legend_axes(spec, names);
     Styles styles;
@@ -222,9 +236,12 @@ PanelFigure convergence_figure(const FigureSpec& spec, const Results& results) {
         for (const CellGroup& group : group_by_method(rows)) {
             if (!in_panel(spec, names, group.front(), key)) { continue; }
             const ObservedOrder order = order_of(group, key.metric);
-            if (order.points.empty()) { continue; }
+            const bool failed =
+                std::none_of(group.rows.begin(), group.rows.end(), [](const auto* row) { return row->ok(); });
+            if (order.points.empty() && !failed) { continue; }
             const std::string label = names.legend(group.front(), axes);
-            Curve curve{enhanced_escape(label) + ": " + order_text(order), {}, styles.of(label)};
+            const std::string remark = failed ? enhanced_escape(group.front().status) : order_text(order);
+            Curve curve{enhanced_escape(label) + ": " + remark, {}, styles.of(label)};
             for (const ErrorPoint& point : order.points) { curve.points.push_back({point.h, point.error}); }
             panel.curves.push_back(std::move(curve));
             orders.push_back(order);
@@ -251,7 +268,7 @@ PanelFigure drift_figure(const FigureSpec& spec, const Results& results, const s
             const TrajectoryTable trajectory = read_trajectory(folder, row);
             const auto* values = trajectory.find(key.metric + ".max");
             const auto* t = trajectory.find("t");
-            if (values == nullptr || t == nullptr || largest_of(*values) == 0) { continue; }
+            if (values == nullptr || t == nullptr) { continue; }
             const auto law = growth_of(trajectory, key.metric, row.precision);
             const std::string label = trajectory_legend(names, axes, row, steps_vary(rows));
             const std::string growth = growth_text(law, largest_of(*values), roundoff_level(row.precision));
@@ -299,15 +316,17 @@ PanelFigure invariants_figure(const FigureSpec& spec, const Results& results, co
 PanelFigure components_figure(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder) {
     static const std::map<std::string, std::pair<std::string, std::string>> symbols = {
         {"x", {"x", "m"}}, {"v", {"v", "m/s"}}, {"omega", {"ω", "rad/s"}}, {"multipliers", {"λ", "N"}}};
-    const TrajectoryTable trajectory = read_trajectory(folder, selected_trajectory(spec, results));
+    const TrajectoryTable trajectory = selected_samples(spec, selected_trajectory(spec, results), folder);
     const auto* t = trajectory.find("t");
     const auto& [symbol, unit] = symbols.at(spec.quantity);
     const std::string prefix =
         spec.quantity == "multipliers" ? "lambda" : body_of(spec, trajectory) + "." + spec.quantity;
     PanelFigure figure = empty_figure(spec);
+    if (spec.stacked) { figure.axes_height = 2.2; }
     for (int i = 1; const auto* values = trajectory.find(fmt::format("{}{}", prefix, i)); ++i) {
         if (spec.stacked || figure.panels.empty()) {
             const std::string name = spec.stacked ? fmt::format("{}_{}", symbol, i) : symbol;
+            if (!figure.panels.empty() && spec.columns == 1) { figure.panels.back().x_label.clear(); }
             figure.panels.push_back({"", "t [s]", fmt::format("{} [{}]", name, unit), false, false, {}, {}, {}});
         }
         const std::string label = spec.stacked ? "" : fmt::format("{}_{}", symbol, i);

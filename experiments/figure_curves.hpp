@@ -14,8 +14,9 @@ struct FigureError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The rows that `spec.select` leaves, of those that ran to their end. Throws FigureError where none is left.
-std::vector<ResultRow> selected_rows(const FigureSpec& spec, const Results& results);
+/// The rows that `spec.select` leaves, but for skipped ones; with `failed` also those that did not run to their end.
+/// Throws FigureError where none is left.
+std::vector<ResultRow> selected_rows(const FigureSpec& spec, const Results& results, bool failed = false);
 
 /// The one cell with samples that a figure of a trajectory draws. Throws FigureError unless there is exactly one.
 ResultRow selected_trajectory(const FigureSpec& spec, const Results& results);
@@ -28,6 +29,9 @@ PanelFigure drift_figure(const FigureSpec& spec, const Results& results, const s
 PanelFigure invariants_figure(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder);
 /// The components of x, v, omega or the multipliers against time.
 PanelFigure components_figure(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder);
+
+/// The samples of the selected cell, up to `spec.until`.
+TrajectoryTable selected_samples(const FigureSpec& spec, const ResultRow& row, const std::filesystem::path& folder);
 
 /// The body that the figure draws: as asked for, or the first. Throws FigureError where there is no such body.
 std::string body_of(const FigureSpec& spec, const TrajectoryTable& trajectory);

@@ -16,10 +16,10 @@ namespace kreisel {
 namespace {
 
 // Centimetres on the page.
-constexpr double panel_width = 8.5, axes_height = 5.2;
-constexpr double left_margin = 1.75, right_margin = 0.35, top_margin = 0.65, bottom_margin = 1.15;
-constexpr double legend_row = 0.36, legend_gap = 0.12, title_height = 0.6;
-constexpr double character = 0.125, legend_sample = 1.25;
+constexpr double column_width = 8.5, page_width = 17.0;
+constexpr double left_margin = 1.6, right_margin = 0.3, bottom_margin = 0.95, bare_bottom = 0.4;
+constexpr double legend_row = 0.335, legend_gap = 0.15, title_height = 0.5;
+constexpr double character = 0.14, legend_sample = 1.0;
 
 struct Range {
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -60,7 +60,7 @@ std::pair<Range, Range> ranges(const Panel& panel) {
     for (const auto& guide : panel.guides) { add(guide); }
     for (const Mark& mark : panel.marks) { add({mark.at}); }
     Range wide_x = padded(x, panel.log_x);
-    if (!panel.log_x && x.low == 0) { wide_x = {0, x.high}; }  // time starts at the axis
+    if (!panel.log_x && x.low >= 0 && x.low < 0.05 * x.high) { wide_x = {0, x.high}; }  // time starts at the axis
     return {wide_x, padded(y, panel.log_y)};
 }
 
@@ -68,7 +68,7 @@ struct Legend {
     std::size_t columns = 1, rows = 0;
 };
 
-Legend legend_of(const Panel& panel) {
+Legend legend_of(const Panel& panel, double panel_width) {
     std::size_t widest = 0, count = 0;
     for (const Curve& curve : panel.curves) {
         widest = std::max(widest, enhanced_width(curve.label));
@@ -107,6 +107,18 @@ class Settings {
     std::string text_ = "# Written by kreisel plot.\n";
 };
 
+// A column of the page for one or two panels beside each other; more share the page.
+double panel_width_of(const PanelFigure& figure) {
+    const auto columns = std::min(figure.columns, static_cast<long>(figure.panels.size()));
+    return columns <= 2 ? column_width : page_width / static_cast<double>(columns);
+}
+
+double top_margin_of(const PanelFigure& figure) {
+    const bool titles =
+        std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel& p) { return !p.title.empty(); });
+    return titles ? 0.6 : 0.25;
+}
+
 // Where the panels lie: rows of panels, each row as high as its longest legend asks for.
 struct Layout {
     double width = 0, height = 0;                              // cm
@@ -117,21 +129,25 @@ Layout layout_of(const PanelFigure& figure) {
     const std::size_t n = figure.panels.size();
     const std::size_t columns = std::min<std::size_t>(n, static_cast<std::size_t>(figure.columns));
     Layout layout;
+    const double panel_width = panel_width_of(figure);
+    const double axes_height = figure.axes_height;
     layout.width = panel_width * static_cast<double>(columns);
     layout.height = figure.title.empty() ? 0 : title_height;
     std::vector<double> row_top;
     for (std::size_t first = 0; first < n; first += columns) {
         std::size_t legend_rows = 0;
+        double bottom = bare_bottom;
         for (std::size_t i = first; i < std::min(n, first + columns); ++i) {
-            legend_rows = std::max(legend_rows, legend_of(figure.panels[i]).rows);
+            legend_rows = std::max(legend_rows, legend_of(figure.panels[i], panel_width).rows);
+            bottom = figure.panels[i].x_label.empty() ? bottom : bottom_margin;
         }
         row_top.push_back(layout.height);
-        layout.height +=
-            top_margin + axes_height + bottom_margin + legend_gap + legend_row * static_cast<double>(legend_rows);
+        const double top_margin = top_margin_of(figure);
+        layout.height += top_margin + axes_height + bottom + legend_gap + legend_row * static_cast<double>(legend_rows);
     }
     for (std::size_t i = 0; i < n; ++i) {
         const double x = panel_width * static_cast<double>(i % columns);
-        const double y = row_top[i / columns] + top_margin;
+        const double y = row_top[i / columns] + top_margin_of(figure);
         layout.left.push_back((x + left_margin) / layout.width);
         layout.right.push_back((x + panel_width - right_margin) / layout.width);
         layout.top.push_back(1 - y / layout.height);
@@ -146,7 +162,7 @@ std::string points_text(const std::vector<Point>& points, const Panel& panel) {
     for (const Point& point : points) {
         text += drawable(point, panel) ? fmt::format("{} {}\n", point.x, point.y) : "\n";
     }
-    return text;
+    return text.empty() || text.find_first_not_of('\n') == std::string::npos ? "NaN NaN\n" : text;  // keeps the legend
 }
 
 std::string guides_text(const Panel& panel) {
@@ -165,7 +181,9 @@ void write_layout(Settings& settings, const Layout& layout) {
     settings.numbers("legend_top", layout.legend_top);
 }
 
-void write_axes(Settings& settings, const std::vector<Panel>& panels) {
+void write_axes(Settings& settings, const PanelFigure& figure) {
+    const std::vector<Panel>& panels = figure.panels;
+    const double width = panel_width_of(figure);
     std::vector<double> x_low, x_high, y_low, y_high;
     for (const Panel& panel : panels) {
         const auto [x, y] = ranges(panel);
@@ -182,8 +200,9 @@ void write_axes(Settings& settings, const std::vector<Panel>& panels) {
     settings.array("log_x", panels, [&](const Panel& panel) { return flag(panel.log_x); });
     settings.array("log_y", panels, [&](const Panel& panel) { return flag(panel.log_y); });
     settings.array("legend_columns", panels,
-                   [](const Panel& panel) { return fmt::format("{}", legend_of(panel).columns); });
-    settings.array("legend_rows", panels, [](const Panel& panel) { return fmt::format("{}", legend_of(panel).rows); });
+                   [&](const Panel& panel) { return fmt::format("{}", legend_of(panel, width).columns); });
+    settings.array("legend_rows", panels,
+                   [&](const Panel& panel) { return fmt::format("{}", legend_of(panel, width).rows); });
     settings.array("panel_title", panels, [](const Panel& panel) { return gnuplot_quoted(panel.title); });
     settings.array("x_label", panels, [](const Panel& panel) { return gnuplot_quoted(panel.x_label); });
     settings.array("y_label", panels, [](const Panel& panel) { return gnuplot_quoted(panel.y_label); });
@@ -261,7 +280,7 @@ void write_panels(const std::filesystem::path& plotdata, const PanelFigure& figu
     settings.string("figure_title", figure.title);
     settings.number("panels", static_cast<double>(figure.panels.size()));
     write_layout(settings, layout_of(figure));
-    write_axes(settings, figure.panels);
+    write_axes(settings, figure);
     write_contents(settings, plotdata, figure);
     write_atomically(plotdata / (figure.name + ".gp"), settings.text());
 }

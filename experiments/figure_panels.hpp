@@ -37,6 +37,7 @@ struct PanelFigure {
     std::string kind, name, title;
     std::vector<Panel> panels;
     long columns = 2;
+    double axes_height = 5;  ///< cm
 };
 
 /// Writes plotdata/<name>.gp (titles, ranges, layout) and one data file per curve and panel. Throws FileError, and

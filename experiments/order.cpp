@@ -18,7 +18,7 @@ constexpr double floor_factor = 100;    // an error 100 floors high shifts a loc
 constexpr double ceiling = 1e-2;        // relative to the scale
 constexpr double stall_factor = 1e4;    // highest plateau that passes for round-off, in epsilon sqrt(N) scale
 constexpr double no_convergence = 0.5;  // below this slope an error does not fall
-constexpr double steady = 0.05;         // a last change of slope that needs no smaller one before it
+constexpr double steady = 0.1;          // a last change of slope that needs no smaller one before it
 constexpr std::size_t least_slopes = 3;
 
 double round_off(const ErrorPoint& point, const OrderLimits& limits) {

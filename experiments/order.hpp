@@ -42,7 +42,7 @@ struct ObservedOrder {
 /// reference's error, above 100 epsilon sqrt(N) scale, and, where the finest errors no longer fall, above 100 times
 /// that plateau; the plateau counts as round-off up to 1e4 epsilon sqrt(N) scale only. The window ends at the finest
 /// admissible point (the claim is about h -> 0) and has at least three consecutive slopes. The three finest must agree
-/// within max(0.2, 5 %), without diverging (the last change at most 0.05 or at most the one before); coarser
+/// within max(0.2, 5 %), without diverging (the last change at most 0.1 or at most the one before); coarser
 /// points join as long as all slopes stay within 0.1. Below slope 1/2 no order is stated.
 /// Throws std::invalid_argument on a repeated number of steps, on a step size that is not positive and not decreasing.
 ObservedOrder observed_order(std::vector<ErrorPoint> points, const OrderLimits& limits);

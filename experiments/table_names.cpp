@@ -118,6 +118,7 @@ std::string metric_unit(const std::string& metric) {
     if (base.ends_with(".relative")) { return "1"; }
     const std::string per = base.ends_with(".slope") || base.ends_with(".slope_error") ? "/s" : "";
     if (base.starts_with("invariant.energy")) { return per.empty() ? "J" : "W"; }
+    if (base.starts_with("invariant.momentum")) { return per.empty() ? "N s" : "N"; }
     return base.find("momentum") != std::string::npos ? (per.empty() ? "N m s" : "N m") : "";
 }
 

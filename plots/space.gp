@@ -5,20 +5,20 @@ set xrange [low_1:high_1]
 set yrange [low_2:high_2]
 set zrange [low_3:high_3]
 set cbrange [t_first:t_last]
-set view elevation, azimuth, 1.15
+set view elevation, azimuth, 1.2
 set view equal xyz
 set xyplane at low_3
 set border 127 + 256 + 512 lw 0.5 lc rgb '#999999'
 set grid x y ls 101
-set tics nomirror scale 0.5 offset 0, -0.2
+set tics nomirror scale 0.5 textcolor rgb 'black'
 set xtics 0.5
 set ytics 0.5
-set ztics 0.5 offset 0.5, 0
+set ztics 0.5
 set xlabel 'x_1 [m]' offset 0, -0.3
 set ylabel 'x_2 [m]' offset 0, -0.3
-set zlabel 'x_3 [m]' rotate parallel offset 1, 0
-set cblabel 't [s]' offset -0.5, 0
-set colorbox user origin 0.88, 0.25 size 0.025, 0.5
+set label 2 'x_3 [m]' at screen 0.025, screen 0.5 rotate by 90 center
+set label 1 't [s]' at screen 0.93, screen 0.79 center
+set colorbox user origin 0.87, 0.24 size 0.025, 0.5
 # viridis: even in lightness, told apart with any colour vision
 set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b')
 if (strlen(figure_title)) { set title figure_title }
