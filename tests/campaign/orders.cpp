@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Declared order = observed order, for every registered method with no further line written: double runs against quad
+// references on the acceptance problems, judged by the rule of experiments/order.hpp.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "experiments/engine.hpp"
+#include "experiments/order.hpp"
+
+using namespace kreisel;
+
+namespace {
+
+const Engine& engine() { return engine_binary64(); }
+
+ParameterValues defaults(const std::string& problem) {
+    ParameterValues values;
+    for (const ProblemDescription& description : engine().problems())
+        if (description.name == problem)
+            for (const ParameterDescription& parameter : description.parameters) values[parameter.name] = parameter.standard;
+    return values;
+}
+
+const Reference& reference(const std::string& problem) {
+    static std::map<std::string, Reference> known;
+    if (!known.contains(problem)) known[problem] = engine_binary128().reference(problem, defaults(problem), 1.0);
+    return known.at(problem);
+}
+
+/// All combinations of the words of a method's options, its counts and flags at their default.
+std::vector<OptionValues> variants(const MethodDescription& method) {
+    OptionValues standard;
+    for (const OptionDescription& option : method.options) standard[option.name] = option.standard;
+    std::vector<OptionValues> all = {standard};
+    for (const OptionDescription& option : method.options)
+        for (const std::string& word : option.choices)
+            if (OptionValue(word) != option.standard) {
+                all.push_back(standard);
+                all.back()[option.name] = word;
+            }
+    return all;
+}
+
+using Curves = std::map<std::string, std::vector<ErrorPoint>>;
+
+Curves measure(const std::string& problem, const std::string& formulation, const MethodDescription& method,
+               const OptionValues& options, long from, int levels) {
+    Curves curves;
+    for (int level = 0; level < levels; ++level) {
+        Cell cell{.problem = problem, .parameters = defaults(problem), .formulation = formulation, .method = method.name,
+                  .options = options, .projection = "none", .projection_options = {}, .t_end = 1, .steps = from << level,
+                  .samples = 0, .metrics = {"error.*"}};
+        if (!engine().skip_reason(cell).empty()) return {};
+        const Outcome outcome = engine().run(cell, &reference(problem), {});
+        INFO(outcome.detail);
+        REQUIRE(outcome.status == "ok");
+        for (const auto& [name, error] : outcome.metrics)
+            curves[name].push_back({cell.steps, 1.0 / static_cast<double>(cell.steps), error.value});
+    }
+    return curves;
+}
+
+int declared(const Order& order, const std::string& metric) {
+    if (metric == "error.multipliers") return order.multipliers;
+    return metric == "error.velocity" || metric == "error.omega" ? order.velocity : order.configuration;
+}
+
+/// Sizes of the quantities on these problems, for what counts as round-off and as pre-asymptotic.
+double scale_of(const std::string& metric) {
+    return metric == "error.multipliers" ? 100 : metric == "error.velocity" || metric == "error.omega" ? 5 : 1;
+}
+
+void certify(const std::string& problem, bool within_a_tenth) {
+    for (const MethodDescription& method : engine().methods())
+        for (const OptionValues& options : variants(method))
+            for (const char* formulation : {"SO3", "SO3xR3", "SE3"}) {
+                const int p = method.order.configuration;
+                const Curves curves = measure(problem, formulation, method, options, p == 1 ? 1024 : 64, p == 1 ? 7 : 6);
+                for (const auto& [metric, points] : curves) {
+                    const OrderLimits limits{.scale = scale_of(metric), .reference_error = reference(problem).error.at(metric).value};
+                    const ObservedOrder observed = observed_order(points, limits);
+                    INFO(method.name << " on " << problem << " as " << formulation << ", " << metric << ": " << observed.reason);
+                    REQUIRE(observed.order);
+                    CHECK(*observed.order >= declared(method.order, metric) - 0.1);
+                    if (within_a_tenth) CHECK(std::abs(*observed.order - declared(method.order, metric)) <= 0.1);
+                }
+            }
+}
+
+}  // namespace
+
+TEST_CASE("declared orders are observed on the forced heavy top", "[campaign]") { certify("forced_heavy_top", true); }
+
+TEST_CASE("no method falls below its order on the double pendulum", "[campaign]") { certify("double_pendulum", false); }
+
+TEST_CASE("the certification rejects a method that claims one order more", "[campaign][control]") {
+    for (const MethodDescription& method : engine().methods())
+        if (method.name == "rkmk/kutta3") {
+            const Curves curves = measure("forced_heavy_top", "SO3xR3", method, variants(method)[0], 64, 6);
+            const ObservedOrder observed = observed_order(curves.at("error.rotation"), {});
+            REQUIRE(observed.order);
+            CHECK(*observed.order < 4 - 0.5);
+        }
+}
+
+TEST_CASE("the truncated dexpinv has the order its number of brackets allows", "[campaign]") {
+    // q brackets give order q + 2, up to the order of the tableau: rk4 has 2, 3, 4, 4 for q = 0, 1, 2, 4.
+    const int expected[][2] = {{0, 2}, {1, 3}, {2, 4}, {4, 4}};
+    for (const MethodDescription& method : engine().methods())
+        if (method.name == "rkmk/rk4")
+            for (const auto& [q, order] : expected) {
+                OptionValues options = variants(method)[0];
+                options["dexpinv"] = static_cast<long>(q);
+                const Curves curves = measure("forced_heavy_top", "SO3", method, options, 64, 6);
+                const ObservedOrder observed = observed_order(curves.at("error.rotation"), {});
+                INFO("q = " << q << ": " << observed.reason);
+                REQUIRE(observed.order);
+                CHECK(*observed.order == Approx(order).margin(0.12));
+            }
+}
+
+TEST_CASE("double and quad runs of one cell agree to double round-off", "[campaign]") {
+    for (const MethodDescription& method : engine().methods()) {
+        Cell cell{.problem = "forced_heavy_top", .parameters = defaults("forced_heavy_top"), .formulation = "SO3",
+                  .method = method.name, .options = variants(method)[0], .projection = "none", .projection_options = {},
+                  .t_end = 1, .steps = 64, .samples = 0, .metrics = {}};
+        const Outcome narrow = engine_binary64().run(cell, nullptr, {}), wide = engine_binary128().run(cell, nullptr, {});
+        INFO(method.name);
+        REQUIRE(narrow.status == "ok");
+        REQUIRE(wide.status == "ok");
+        for (std::size_t i = 0; i < 9; ++i)
+            CHECK(std::abs(narrow.final->bodies[0].R[i].value - wide.final->bodies[0].R[i].value) <= 1e-12);
+    }
+}
