@@ -8,6 +8,7 @@
 #include <map>
 
 #include "experiments/config_parts.hpp"
+#include "experiments/figure.hpp"
 #include "experiments/json_writer.hpp"
 #include "experiments/nearest.hpp"
 #include "experiments/node.hpp"
@@ -208,13 +209,10 @@ void read_metrics(const Node& root, Config& config) {
     }
 }
 
-// Figures are described to the plots; the reader of the config sees to their shape alone.
 void read_figure(const Node& root, Config& config) {
     const auto node = root.find("figure");
     if (!node) { return; }
-    for (const Node& entry : node->elements_or_self()) {
-        entry.require_object("an object that describes a figure, or a list of such objects");
-    }
+    check_figures(*node);
     config.figure = node->json();
 }
 

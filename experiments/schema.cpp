@@ -129,7 +129,7 @@ Schema time() {
 
 Schema config_schema(const Registry& registry) {
     const Schema precision = choice({"double", "quad"});
-    Schema figure = {{"type", "object"}};
+    const Schema figure = {{"type", "object"}, {"required", {"kind"}}};
     Schema schema =
         object({{"name", {{"type", "string"}, {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]*$"}, {"maxLength", 100}}},
                 {"description", text(2000)},

@@ -144,7 +144,8 @@ const std::vector<BadConfig>& bad_configs() {
         {R"({"metrics": ["error.*", "error.*"]})", "/metrics/1", "once"},
         {R"({"metrics": [1]})", "/metrics/0", "got 1"},
         {R"({"figure": "lines"})", "/figure", "describes a figure"},
-        {R"({"figure": [{}, 1]})", "/figure/1", "describes a figure"},
+        {R"({"figure": [{"kind": "drift"}, 1]})", "/figure/1", "describes a figure"},
+        {R"({"figure": {"kind": "dirft"}})", "/figure/kind", "did you mean \"drift\"?"},
     };
     return all;
 }

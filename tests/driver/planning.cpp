@@ -138,7 +138,7 @@ TEST_CASE("a resolved config is a config and leads to the same cells") {
             {"name": "b", "mass": 3, "inertia": [1, 1, 1], "x": [0, 0, 1]}]}}],
         "methods": [{"name": "rkmk/rk4", "dexpinv": [0, "seed"]}, {"name": "fake/relaxed", "rho": [0.1, 1]}],
         "projections": ["none", {"name": "terze", "weight": ["mass", "identity"]}],
-        "time": {"end": 1, "step": 0.25}, "output": {"samples": 2}, "figure": {"axes": ["t", "x"]}})");
+        "time": {"end": 1, "step": 0.25}, "output": {"samples": 2}, "figure": {"kind": "components", "quantity": "v"}})");
     const Plan again = plan_from(resolved_config(plan.config));
     REQUIRE(again.cells.size() == plan.cells.size());
     for (std::size_t i = 0; i < plan.cells.size(); ++i) { CHECK(again.cells[i].identity == plan.cells[i].identity); }
