@@ -2,6 +2,7 @@
 //
 // Declared order = observed order, for every registered method with no further line written: double runs against quad
 // references on the acceptance problems, judged by the rule of experiments/order.hpp.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -71,28 +72,40 @@ double scale_of(const std::string& metric) {
     return metric == "error.multipliers" ? 100 : metric == "error.velocity" || metric == "error.omega" ? 5 : 1;
 }
 
-void certify(const std::string& problem, bool within_a_tenth) {
+/// No observed order below the declared one by more than 0.1, on any quantity; and within 0.1 of it on at least one
+/// quantity of configuration and of velocity level, where `sharp` (a method may converge faster on one problem than its
+/// order promises, so this is asked of one acceptance problem only).
+void certify(const std::string& problem, bool sharp, long from) {
     for (const MethodDescription& method : engine().methods())
         for (const OptionValues& options : variants(method))
             for (const char* formulation : {"SO3", "SO3xR3", "SE3"}) {
-                const int p = method.order.configuration;
-                const Curves curves = measure(problem, formulation, method, options, p == 1 ? 1024 : 64, p == 1 ? 7 : 6);
+                const bool first_order = method.order.configuration == 1;
+                const Curves curves =
+                    measure(problem, formulation, method, options, first_order ? 64 * from : from, first_order ? 7 : 6);
+                double nearest[2] = {1, 1};  // configuration, velocity
                 for (const auto& [metric, points] : curves) {
-                    const OrderLimits limits{.scale = scale_of(metric), .reference_error = reference(problem).error.at(metric).value};
+                    const OrderLimits limits{.scale = scale_of(metric),
+                                             .reference_error = reference(problem).error.at(metric).value};
                     const ObservedOrder observed = observed_order(points, limits);
                     INFO(method.name << " on " << problem << " as " << formulation << ", " << metric << ": " << observed.reason);
                     REQUIRE(observed.order);
-                    CHECK(*observed.order >= declared(method.order, metric) - 0.1);
-                    if (within_a_tenth) CHECK(std::abs(*observed.order - declared(method.order, metric)) <= 0.1);
+                    const double excess = *observed.order - declared(method.order, metric);
+                    CHECK(excess >= -0.1);
+                    double& best = nearest[metric == "error.velocity" || metric == "error.omega" ? 1 : 0];
+                    if (metric != "error.multipliers") best = std::min(best, std::abs(excess));
                 }
+                if (!sharp || curves.empty()) continue;
+                INFO(method.name << " on " << problem << " as " << formulation);
+                CHECK(nearest[0] <= 0.1);
+                CHECK(nearest[1] <= 0.1);
             }
 }
 
 }  // namespace
 
-TEST_CASE("declared orders are observed on the forced heavy top", "[campaign]") { certify("forced_heavy_top", true); }
+TEST_CASE("declared orders are observed on the forced heavy top", "[campaign]") { certify("forced_heavy_top", true, 64); }
 
-TEST_CASE("no method falls below its order on the double pendulum", "[campaign]") { certify("double_pendulum", false); }
+TEST_CASE("no method falls below its order on the double pendulum", "[campaign]") { certify("double_pendulum", false, 128); }
 
 TEST_CASE("the certification rejects a method that claims one order more", "[campaign][control]") {
     for (const MethodDescription& method : engine().methods())
