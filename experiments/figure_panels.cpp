@@ -249,8 +249,9 @@ void write_contents(Settings& settings, const std::filesystem::path& plotdata, c
 
 std::string gnuplot_quoted(const std::string& text) {
     if (has_control_character(text)) { throw std::invalid_argument("a label of a figure holds a control character"); }
+    // gnuplot 5.4 does not read its own escape '' at the start of a string, and goes on with the rest as a command.
     std::string quoted = "'";
-    for (const char c : text) { quoted += c == '\'' ? std::string("''") : std::string(1, c); }
+    for (const char c : text) { quoted += c == '\'' ? std::string("\u2019") : std::string(1, c); }
     return quoted + "'";
 }
 

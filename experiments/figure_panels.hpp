@@ -44,7 +44,7 @@ struct PanelFigure {
 /// std::invalid_argument where a label holds a control character.
 void write_panels(const std::filesystem::path& plotdata, const PanelFigure& figure);
 
-/// `text` as a single-quoted string of gnuplot. Throws std::invalid_argument on a control character.
+/// `text` as a single-quoted string of gnuplot; an apostrophe becomes a typographic one. Throws std::invalid_argument on a control character.
 std::string gnuplot_quoted(const std::string& text);
 /// Makes enhanced text show `text` as it is.
 std::string enhanced_escape(const std::string& text);

@@ -68,17 +68,35 @@ class Search {
     bool above_floor(std::size_t i) const { return points()[i].error > floor(i); }
     bool admissible(std::size_t i) const { return above_floor(i) && points()[i].error < ceiling * limits_.scale; }
 
-    // The finest errors lie above the stated floors and yet do not fall any more: a plateau.
+    // The coarsest point from which errors of one size (noise within a factor 100) fall with less than slope 1/2 on the
+    // whole; the finest point if there is no such plateau.
+    std::size_t plateau_begin() const {
+        constexpr double one_size = 100;
+        const ErrorPoint& finest = points().back();
+        double least = finest.error, most = finest.error;
+        std::size_t first = points().size() - 1;
+        for (std::size_t i = points().size() - 1; i-- > 0;) {
+            least = std::min(least, points()[i].error);
+            most = std::max(most, points()[i].error);
+            if (!(most < one_size * least)) { break; }
+            if (slope_between(points()[i], finest) < no_convergence) { first = i; }
+        }
+        return first;
+    }
+
+    // Where the finest errors do not fall any more they are a plateau, whatever the stated floors say.
     void find_stall() {
-        const std::size_t n = points().size();
-        std::size_t first = n - 1;
-        while (first > 0 && result_.slopes[first - 1] < no_convergence) { --first; }
-        if (first == n - 1 || !above_floor(n - 1)) { return; }
-        double level = 0;
-        for (std::size_t i = first; i < n; ++i) { level = std::max(level, points()[i].error); }
+        const std::size_t n = points().size(), first = plateau_begin();
+        if (first == n - 1) { return; }
+        std::vector<double> errors;
+        for (std::size_t i = first; i < n; ++i) { errors.push_back(points()[i].error); }
+        std::sort(errors.begin(), errors.end());
+        const double level = errors[(errors.size() - 1) / 2];  // median: the ends may be outliers
         if (level >= ceiling * limits_.scale) { return; }
-        result_.stall = level;
-        if (level > stall_factor * round_off(points()[n - 1], limits_)) {
+        if (above_floor(n - 1)) { result_.stall = level; }
+        const bool explained = level <= stall_factor * round_off(points()[n - 1], limits_) ||
+                               level <= floor_factor * limits_.reference_error;
+        if (!explained) {
             return none(NoOrder::not_convergent,
                         fmt::format("the error stops falling at {:.1e}, far above round-off", level));
         }

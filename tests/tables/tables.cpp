@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From result lines to tables: orders with their windows, failures listed, damage reported.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "experiments/errors.hpp"
+#include "experiments/table.hpp"
+#include "experiments/table_drift.hpp"
+#include "experiments/table_orders.hpp"
+#include "tests/tables/folder.hpp"
+
+using namespace kreisel;
+using namespace kreisel::test;
+
+namespace {
+
+constexpr int ok = 0, damaged = 1;
+
+}  // namespace
+
+TEST_CASE("a convergence study becomes a table of orders with windows") {
+    const ResultFolder folder;
+    folder.write("results.jsonl", convergence_lines(4) + convergence_lines(2, {{"method", "rkmk/midpoint"}}, 16));
+    CHECK(table_command(folder.path()) == ok);
+    const std::string orders = folder.read("tables/orders.csv");
+    CHECK(orders.find("heavy_top,SO3xR3,rkmk/rk4,none,double,error.position,,4.0000,0.0000,64,1024,least squares") !=
+          std::string::npos);
+    CHECK(
+        orders.find("heavy_top,SO3xR3,rkmk/midpoint,none,double,error.position,,2.0000,0.0000,64,2048,least squares") !=
+        std::string::npos);
+    CHECK(folder.read("tables/orders.tex").find("4.00 $\\pm$ 0.00 [64--1024]") != std::string::npos);
+    CHECK(folder.read("tables/errors.csv").find("2048,0.00048828125,5.684341886080802e-14") != std::string::npos);
+    CHECK(folder.has("tables/cost.md"));
+}
+
+TEST_CASE("numbers of quad cells are read from decimal strings") {
+    const ResultRow row = read_result_line(
+        result_line("aa", 64, 0,
+                    {{"precision", "quad"}, {"h", "0.015625"}, {"metrics", {{"error.position", "1.25e-30"}}}})
+            .dump());
+    CHECK(row.metrics.at("error.position") == 1.25e-30);
+    CHECK(row.h == 0.015625);
+    CHECK(row.scale.at("error.multipliers") == 3);
+}
+
+TEST_CASE("failed and skipped cells are listed with their reason, and enter no order") {
+    const ResultFolder folder;
+    const auto failed = result_line(
+        "ff", 32, 0, {{"status", "singular_kkt"}, {"detail", "step 3"}, {"metrics", nullptr}, {"final", nullptr}});
+    const auto skipped = result_line(
+        "fe", 32, 0, {{"status", "skipped"}, {"detail", "no | such thing"}, {"metrics", nullptr}, {"final", nullptr}});
+    folder.write("results.jsonl", convergence_lines(3) + failed.dump() + "\n" + skipped.dump() + "\n");
+    CHECK(table_command(folder.path()) == ok);
+    const std::string text = folder.read("tables/not_ok.csv");
+    CHECK(text.find("singular_kkt,step 3") != std::string::npos);
+    CHECK(text.find("skipped,no | such thing") != std::string::npos);
+    CHECK(folder.read("tables/not_ok.md").find("no \\| such thing") != std::string::npos);
+    CHECK(folder.read("tables/orders.csv").find(",3.0000,") != std::string::npos);
+}
+
+TEST_CASE("a damaged file gives its good lines, and says what is damaged") {
+    const std::string good = convergence_lines(4);
+    for (const std::string& bad :
+         {std::string("{\"cell\": \"0\""), std::string("[]"), std::string("null"), std::string("{}"),
+          std::string("\xff\xfe"), std::string(100000, '['), std::string("{\"cell\":\"../x\"}")}) {
+        const ResultFolder folder;
+        folder.write("results.jsonl", good + bad + "\n");
+        const Results results = read_results(folder.path());
+        CHECK(results.rows.size() == 6);
+        CHECK(results.damage.size() == 1);
+        CHECK(results.damage.front().find("results.jsonl:7: ") == 0);
+        CHECK(table_command(folder.path()) == damaged);
+    }
+}
+
+TEST_CASE("a results file cut at any byte never crashes the reader") {
+    const std::string good = convergence_lines(4).substr(0, 1400);
+    const ResultFolder folder;
+    for (std::size_t length = 0; length <= good.size(); length += 7) {
+        folder.write("results.jsonl", good.substr(0, length));
+        const Results results = read_results(folder.path());
+        const std::string kept = good.substr(0, length);
+        const auto whole = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), '\n'));
+        const bool torn = !kept.empty() && kept.back() != '\n';
+        CHECK(results.rows.size() + results.damage.size() == whole + (torn ? 1 : 0));
+        CHECK(results.rows.size() >= whole);
+    }
+}
+
+TEST_CASE("a folder without results is an error of input") {
+    const ResultFolder folder;
+    CHECK_THROWS_AS(table_command(folder.path()), FileError);
+}
+
+TEST_CASE("growth laws come from the running maxima of the trajectory") {
+    const ResultFolder folder;
+    folder.write(
+        "results.jsonl",
+        result_line("ab", 100, 1e-3, {{"metrics", {{"defect.position", 1e-6}}}, {"trajectory", "trajectories/ab.csv"}})
+                .dump() +
+            "\n");
+    folder.write("trajectories/ab.csv", trajectory_text());
+    const Results results = read_results(folder.path());
+    const auto law = growth_of(read_trajectory(folder.path(), results.rows.front()), "defect.position", "double");
+    REQUIRE(law);
+    CHECK(law->exponent == Approx(2));
+    CHECK(law->coefficient == Approx(1e-6));
+    CHECK(table_command(folder.path()) == ok);
+    CHECK(folder.read("tables/drift.csv").find("position,1e-06,,2.000,0.000,0.5–1") != std::string::npos);
+    folder.write("trajectories/ab.csv", trajectory_text().substr(0, 900));
+    CHECK_THROWS_AS(table_command(folder.path()), FileError);
+}
+
+TEST_CASE("methods are named with the options that vary, and no others") {
+    std::vector<ResultRow> rows;
+    for (const char* coordinates : {"exp", "cayley"}) {
+        rows.push_back(read_result_line(
+            result_line("aa", 64, 1, {{"options", {{"coordinates", coordinates}, {"dexpinv", "exact"}}}}).dump()));
+    }
+    const CellNames names(rows);
+    CHECK(names.axis(rows[0], "method") == "rkmk/rk4 exp");
+    CHECK(names.axis(rows[1], "method") == "rkmk/rk4 cayley");
+    CHECK(names.varying_axes({}) == std::vector<std::string>{"method"});
+    CHECK(group_by_method(rows).size() == 2);
+}
