@@ -72,8 +72,8 @@ double scale_of(const std::string& metric) {
     return metric == "error.multipliers" ? 100 : metric == "error.velocity" || metric == "error.omega" ? 5 : 1;
 }
 
-/// No observed order below the declared one by more than 0.1, on any quantity; and within 0.1 of it on at least one
-/// quantity of configuration and of velocity level, where `sharp` (a method may converge faster on one problem than its
+/// No quantity whose finest admissible slope lies below the declared order by more than 0.1; and an observed order within
+/// 0.1 of it on at least one quantity of configuration and of velocity level, where `sharp` (a method may converge faster on one problem than its
 /// order promises, so this is asked of one acceptance problem only).
 void certify(const std::string& problem, bool sharp, long from) {
     for (const MethodDescription& method : engine().methods())
@@ -90,7 +90,9 @@ void certify(const std::string& problem, bool sharp, long from) {
                     INFO(method.name << " on " << problem << " as " << formulation << ", " << metric << ": " << observed.reason);
                     REQUIRE(observed.order);
                     const double excess = *observed.order - declared(method.order, metric);
-                    CHECK(excess >= -0.1);
+                    // The finest slope of the window: on the pendulum some curves approach their order from below, rk4's omega
+                    // as 3.85, 3.88, 3.93, 3.99, and a mean over the window keeps the memory of the coarse steps.
+                    CHECK(observed.slopes.at(observed.last - 1) >= declared(method.order, metric) - 0.1);
                     double& best = nearest[metric == "error.velocity" || metric == "error.omega" ? 1 : 0];
                     if (metric != "error.multipliers") best = std::min(best, std::abs(excess));
                 }
