@@ -139,15 +139,6 @@ std::vector<std::size_t> instants(std::size_t samples, long count) {
 
 }  // namespace
 
-std::string body_of(const FigureSpec& spec, const TrajectoryTable& trajectory) {
-    for (const std::string& name : trajectory.names) {
-        if (!name.ends_with(".x1")) { continue; }
-        const std::string body = name.substr(0, name.size() - 3);
-        if (spec.body.empty() || spec.body == body) { return body; }
-    }
-    throw FigureError(fmt::format("{}: the trajectory has no body \"{}\"", spec.name, spec.body));
-}
-
 std::vector<std::vector<Point3>> drawn_top(const Point3& x, const std::array<double, 9>& R, const Point3& lever,
                                            double radius) {
     constexpr int segments = 48, generators = 6;

@@ -131,10 +131,6 @@ double largest_of(const std::vector<double>& values) {
     return largest;
 }
 
-bool has(const std::vector<std::string>& list, const std::string& value) {
-    return std::find(list.begin(), list.end(), value) != list.end();
-}
-
 // What a legend says of a row when trajectories are drawn: step counts join where they vary.
 std::string trajectory_legend(const CellNames& names, const std::vector<std::string>& axes, const ResultRow& row,
                               bool steps_vary) {
@@ -147,15 +143,6 @@ bool steps_vary(const std::vector<ResultRow>& rows) {
     return std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.steps != rows.front().steps; });
 }
 
-std::vector<ResultRow> with_samples(std::vector<ResultRow> rows, const FigureSpec& spec) {
-    std::erase_if(rows, [](const ResultRow& row) { return !row.has_trajectory; });
-    if (rows.empty()) {
-        throw FigureError(
-            fmt::format("{}: the selected cells have no samples; set \"output\": {{\"samples\": K}}", spec.name));
-    }
-    return rows;
-}
-
 }  // namespace
 
 SlopeTriangle slope_triangle(const std::vector<Point>& window, int order) {
@@ -166,43 +153,6 @@ SlopeTriangle slope_triangle(const std::vector<Point>& window, int order) {
     SlopeTriangle triangle{{{fine.x, base}, {coarse.x, base}, {coarse.x, tip}, {fine.x, base}}, {}};
     triangle.order = {{coarse.x * 1.22, std::sqrt(base * tip)}, fmt::format("{}", order)};
     return triangle;
-}
-
-std::vector<ResultRow> selected_rows(const FigureSpec& spec, const Results& results, bool failed) {
-    std::vector<ResultRow> rows;
-    const CellNames names(results.rows);
-    for (const ResultRow& row : results.rows) {
-        const bool chosen = std::all_of(spec.select.begin(), spec.select.end(), [&](const auto& entry) {
-            const auto& [key, values] = entry;
-            if (key == "steps") { return has(values, fmt::format("{}", row.steps)); }
-            if (key == "problem") { return has(values, row.label) || has(values, row.problem); }
-            return has(values, names.axis(row, key)) || (key == "method" && has(values, row.method)) ||
-                   (key == "projection" && has(values, row.projection));
-        });
-        if (chosen && (row.ok() || (failed && row.status != "skipped"))) { rows.push_back(row); }
-    }
-    if (rows.empty()) { throw FigureError(fmt::format("{}: no cell that is ok fits \"select\"", spec.name)); }
-    return rows;
-}
-
-ResultRow selected_trajectory(const FigureSpec& spec, const Results& results) {
-    const auto rows = with_samples(selected_rows(spec, results), spec);
-    if (rows.size() > 1) {
-        throw FigureError(
-            fmt::format("{}: {} trajectories fit \"select\", this figure draws one", spec.name, rows.size()));
-    }
-    return rows.front();
-}
-
-TrajectoryTable selected_samples(const FigureSpec& spec, const ResultRow& row, const std::filesystem::path& folder) {
-    TrajectoryTable table = read_trajectory(folder, row);
-    const auto* t = table.find("t");
-    if (!spec.until || t == nullptr) { return table; }
-    // Times are sums of decimals: half a step's rounding must not lose the last sample.
-    const double last = *spec.until * (1 + 1e-9);
-    const auto count = std::count_if(t->begin(), t->end(), [&](double time) { return time <= last; });
-    for (auto& column : table.columns) { column.resize(static_cast<std::size_t>(count)); }
-    return table;
 }
 
 std::string metric_label(const std::string& metric) {
