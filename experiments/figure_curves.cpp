@@ -115,7 +115,7 @@ std::vector<Point> growth_line(const GrowthLaw& law) {
 std::string growth_text(const std::optional<GrowthLaw>& law, double largest, double roundoff) {
     if (largest == 0) { return "zero"; }
     if (law && std::abs(law->exponent) < 0.005) { return "constant"; }
-    if (law) { return fmt::format("∝ t^{{{:.2f} ± {:.2f}}}", law->exponent, law->error); }
+    if (law) { return fmt::format("∝ t^{{{:.3f} ± {:.3f}}}", law->exponent, law->error); }
     return largest <= roundoff ? "round-off" : "no growth law";
 }
 

@@ -16,7 +16,7 @@ set ytics 0.5
 set ztics 0.5
 set xlabel 'x_1 [m]' offset 0, -0.3
 set ylabel 'x_2 [m]' offset 0, -0.3
-set label 2 'x_3 [m]' at screen 0.025, screen 0.5 rotate by 90 center
+set label 2 'x_3 [m]' at screen 0.14, screen 0.8 center
 set label 1 't [s]' at screen 0.93, screen 0.79 center
 set colorbox user origin 0.87, 0.24 size 0.025, 0.5
 # viridis: even in lightness, told apart with any colour vision

@@ -141,7 +141,7 @@ TEST_CASE("every kind of figure is drawn, without a word from gnuplot") {
     for (const char* name : {"path", "motion", "omega", "convergence", "drift", "energy"}) {
         check_drawn(folder, name);
     }
-    CHECK(folder.read("plotdata/drift.gp").find("∝ t^{2.00 ± 0.00}") != std::string::npos);
+    CHECK(folder.read("plotdata/drift.gp").find("∝ t^{2.000 ± 0.000}") != std::string::npos);
     CHECK(folder.read("plotdata/convergence.gp").find("rkmk/rk4: 4.00 ± 0.00") != std::string::npos);
 }
 
