@@ -31,7 +31,7 @@ if(NOT KREISEL_SANITIZE)
   kreisel_suite(methods binary128 LIBRARIES kreisel_binary128 SOURCES ${controls})
   kreisel_suite(orders binary64 LIBRARIES kreisel_binary64 SOURCES ${controls})
   kreisel_suite(orders binary128 LIBRARIES kreisel_binary128 SOURCES ${controls})
-  kreisel_suite(reference binary128 LIBRARIES kreisel_binary128)
+  kreisel_suite(reference binary128 LIBRARIES kreisel_binary128 GSL::gsl)
   kreisel_suite(tables plain LIBRARIES kreisel_driver)
   kreisel_suite(driver plain LIBRARIES kreisel_driver)
   kreisel_suite(campaign plain LIBRARIES kreisel_driver quadmath

@@ -1,29 +1,30 @@
-// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/table_fit.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_fit.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
+#include <string>
 
 namespace kreisel {
 
 Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
-    const auto n = static_cast<double>(x.size());
-    double mean_x = 0, mean_y = 0, xx = 0, xy = 0, yy = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        mean_x += x[i] / n;
-        mean_y += y.at(i) / n;
+    if (x.size() != y.size()) { throw std::invalid_argument("fit_line: as many ordinates as abscissae are needed"); }
+    if (std::adjacent_find(x.begin(), x.end(), std::not_equal_to<>()) == x.end()) {
+        throw std::invalid_argument("fit_line: two different abscissae are needed");
     }
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const double dx = x[i] - mean_x, dy = y[i] - mean_y;
-        xx += dx * dx;
-        xy += dx * dy;
-        yy += dy * dy;
-    }
-    if (!(xx > 0)) { throw std::invalid_argument("fit_line: two different abscissae are needed"); }
-    Line line{xy / xx, 0, 0};
-    line.intercept = mean_y - line.slope * mean_x;
-    if (x.size() > 2) { line.slope_error = std::sqrt(std::max(yy - line.slope * xy, 0.0) / (n - 2) / xx); }
+    // The default handler would end the program; here an error is the caller's to see.
+    [[maybe_unused]] static gsl_error_handler_t* const aborting = gsl_set_error_handler_off();
+    Line line;
+    double var_intercept = 0, covariance = 0, var_slope = 0, residual = 0;
+    const int status = gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &line.intercept, &line.slope, &var_intercept,
+                                      &covariance, &var_slope, &residual);
+    if (status != GSL_SUCCESS) { throw std::runtime_error(std::string("fit_line: ") + gsl_strerror(status)); }
+    if (x.size() > 2) { line.slope_error = std::sqrt(var_slope); }  // residual / (n - 2) is no variance for two points
     return line;
 }
 

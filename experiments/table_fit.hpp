@@ -13,7 +13,8 @@ struct Line {
     double slope = 0, intercept = 0, slope_error = 0;
 };
 
-/// Throws std::invalid_argument unless there are two points with different x.
+/// Least squares with equal weights [gsl]. Throws std::invalid_argument unless there are two points with different x and
+/// a y for each x.
 Line fit_line(const std::vector<double>& x, const std::vector<double>& y);
 
 /// y = coefficient t^exponent, fitted to log y against log t.

@@ -18,7 +18,13 @@ TEST_CASE("a straight line is fitted exactly, and its error is that of the textb
     const Line rough = fit_line({0, 1, 2, 3}, {0, 1, 1, 2});
     CHECK(rough.slope == Approx(0.6));
     CHECK(rough.slope_error == Approx(std::sqrt(0.02)));
+    const Line far = fit_line({1e8, 1e8 + 1, 1e8 + 2}, {5, 8, 11});  // sums of squares would cancel
+    CHECK(far.slope == Approx(3));
+    const Line two = fit_line({1, 3}, {0, 1});
+    CHECK(two.slope == Approx(0.5));
+    CHECK(two.slope_error == 0);
     CHECK_THROWS_AS(fit_line({1, 1}, {0, 1}), std::invalid_argument);
+    CHECK_THROWS_AS(fit_line({0, 1}, {0}), std::invalid_argument);
     CHECK_THROWS_AS(fit_line({}, {}), std::invalid_argument);
 }
 
