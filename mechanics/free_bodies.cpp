@@ -22,6 +22,46 @@ FreeBodies<Coordinates>::FreeBodies(Model model)
                           joint.second * Factor::size + 3, joint.first * 6 + 3, joint.second * 6 + 3, joint.r_first,
                           joint.r_second});
     }
+    find_anchored();
+}
+
+template <class Coordinates>
+void FreeBodies<Coordinates>::find_anchored() {
+    std::vector<const Link*> anchor(nodes_.size(), nullptr);
+    for (const Link& link : links_) {
+        const Link*& mine = anchor[static_cast<std::size_t>(link.second - nodes_.data())];
+        if (link.first || mine || complement_.status() != Status::ok) return;
+        mine = &link;
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        const Node& node = nodes_[i];
+        const Vec3 r = anchor[i] ? anchor[i]->r_second : Vec3(Vec3::Zero());
+        const Mat3 J_inverse_r = node.J_inverse * hat(r);
+        const Mat3 S = node.inverse_mass * Mat3::Identity() - hat(r) * J_inverse_r;
+        anchored_.push_back({node.inverse_mass, node.J, node.J_inverse, J_inverse_r,
+                             anchor[i] ? Mat3(S.inverse()) : Mat3(Mat3::Zero()), r});
+    }
+}
+
+template <class Coordinates>
+KREISEL_HOT Status FreeBodies<Coordinates>::anchored_accelerations(const Real& t, const Real* q, const Real* v,
+                                                                   Real* dv) const {
+    const Vec3 g = model_.gravity.at(t);
+    Real sum = 0;
+    for (const Anchored& body : anchored_) {
+        const Rotation R = mat3(q + 3);
+        const Vec3 w = vec3(v + 3), r = body.r, Jw = body.J * w;
+        Vec3 A = R.transpose() * g;
+        Vec3 dw = body.J_inverse * Jw.cross(w);
+        const Vec3 mu = body.S_inverse * (A + dw.cross(r) + w.cross(w.cross(r)));  // minus the joint's force
+        A -= body.inverse_mass * mu;
+        dw -= body.J_inverse_r * mu;
+        const Vec3 a = Coordinates::acceleration(R, A, w, vec3(v));
+        sum += (a[0] + a[1] + a[2]) + (dw[0] + dw[1] + dw[2]);
+        store(a, dv), store(dw, dv + 3);
+        q += Factor::size, v += 6, dv += 6;
+    }
+    return isfinite(sum) ? Status::ok : Status::non_finite;
 }
 
 template <class Coordinates>
@@ -48,6 +88,7 @@ void FreeBodies<Coordinates>::apply_reactions() {
 template <class Coordinates>
 KREISEL_HOT Status FreeBodies<Coordinates>::accelerations(const Real& t, const Real* q, const Real* v, Real* dv,
                                                           Real* lambda) {
+    if (!anchored_.empty() && !lambda) return anchored_accelerations(t, q, v, dv);
     const Vec3 g = model_.gravity.at(t);
     const Real* R = q + 3;
     const Real* omega = v + 3;

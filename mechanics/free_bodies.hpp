@@ -7,7 +7,8 @@
 //   joint residual   rho = E (A + omega' x r + omega x (omega x r))_first - (the same)_second
 //   complement       S mu = rho
 //   reaction         A -+ E^T mu / m,  omega' -+ J^{-1} (r x E^T mu)      (- first, + second)
-// with E = R_second^T R_first for the first body and the identity for the second.
+// with E = R_second^T R_first for the first body and the identity for the second. Where every body hangs on the ground
+// by at most one joint, S is block diagonal and each body is solved on its own, in registers.
 #pragma once
 
 #include <cstddef>
@@ -71,6 +72,13 @@ class FreeBodies final : public System {
         Vec3 r_first, r_second;
     };
 
+    /// A body that hangs on the ground by one joint at r, or by none (then r and S^{-1} are zero).
+    struct Anchored {
+        Real inverse_mass;
+        Mat3 J, J_inverse, J_inverse_r, S_inverse;  ///< J_inverse_r = J^{-1} hat(r)
+        Vec3 r;
+    };
+
     static Rotation rotation(const Real* q, int body) { return mat3(q + body * Factor::size + 3); }
     static Vec3 position(const Real* q, int body) { return vec3(q + body * Factor::size); }
     static Vec3 linear(const Real* v, int body) { return vec3(v + body * 6); }
@@ -84,6 +92,8 @@ class FreeBodies final : public System {
         return complement_.is_constant() ? complement_.status() : refactor(q);
     }
     Status refactor(const Real* q);
+    void find_anchored();
+    Status anchored_accelerations(const Real& t, const Real* q, const Real* v, Real* dv) const;
     /// Solves for the joint forces (on entry mu_ holds the residual) and applies them to the bodies.
     void apply_reactions();
     void report_multipliers(const Real* q, Real* lambda) const;
@@ -94,6 +104,7 @@ class FreeBodies final : public System {
     std::vector<Link> links_;
     std::vector<Mat3> relative_;
     std::vector<Vec3> mu_;
+    std::vector<Anchored> anchored_;  // all bodies, or empty
 };
 
 }  // namespace KREISEL_PRECISION

@@ -28,33 +28,36 @@ struct BoundTableau {
     std::vector<Real> c;
 };
 
-/// For at least one term, out = h sum_j coefficient_j slope_j over vectors of length n that lie one after another in `slopes`, in one pass for
-/// up to four terms.
+/// Vectors that are combined have a length that is a multiple of this, so that no loop has a remainder.
+inline constexpr std::size_t vector_chunk = 4;
+inline std::size_t padded(std::size_t n) { return (n + vector_chunk - 1) / vector_chunk * vector_chunk; }
+
+/// For at least one term, out = h sum_j coefficient_j slope_j over vectors of length n, a multiple of vector_chunk, that
+/// lie one after another in `slopes`; one pass for up to four terms.
 inline void combine(const Combination& terms, const Real& h, const Real* slopes, std::size_t n, Real* __restrict out) {
+    const std::size_t whole = n / vector_chunk * vector_chunk;  // n, in a form that tells the compiler of the multiple
+    const auto each = [&](auto&& entry) {
+        for (std::size_t k = 0; k < whole; ++k) entry(k);
+    };
     const Term* term = terms.data();
     const Term* const end = term + terms.size();
-    const auto slope = [&](int j) { return slopes + static_cast<std::size_t>(term[j].stage) * n; };
+    const auto slope = [&](const Term& t) { return slopes + static_cast<std::size_t>(t.stage) * n; };
     if (end - term >= 4) {
         const Real w0 = h * term[0].coefficient, w1 = h * term[1].coefficient;
         const Real w2 = h * term[2].coefficient, w3 = h * term[3].coefficient;
-        const Real *k0 = slope(0), *k1 = slope(1), *k2 = slope(2), *k3 = slope(3);
-        for (std::size_t i = 0; i < n; ++i) out[i] = w0 * k0[i] + w1 * k1[i] + w2 * k2[i] + w3 * k3[i];
+        const Real *k0 = slope(term[0]), *k1 = slope(term[1]), *k2 = slope(term[2]), *k3 = slope(term[3]);
+        each([&](std::size_t k) { out[k] = w0 * k0[k] + w1 * k1[k] + w2 * k2[k] + w3 * k3[k]; });
         term += 4;
-    } else if (end - term >= 2) {
-        const Real w0 = h * term[0].coefficient, w1 = h * term[1].coefficient;
-        const Real *k0 = slope(0), *k1 = slope(1);
-        for (std::size_t i = 0; i < n; ++i) out[i] = w0 * k0[i] + w1 * k1[i];
-        term += 2;
     } else {
         const Real w0 = h * term[0].coefficient;
-        const Real* k0 = slope(0);
-        for (std::size_t i = 0; i < n; ++i) out[i] = w0 * k0[i];
+        const Real* k0 = slope(term[0]);
+        each([&](std::size_t k) { out[k] = w0 * k0[k]; });
         term += 1;
     }
     for (; term != end; ++term) {
         const Real w = h * term->coefficient;
-        const Real* k = slope(0);
-        for (std::size_t i = 0; i < n; ++i) out[i] += w * k[i];
+        const Real* k0 = slope(*term);
+        each([&](std::size_t k) { out[k] += w * k0[k]; });
     }
 }
 

@@ -23,16 +23,19 @@ class MuntheKaas final : public Integrator {
           tableau_(tableau),
           n_(static_cast<std::size_t>(system.velocities())),
           size_(static_cast<std::size_t>(system.group().size())),
-          u_(2 * n_),
-          slopes_(2 * n_ * tableau.stages()),
+          stride_(padded(2 * n_)),
+          u_(stride_),
+          slopes_(stride_ * tableau.stages()),
           stage_(size_ + n_) {}
 
     Status step(const Real& t, const Real& h, Real* y) override {
         Real* slope = slopes_.data();
-        for (std::size_t i = 0; i < tableau_.stages(); ++i, slope += 2 * n_)
-            if (const Status status = stage(tableau_.a[i], t + tableau_.c[i] * h, h, y, slope); status != Status::ok)
-                return status;
-        combine(tableau_.b, h, slopes_.data(), 2 * n_, u_.data());
+        const Real* c = tableau_.c.data();
+        for (const Combination& row : tableau_.a) {
+            if (const Status status = stage(row, t + *c * h, h, y, slope); status != Status::ok) return status;
+            slope += stride_, ++c;
+        }
+        combine(tableau_.b, h, slopes_.data(), stride_, u_.data());
         append(y, y);
         return Status::ok;
     }
@@ -40,11 +43,11 @@ class MuntheKaas final : public Integrator {
   private:
     /// out = y psi(u).
     void append(const Real* y, Real* out) const {
-        const Real *u = u_.data() + n_, *v = y + size_;
-        chart_->append(y, u_.data(), out);
-        out += size_;
+        const Real* u = u_.data();
+        chart_->append(y, u, out);
+        y += size_, u += n_, out += size_;
         KREISEL_ELEMENTWISE
-        for (std::size_t i = 0; i < n_; ++i) out[i] = v[i] + u[i];
+        for (std::size_t i = 0; i < n_; ++i) out[i] = y[i] + u[i];
     }
 
     /// The slope k~_i in the chart around y.
@@ -53,7 +56,7 @@ class MuntheKaas final : public Integrator {
             std::copy_n(y + size_, n_, slope);
             return system_.evaluate(t, y, slope + n_);
         }
-        combine(row, h, slopes_.data(), 2 * n_, u_.data());
+        combine(row, h, slopes_.data(), stride_, u_.data());
         append(y, stage_.data());
         const Status status = system_.evaluate(t, stage_.data(), slope + n_);
         if (status != Status::ok) return status;
@@ -63,7 +66,7 @@ class MuntheKaas final : public Integrator {
     System& system_;
     std::unique_ptr<Chart> chart_;
     BoundTableau tableau_;
-    std::size_t n_, size_;
+    std::size_t n_, size_, stride_;
     std::vector<Real> u_, slopes_, stage_;
 };
 

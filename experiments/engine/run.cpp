@@ -62,7 +62,7 @@ class Run {
         const double begin = thread_seconds();
         if (cell_.samples > 0) outcome_.trajectory.columns = columns();
         monitor_.observe(0, y_.data());
-        sample(0);
+        if (cell_.samples > 0) sample(0);
         advance(stop);
         finish(reference);
         outcome_.cost.cpu_s = thread_seconds() - begin;
@@ -92,7 +92,7 @@ class Run {
             if (!all_finite(y_)) return fail(Status::non_finite, i, where_not_finite());
             outcome_.steps_done = i + 1;
             if (!monitor_.idle()) monitor_.observe(time(i + 1), y_.data());
-            sample(i + 1);
+            if (cell_.samples > 0) sample(i + 1);
         }
     }
 
@@ -134,7 +134,7 @@ class Run {
     }
 
     void sample(long step) {
-        if (cell_.samples == 0 || step % (cell_.steps / cell_.samples) != 0) return;
+        if (step % (cell_.steps / cell_.samples) != 0) return;
         std::vector<Real> row = {time(step)};
         system_->read(y_.data(), states_.data());
         for (const BodyState& s : states_) {
