@@ -61,7 +61,15 @@ void prepare(const std::filesystem::path& folder, const Plan& plan) {
     if (!plan.references.empty()) { make_folder(folder / "references"); }
 }
 
-JournalContents earlier_results(const std::filesystem::path& folder, const RunSettings& settings,
+std::size_t foreign_cells(const Plan& plan, const JournalContents& earlier, const RunSettings& settings) {
+    std::size_t count = 0;
+    for (std::size_t i = settings.shard - 1; i < plan.cells.size(); i += settings.shards) {
+        count += earlier.foreign.count(plan.cells[i].hash);
+    }
+    return count;
+}
+
+JournalContents earlier_results(const Plan& plan, const std::filesystem::path& folder, const RunSettings& settings,
                                 std::ostream& messages) {
     if (!settings.resume) {
         check_output_folder(folder, settings);
@@ -70,6 +78,9 @@ JournalContents earlier_results(const std::filesystem::path& folder, const RunSe
     }
     JournalContents earlier = read_journals(folder, settings.build);
     for (const std::string& complaint : earlier.complaints) { messages << complaint << "\n"; }
+    if (const std::size_t again = foreign_cells(plan, earlier, settings); again > 0) {
+        messages << fmt::format("{} cells of another build are computed again\n", again);
+    }
     mend_journal(journal_file(folder, shard_name(settings)));
     return earlier;
 }
@@ -110,7 +121,7 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
     prepare(folder, plan);
     const std::string shard = shard_name(settings);
     const FolderLock lock(folder, shard);
-    const JournalContents earlier = earlier_results(folder, settings, messages);
+    const JournalContents earlier = earlier_results(plan, folder, settings, messages);
     prepare(folder, plan);
     const auto campaign = std::make_shared<Campaign>(plan, engines, folder, settings);
     CampaignReport report;
@@ -130,6 +141,9 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
     report.counts = count_cells(plan, finished, settings);
     report.interrupted = InterruptGuard::requested() && report.counts.missing > 0;
     write_manifest(manifest_file(folder, shard), plan, settings.build, times, report.counts);
+    if (report.counts.missing == 0 && !earlier.foreign.empty()) {
+        prune_journal(journal_file(folder, shard), settings.build);
+    }
     list_failures(plan, finished, report);
     return report;
 }

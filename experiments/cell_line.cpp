@@ -36,6 +36,13 @@ std::string cost_text(const Cost& cost) {
         .text();
 }
 
+bool sum_holds(const std::string& journal_line) {
+    const auto sum_at = journal_line.rfind(sum_key);
+    if (sum_at == std::string::npos) { return false; }
+    const std::string sum = hash_text(std::string_view(journal_line).substr(0, sum_at));
+    return std::string_view(journal_line).substr(sum_at) == fmt::format("{}{}\"}}", sum_key, sum);
+}
+
 std::string member(std::string_view key, const std::string& json) { return "," + json_text(key) + ":" + json; }
 
 }  // namespace
@@ -80,11 +87,8 @@ std::string journal_line(const FinishedCell& cell, const std::string& build) {
 }
 
 std::optional<FinishedCell> read_journal_line(const std::string& line, const std::string& build) {
-    const auto sum_at = line.rfind(sum_key);
     const auto cpu_at = line.rfind(cpu_key);
-    const auto status_at = line.find(status_key);
-    if (sum_at == std::string::npos || cpu_at == std::string::npos || status_at == std::string::npos ||
-        line.substr(sum_at) != fmt::format("{}{}\"}}", sum_key, hash_text(std::string_view(line).substr(0, sum_at)))) {
+    if (cpu_at == std::string::npos || line.find(status_key) == std::string::npos || !sum_holds(line)) {
         return std::nullopt;
     }
     // The sum holds, so this is a line as it was written.
@@ -99,6 +103,11 @@ std::optional<FinishedCell> read_journal_line(const std::string& line, const std
     cell.trajectory_sum = value.value("trajectory_sum", "");
     cell.line = line.substr(0, cpu_at) + "}}";
     return cell;
+}
+
+std::optional<std::string> journalled_cell(const std::string& line) {
+    if (!sum_holds(line)) { return std::nullopt; }
+    return nlohmann::json::parse(line).at("cell");
 }
 
 std::string relabelled(const std::string& line, const PlannedCell& planned) {

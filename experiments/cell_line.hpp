@@ -37,6 +37,9 @@ std::string journal_line(const FinishedCell& cell, const std::string& build);
 /// What a journal line holds, or nothing if it is torn, damaged, or was written by another build.
 std::optional<FinishedCell> read_journal_line(const std::string& line, const std::string& build);
 
+/// The hash of the cell that an intact journal line is about, whichever build wrote it; nothing if it is torn or damaged.
+std::optional<std::string> journalled_cell(const std::string& line);
+
 /// The result line with the identity members of `planned`, whose label may have changed since.
 std::string relabelled(const std::string& line, const PlannedCell& planned);
 

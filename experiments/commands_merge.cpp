@@ -71,6 +71,10 @@ Exit merge_command(const Paths& folders, const std::filesystem::path& output, co
     for (const auto& folder : folders) {
         JournalContents journals = read_journals(folder, build);
         for (const std::string& complaint : journals.complaints) { fmt::print(terminal.messages, "{}\n", complaint); }
+        if (!journals.foreign.empty()) {
+            fmt::print(terminal.messages, "{}: {} cells of another build are left out\n", folder.string(),
+                       journals.foreign.size());
+        }
         for (const auto& [hash, cell] : journals.cells) { copy_trajectory(cell, folder, target); }
         copy_references(folder, target);
         finished.merge(journals.cells);

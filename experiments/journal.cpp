@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "experiments/errors.hpp"
 #include "experiments/files.hpp"
@@ -37,9 +38,10 @@ void read_journal(const std::filesystem::path& file, const std::string& build, J
         start = end + 1;
         if (auto cell = read_journal_line(line, build)) {
             contents.cells.insert_or_assign(cell->hash, std::move(*cell));
+        } else if (auto foreign = journalled_cell(line)) {
+            contents.foreign.insert(std::move(*foreign));
         } else {
-            complain(contents,
-                     fmt::format("{}:{}: line left out: damaged, or of another build", file.string(), number));
+            complain(contents, fmt::format("{}:{}: damaged line left out", file.string(), number));
         }
     }
 }
@@ -68,6 +70,7 @@ std::vector<std::filesystem::path> files_like(const std::filesystem::path& folde
 JournalContents read_journals(const std::filesystem::path& folder, const std::string& build) {
     JournalContents contents;
     for (const auto& file : files_like(folder, "journal", ".jsonl")) { read_journal(file, build, contents); }
+    std::erase_if(contents.foreign, [&](const std::string& hash) { return contents.cells.contains(hash); });
     return contents;
 }
 
@@ -82,6 +85,15 @@ void mend_journal(const std::filesystem::path& journal) {
     if (error) {
         throw FileError(fmt::format("{}: its torn last line cannot be removed: {}", journal.string(), error.message()));
     }
+}
+
+void prune_journal(const std::filesystem::path& journal, const std::string& build) {
+    std::istringstream lines(read_text(journal));
+    std::string kept;
+    for (std::string line; std::getline(lines, line);) {
+        if (read_journal_line(line, build)) { kept += line + "\n"; }
+    }
+    write_atomically(journal, kept);
 }
 
 bool holds_journal(const std::filesystem::path& folder) {

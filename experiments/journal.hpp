@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,18 +15,22 @@ namespace kreisel {
 
 struct JournalContents {
     std::map<std::string, FinishedCell> cells;  ///< by hash; of several lines of one cell the last
-    std::vector<std::string> complaints;        ///< lines left out, and why
+    std::set<std::string> foreign;              ///< hashes of cells of which there are only lines of other builds
+    std::vector<std::string> complaints;        ///< torn and damaged lines
 };
 
 /// `journal.jsonl`, or `journal.<shard>.jsonl`.
 std::filesystem::path journal_file(const std::filesystem::path& folder, const std::string& shard);
 
-/// Reads all journals of a folder. Torn, damaged and foreign lines are left out and reported, never trusted.
+/// Reads all journals of a folder. Torn and damaged lines, and those of other builds, are reported, never trusted.
 /// Throws FileError if a journal cannot be read.
 JournalContents read_journals(const std::filesystem::path& folder, const std::string& build);
 
 /// Removes a torn last line, so that the next one starts on a line of its own.
 void mend_journal(const std::filesystem::path& journal);
+
+/// Leaves only intact lines of this build. Nothing may be appending to the journal.
+void prune_journal(const std::filesystem::path& journal, const std::string& build);
 
 /// True if the folder holds any journal line.
 bool holds_journal(const std::filesystem::path& folder);

@@ -76,15 +76,18 @@ TEST_CASE("a journal line comes back as the result line it was made from") {
     CHECK(again->hash == cell.hash);
     CHECK(relabelled(again->line, planned) == cell.line);
     CHECK_FALSE(read_journal_line(journal_line(cell, "build"), "another build"));
+    CHECK(journalled_cell(journal_line(cell, "another build")) == cell.hash);
 }
 
 TEST_CASE("a journal line that is cut or changed anywhere is not believed") {
     const std::string line = journal_line(finished(small_plan("double").cells[0]), "build");
     for (std::size_t i = 0; i < line.size(); ++i) {
         CHECK_FALSE(read_journal_line(line.substr(0, i), "build"));
+        CHECK_FALSE(journalled_cell(line.substr(0, i)));
         std::string flipped = line;
         flipped[i] = static_cast<char>(flipped[i] ^ 1);
         CHECK_FALSE(read_journal_line(flipped, "build"));
+        CHECK_FALSE(journalled_cell(flipped));
     }
 }
 
@@ -101,6 +104,21 @@ TEST_CASE("a torn journal keeps its good lines and says what it left out") {
     CHECK(contents_read.complaints[1].find("torn last line") != std::string::npos);
     mend_journal(scratch / "journal.jsonl");
     CHECK(contents(scratch / "journal.jsonl") == first + "\nrubbish\n");
+}
+
+TEST_CASE("cells of other builds are told apart from damage, and go when a journal is pruned") {
+    const ScratchFolder scratch;
+    const Plan plan = small_plan("double");
+    const FinishedCell first = finished(plan.cells[0]), second = finished(plan.cells[1]);
+    const std::string mine = journal_line(first, "b") + "\n";
+    scratch.file("journal.jsonl",
+                 journal_line(first, "a") + "\n" + mine + "rubbish\n" + journal_line(second, "a") + "\n");
+    const JournalContents contents_read = read_journals(scratch / "", "b");
+    CHECK(contents_read.cells.size() == 1);
+    CHECK(contents_read.foreign == std::set<std::string>{second.hash});
+    CHECK(contents_read.complaints.size() == 1);
+    prune_journal(scratch / "journal.jsonl", "b");
+    CHECK(contents(scratch / "journal.jsonl") == mine);
 }
 
 TEST_CASE("the table has one column for each option and metric, and quotes what it must") {

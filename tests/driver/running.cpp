@@ -8,10 +8,13 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
+#include "experiments/cell_line.hpp"
 #include "experiments/cli.hpp"
 #include "experiments/files.hpp"
+#include "experiments/provenance.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;
@@ -156,6 +159,30 @@ TEST_CASE("a resumed run computes only what is missing or damaged and gives the 
     CHECK(engine.runs == 0);
     CHECK(engine.references == 0);
     CHECK(again.messages.find("12 taken over") != std::string::npos);
+}
+
+TEST_CASE("the cells of another build are computed again, which is said once, and then forgotten") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("good.json", good_config());
+    run(config, scratch / "out");
+    const auto results = contents(scratch / "out" / "results.jsonl");
+    const auto journal = scratch / "out" / "journal.jsonl";
+    std::istringstream lines(contents(journal));
+    std::string foreign;
+    for (std::string line; std::getline(lines, line);) {
+        foreign += journal_line(read_journal_line(line, build_id()).value(), "another") + "\n";
+    }
+    std::ofstream(journal) << foreign;
+    const FakeEngine engine;
+    const auto second = run(config, scratch / "out", {"--resume"}, engine);
+    CHECK(engine.runs == 12);
+    CHECK(second.messages.find("12 cells of another build are computed again") != std::string::npos);
+    CHECK(second.messages.find("left out") == std::string::npos);
+    CHECK(lines_of(journal) == 12);
+    CHECK(contents(scratch / "out" / "results.jsonl") == results);
+    const auto third = run(config, scratch / "out", {"--resume"}, engine);
+    CHECK(engine.runs == 12);
+    CHECK(third.messages.find("another build") == std::string::npos);
 }
 
 TEST_CASE("what was thrown is tried again, a lost trajectory too, and a new label needs no new run") {
