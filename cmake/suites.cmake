@@ -37,4 +37,9 @@ if(NOT KREISEL_SANITIZE)
   kreisel_suite(campaign plain LIBRARIES kreisel_driver quadmath
                 SOURCES $<TARGET_OBJECTS:kreisel_binary64> $<TARGET_OBJECTS:kreisel_binary128>)
   target_link_libraries(test_architecture_plain PRIVATE fmt::fmt)
+  add_test(NAME architecture.symbols
+           COMMAND ${CMAKE_SOURCE_DIR}/tests/architecture/symbols.sh $<TARGET_OBJECTS:kreisel_binary64> --
+                   $<TARGET_OBJECTS:kreisel_binary128>
+           COMMAND_EXPAND_LISTS)
+  set_tests_properties(architecture.symbols PROPERTIES LABELS architecture ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 endif()
