@@ -5,15 +5,12 @@
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
 
-#include <eigen3/Eigen/src/Core/util/Macros.h>
-#include <CLI/Version.hpp>
-#include <boost/version.hpp>
 #include <ctime>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "experiments/files.hpp"
 #include "experiments/hash.hpp"
+#include "kreisel_build.hpp"
 
 namespace kreisel {
 
@@ -23,13 +20,13 @@ std::string build_id() {
 }
 
 std::vector<std::pair<std::string, std::string>> library_versions() {
-    return {{"Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
-            {"CLI11", CLI11_VERSION},
-            {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-            {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+    return {{"Boost", build::boost},
+            {"CLI11", build::cli11},
+            {"Eigen", build::eigen},
+            {"GSL", build::gsl},
+            {"fmt", build::fmt},
             {"glibc", gnu_get_libc_version()},
-            {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
-                                          NLOHMANN_JSON_VERSION_PATCH)}};
+            {"nlohmann-json", build::nlohmann_json}};
 }
 
 std::string cpu_model() {
