@@ -124,7 +124,7 @@ TextTable cost_table(const Results& results) {
 
 TextTable failures_table(const Results& results) {
     const CellNames names(results.rows);
-    TextTable table = table_of("not_ok", "Cells that did not finish: " + results.name, {"steps", "status", "reason"});
+    TextTable table = table_of("not_ok", "Cells failed or skipped: " + results.name, {"steps", "status", "reason"});
     for (const ResultRow& row : results.rows) {
         if (!row.ok()) { add(table, names, row, {fmt::format("{}", row.steps), row.status, row.detail}); }
     }

@@ -2,34 +2,60 @@
 //
 // Local coordinates u around a point q0 of a group: q = q0 psi(u), and the pull-back of q' = q v to them,
 // u' = (left-trivialised d psi_u)^{-1}(v). Munthe-Kaas methods run a Runge-Kutta scheme in such coordinates.
+//
+// A chart is a plain type, not a virtual interface, so that a step pays for the group's call alone:
+//   append(q, u, out)      out = q psi(u)
+//   pull_back(u, v, out)   out = u' for q' = q v at q = q0 psi(u); false if u lies outside the chart
 #pragma once
 
-#include <memory>
+#include <vector>
 
 #include "lie/group.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-class Chart {
+/// Canonical coordinates of the first kind, psi = exp, with dexpinv in closed form.
+class ExpChart {
   public:
-    virtual ~Chart() = default;
-    /// out = q psi(u).
-    virtual void append(const Real* q, const Real* u, Real* out) const = 0;
-    /// out = u' for q' = q v at q = q0 psi(u). False if u lies outside the chart.
-    virtual bool pull_back(const Real* u, const Real* v, Real* out) = 0;
+    explicit ExpChart(const Group& group) : group_(&group) {}
+    void append(const Real* q, const Real* u, Real* out) const { group_->append_exp(q, u, out); }
+    bool pull_back(const Real* u, const Real* v, Real* out) { return group_->dexpinv_left(u, v, out); }
+
+  private:
+    const Group* group_;
 };
 
-/// Canonical coordinates of the first kind, psi = exp, with dexpinv in closed form.
-std::unique_ptr<Chart> exp_chart(const Group& group);
-
-/// psi = exp, with dexpinv cut after q brackets: u' = sum_{p=0}^{q} (-1)^p B_p/p! ad_u^p v.
-/// q >= p - 2 suffices for order p [hairer2006, Thm IV.8.5]. At most `max_brackets`.
-std::unique_ptr<Chart> truncated_exp_chart(const Group& group, int brackets);
 inline constexpr int max_brackets = 30;
 
-/// Cayley coordinates, psi = cay, whose inverse differential is a polynomial: there is nothing to truncate.
-std::unique_ptr<Chart> cayley_chart(const Group& group);
+/// psi = exp, with dexpinv cut after q brackets: u' = sum_{p=0}^{q} (-1)^p B_p/p! ad_u^p v.
+/// q >= p - 2 suffices for order p [hairer2006, Thm IV.8.5].
+class TruncatedExpChart {
+  public:
+    /// Throws std::invalid_argument unless 0 <= brackets <= max_brackets.
+    TruncatedExpChart(const Group& group, int brackets);
+    void append(const Real* q, const Real* u, Real* out) const { group_->append_exp(q, u, out); }
+    bool pull_back(const Real* u, const Real* v, Real* out);
+
+  private:
+    const Group* group_;
+    std::vector<Real> power_, sum_, coefficients_;
+};
+
+/// Cayley coordinates, psi = cay, whose inverse differential is a polynomial: there is nothing to truncate. The chart
+/// never ends: a rotation by pi lies at infinite u.
+class CayleyChart {
+  public:
+    explicit CayleyChart(const Group& group) : group_(&group) {}
+    void append(const Real* q, const Real* u, Real* out) const { group_->append_cay(q, u, out); }
+    bool pull_back(const Real* u, const Real* v, Real* out) {
+        group_->dcayinv_left(u, v, out);
+        return true;
+    }
+
+  private:
+    const Group* group_;
+};
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

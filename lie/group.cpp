@@ -20,6 +20,7 @@ void AdditiveGroup::Ad(const Real*, const Real* v, Real* out) const { std::copy_
 void AdditiveGroup::dexp(const Real*, const Real* v, Real* out) const { std::copy_n(v, dim(), out); }
 void AdditiveGroup::append_exp(const Real* q, const Real* u, Real* out) const { multiply(q, u, out); }
 void AdditiveGroup::append_cay(const Real* q, const Real* u, Real* out) const { multiply(q, u, out); }
+bool AdditiveGroup::in_exp_chart(const Real*) const { return true; }
 bool AdditiveGroup::dexpinv_left(const Real*, const Real* v, Real* out) const {
     std::copy_n(v, dim(), out);
     return true;
@@ -79,6 +80,11 @@ void Product::append_exp(const Real* q, const Real* u, Real* out) const {
 void Product::append_cay(const Real* q, const Real* u, Real* out) const {
     each([&](const Group& g, int i, int j) { g.append_cay(q + i, u + j, out + i); });
 }
+bool Product::in_exp_chart(const Real* u) const {
+    bool inside = true;
+    each([&](const Group& g, int, int j) { inside &= g.in_exp_chart(u + j); });
+    return inside;
+}
 bool Product::dexpinv_left(const Real* u, const Real* v, Real* out) const {
     bool inside = true;
     each([&](const Group& g, int, int j) { inside &= g.dexpinv_left(u + j, v + j, out + j); });
@@ -129,6 +135,7 @@ void TangentGroup::append_cay(const Real* y, const Real* u, Real* out) const {
     const int q = base_->size();
     base_->append_cay(y, u, out), velocities_.multiply(y + q, u + base_->dim(), out + q);
 }
+bool TangentGroup::in_exp_chart(const Real* u) const { return base_->in_exp_chart(u); }
 bool TangentGroup::dexpinv_left(const Real* u, const Real* z, Real* out) const {
     const int n = base_->dim();
     if (out != z) velocities_.log(z + n, out + n);

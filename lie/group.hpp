@@ -36,8 +36,10 @@ class Group {
     virtual void append_exp(const Real* q, const Real* u, Real* out) const = 0;
     /// out = q cay(u).
     virtual void append_cay(const Real* q, const Real* u, Real* out) const = 0;
+    /// Whether u lies inside the chart of exp: every rotation by less than 2 pi, where dexpinv has its pole.
+    virtual bool in_exp_chart(const Real* u) const = 0;
     /// Left-trivialised inverse differential of exp: out = dexp^{-1}_{-u}(v) = v + 1/2 [u, v] + 1/12 [u, [u, v]] - ...
-    /// False if u lies outside the chart (a rotation by 2 pi or more).
+    /// False if u lies outside the chart.
     virtual bool dexpinv_left(const Real* u, const Real* v, Real* out) const = 0;
     /// Left-trivialised inverse differential of cay: out = dcay^{-1}_{-u}(v).
     virtual void dcayinv_left(const Real* u, const Real* v, Real* out) const = 0;
@@ -62,6 +64,7 @@ class AdditiveGroup final : public Group {
     void dexp(const Real* u, const Real* v, Real* out) const override;
     void append_exp(const Real* q, const Real* u, Real* out) const override;
     void append_cay(const Real* q, const Real* u, Real* out) const override;
+    bool in_exp_chart(const Real* u) const override;
     bool dexpinv_left(const Real* u, const Real* v, Real* out) const override;
     void dcayinv_left(const Real* u, const Real* v, Real* out) const override;
     Real orthogonality_defect(const Real* q) const override;
@@ -80,6 +83,7 @@ class Product final : public Group {
     void dexp(const Real* u, const Real* v, Real* out) const override;
     void append_exp(const Real* q, const Real* u, Real* out) const override;
     void append_cay(const Real* q, const Real* u, Real* out) const override;
+    bool in_exp_chart(const Real* u) const override;
     bool dexpinv_left(const Real* u, const Real* v, Real* out) const override;
     void dcayinv_left(const Real* u, const Real* v, Real* out) const override;
     Real orthogonality_defect(const Real* q) const override;
@@ -106,6 +110,7 @@ class TangentGroup final : public Group {
     void dexp(const Real* u, const Real* z, Real* out) const override;
     void append_exp(const Real* y, const Real* u, Real* out) const override;
     void append_cay(const Real* y, const Real* u, Real* out) const override;
+    bool in_exp_chart(const Real* u) const override;
     bool dexpinv_left(const Real* u, const Real* z, Real* out) const override;
     void dcayinv_left(const Real* u, const Real* z, Real* out) const override;
     Real orthogonality_defect(const Real* y) const override;

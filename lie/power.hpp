@@ -73,12 +73,16 @@ class Power final : public Group {
         for (int i = 0; i < copies_; ++i, q += K::size, u += K::dim, out += K::size)
             K::save(K::multiply(K::load(q), K::cay(K::load_algebra(u))), out);
     }
+    bool in_exp_chart(const Real* u) const override {
+        bool inside = true;
+        for (int i = 0; i < dim(); i += K::dim) inside &= K::squared_angle(K::load_algebra(u + i)) < largest_squared_angle;
+        return inside;
+    }
     KREISEL_HOT bool dexpinv_left(const Real* u, const Real* v, Real* out) const override {
-        const Real limit = 39;  // just below (2 pi)^2 = 39.478...; beyond, dexpinv has passed its pole
         bool inside = true;
         for (int i = 0; i < dim(); i += K::dim) {
             const auto minus_u = negated(u + i);
-            inside &= K::squared_angle(minus_u) < limit;
+            inside &= K::squared_angle(minus_u) < largest_squared_angle;
             K::save_algebra(K::dexpinv(minus_u, K::load_algebra(v + i)), out + i);
         }
         return inside;
@@ -97,6 +101,9 @@ class Power final : public Group {
     }
 
   private:
+    /// Just below (2 pi)^2 = 39.478...
+    static constexpr int largest_squared_angle = 39;
+
     /// -u: the one place where right-trivialised maps become left-trivialised ones.
     static typename K::Algebra negated(const Real* u) {
         Real minus_u[K::dim];

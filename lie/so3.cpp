@@ -6,7 +6,8 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Unit quaternion (w, x, y, z), w >= 0, by the branch whose pivot is largest: no cancellation at any angle.
+/// Unit quaternion (w, x, y, z), w >= 0, by the branch whose pivot is largest: no cancellation at any angle. NaN where R
+/// is so far from a rotation that there is none.
 Eigen::Matrix<Real, 4, 1> quaternion(const Mat3& R) {
     Eigen::Matrix<Real, 4, 1> q;
     const Real trace = R.trace();
@@ -22,7 +23,8 @@ Eigen::Matrix<Real, 4, 1> quaternion(const Mat3& R) {
         q[1 + j] = R(i, j) + R(j, i);
         q[1 + k] = R(i, k) + R(k, i);
     }
-    q /= sqrt(q.squaredNorm());
+    const Real norm = sqrt(q.squaredNorm());
+    q /= isfinite(norm) ? norm : Real(0);
     if (q[0] < 0) q = -q;
     return q;
 }

@@ -50,7 +50,8 @@ struct SO3 {
         return rotation(u, s, sinc(s), cosc(s));
     }
 
-    /// Inverse of exp, |log R| <= pi; at pi the axis is determined up to sign.
+    /// Inverse of exp, |log R| <= pi; at pi the axis is determined up to sign. For R near SO(3) it is the logarithm of a
+    /// nearby rotation; NaN where R is not finite or far off.
     static Algebra log(const Element& R);
 
     /// dexp_u(v) = v + (1 - cos t)/t^2 u x v + (t - sin t)/t^3 u x (u x v).

@@ -10,9 +10,7 @@ enum class Status {
     non_finite,          ///< NaN or infinity in a state, a force, the mass matrix or a constraint
     left_chart,          ///< a stage rotated out of the domain of its coordinates
     chart_singularity,   ///< global coordinates are singular here (Euler angles)
-    singular_mass,       ///< the mass matrix is not positive definite
     singular_kkt,        ///< the constraint Jacobian has lost rank
-    newton_failed,       ///< a nonlinear equation of the method did not converge
     projection_failed,   ///< the projection onto the constraints did not converge
 };
 
@@ -22,9 +20,7 @@ constexpr const char* name(Status status) {
         case Status::non_finite: return "non_finite";
         case Status::left_chart: return "left_chart";
         case Status::chart_singularity: return "chart_singularity";
-        case Status::singular_mass: return "singular_mass";
         case Status::singular_kkt: return "singular_kkt";
-        case Status::newton_failed: return "newton_failed";
         case Status::projection_failed: return "projection_failed";
     }
     return "unknown";

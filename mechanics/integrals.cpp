@@ -43,6 +43,32 @@ Vec3 linear_momentum(const Model& model, States states) {
     return sum;
 }
 
+/// Sizes of the terms of the quantities above.
+Real energy_size(const Model& model, States states) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const Body& body = model.bodies[i];
+        const BodyState& s = states[i];
+        sum += body.mass * s.v.squaredNorm() / 2 + s.omega.dot(body.J * s.omega) / 2;
+        sum += body.mass * model.gravity.g.norm() * s.x.norm();
+    }
+    return sum;
+}
+
+Real angular_momentum_size(const Model& model, const Vec3& P, States states) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < states.size(); ++i)
+        sum += (states[i].x - P).norm() * model.bodies[i].mass * states[i].v.norm() +
+               (model.bodies[i].J * states[i].omega).norm();
+    return sum;
+}
+
+Real linear_momentum_size(const Model& model, States states) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < states.size(); ++i) sum += model.bodies[i].mass * states[i].v.norm();
+    return sum;
+}
+
 /// The ground point that all joints to the ground share; the origin if there is none; nothing if they differ.
 std::optional<Vec3> common_pivot(const Model& model) {
     std::optional<Vec3> pivot;
@@ -78,17 +104,20 @@ void add_momenta(const Model& model, std::vector<FirstIntegral>& integrals) {
         const Vec3 up = -g / g.norm();
         integrals.push_back({"angular_momentum_vertical", "N m s",
                              "gravity has no moment about the vertical through the common fixed point of the joints",
-                             [model, P = *pivot, up](States s) { return up.dot(angular_momentum(model, P, s)); }});
+                             [model, P = *pivot, up](States s) { return up.dot(angular_momentum(model, P, s)); },
+                             [model, P = *pivot](States s) { return angular_momentum_size(model, P, s); }});
         return;
     }
     for (int k = 0; k < 3; ++k)
         integrals.push_back({std::string("angular_momentum_") + axis_names[k], "N m s",
                              "no external moment acts about the reference point",
-                             [model, P = *pivot, k](States s) { return angular_momentum(model, P, s)[k]; }});
+                             [model, P = *pivot, k](States s) { return angular_momentum(model, P, s)[k]; },
+                             [model, P = *pivot](States s) { return angular_momentum_size(model, P, s); }});
     if (touches_ground(model)) return;
     for (int k = 0; k < 3; ++k)
         integrals.push_back({std::string("momentum_") + axis_names[k], "N s", "no external force acts",
-                             [model, k](States s) { return linear_momentum(model, s)[k]; }});
+                             [model, k](States s) { return linear_momentum(model, s)[k]; },
+                             [model](States s) { return linear_momentum_size(model, s); }});
 }
 
 /// omega along the symmetry axis of a body whose external moment has no component along it.
@@ -108,7 +137,8 @@ void add_body_momenta(const Model& model, std::vector<FirstIntegral>& integrals)
         const std::string suffix = model.bodies.size() > 1 ? "_" + body.name : "";
         integrals.push_back({"body_momentum" + suffix, "N m s",
                              "the body is symmetric about an axis along which no moment acts",
-                             [J = body.J, e, i](States s) { return e.dot(J * s[i].omega); }});
+                             [J = body.J, e, i](States s) { return e.dot(J * s[i].omega); },
+                             [J = body.J, i](States s) { return Real((J * s[i].omega).norm()); }});
     }
 }
 
@@ -118,7 +148,8 @@ std::vector<FirstIntegral> first_integrals(const Model& model) {
     std::vector<FirstIntegral> integrals;
     if (model.gravity.is_constant())
         integrals.push_back({"energy", "J", "gravity is constant and the joints do no work",
-                             [model](States states) { return energy(model, states); }});
+                             [model](States states) { return energy(model, states); },
+                             [model](States states) { return energy_size(model, states); }});
     add_momenta(model, integrals);
     add_body_momenta(model, integrals);
     return integrals;

@@ -4,6 +4,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+#include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "lie/so3.hpp"
@@ -72,6 +74,13 @@ Mat3 to_inertia(const Matrix3& m, const std::string& path, TriangleInequality ru
         warnings.push_back(what);
     }
     return J;
+}
+
+const std::string& to_name(const std::string& name, const std::string& path) {
+    const auto allowed = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
+    if (name.empty() || name == "ground" || !std::all_of(name.begin(), name.end(), allowed))
+        throw ParameterError(path, "expected a name of letters, digits, _ and - other than \"ground\", got \"" + name + "\"");
+    return name;
 }
 
 Real to_mass(double mass, const std::string& path) {

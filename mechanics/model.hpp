@@ -71,6 +71,8 @@ Vec3 to_vec3(const Vector3& v);
 Mat3 to_rotation(const Matrix3& R, const std::string& path);
 /// Checks symmetry, definiteness and the triangle inequality. Throws ParameterError at `path`.
 Mat3 to_inertia(const Matrix3& J, const std::string& path, TriangleInequality, std::vector<std::string>& warnings);
+/// Checks a body's name: letters, digits, `_` and `-`, and not "ground". Throws ParameterError at `path`.
+const std::string& to_name(const std::string& name, const std::string& path);
 /// Checks that a mass is positive. Throws ParameterError at `path`.
 Real to_mass(double mass, const std::string& path);
 

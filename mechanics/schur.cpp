@@ -42,13 +42,14 @@ std::vector<std::set<int>> joint_graph(const std::vector<std::vector<Touch>>& to
 /// Inverse of a symmetric positive definite 3x3 pivot by cofactors. False if its least eigenvalue, which
 /// det S / (tr S)^2 bounds from below up to a factor of 4, is round-off of `size`, the trace before elimination: a
 /// dependent row leaves round-off there, never exactly zero, and the inverse alone is blind to that.
-bool invert_pivot(const Mat3& S, const Real& size, Mat3& inverse) {
+bool invert_pivot(const Mat3& pivot, const Real& size, Mat3& inverse) {
+    const Mat3 S = pivot / size;  // free of units: products of three entries neither overflow nor vanish
     const Vec3 c0 = S.col(1).cross(S.col(2)), c1 = S.col(2).cross(S.col(0)), c2 = S.col(0).cross(S.col(1));
     const Real determinant = S.col(0).dot(c0), trace = S.trace();
-    inverse.row(0) = c0 / determinant;
-    inverse.row(1) = c1 / determinant;
-    inverse.row(2) = c2 / determinant;
-    return determinant > 64 * epsilon * size * trace * trace;
+    inverse.row(0) = c0 / determinant / size;
+    inverse.row(1) = c1 / determinant / size;
+    inverse.row(2) = c2 / determinant / size;
+    return determinant > 64 * epsilon * trace * trace;
 }
 
 }  // namespace

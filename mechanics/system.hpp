@@ -27,6 +27,7 @@ inline namespace KREISEL_PRECISION {
 struct FirstIntegral {
     std::string name, unit, reason;
     std::function<Real(std::span<const BodyState>)> value;
+    std::function<Real(std::span<const BodyState>)> size;  ///< sum of the sizes of its terms: what its round-off scales with
 };
 
 /// States are y = (q, v) in TG. Vectors of dimension n live in the velocity coordinates of the formulation; constraint

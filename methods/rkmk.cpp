@@ -15,9 +15,10 @@ namespace {
 
 /// On TG = G x R^n the velocity factor is additive: there psi(u) adds and its inverse differential is the identity, so
 /// the chart is needed on G only. A slope is k~ = (dpsi^{-1}_{-u}(v), v'), and u carries both parts.
+template <class Chart>
 class MuntheKaas final : public Integrator {
   public:
-    MuntheKaas(System& system, std::unique_ptr<Chart> chart, const BoundTableau& tableau)
+    MuntheKaas(System& system, Chart chart, const BoundTableau& tableau)
         : system_(system),
           chart_(std::move(chart)),
           tableau_(tableau),
@@ -44,7 +45,7 @@ class MuntheKaas final : public Integrator {
     /// out = y psi(u).
     void append(const Real* y, Real* out) const {
         const Real* u = u_.data();
-        chart_->append(y, u, out);
+        chart_.append(y, u, out);
         y += size_, u += n_, out += size_;
         KREISEL_ELEMENTWISE
         for (std::size_t i = 0; i < n_; ++i) out[i] = y[i] + u[i];
@@ -60,22 +61,30 @@ class MuntheKaas final : public Integrator {
         append(y, stage_.data());
         const Status status = system_.evaluate(t, stage_.data(), slope + n_);
         if (status != Status::ok) return status;
-        return chart_->pull_back(u_.data(), stage_.data() + size_, slope) ? Status::ok : Status::left_chart;
+        return chart_.pull_back(u_.data(), stage_.data() + size_, slope) ? Status::ok : Status::left_chart;
     }
 
     System& system_;
-    std::unique_ptr<Chart> chart_;
+    Chart chart_;
     BoundTableau tableau_;
     std::size_t n_, size_, stride_;
     std::vector<Real> u_, slopes_, stage_;
 };
 
-std::unique_ptr<Chart> make_chart(const Group& group, const OptionValues& options, int order) {
-    if (std::get<std::string>(options.at("coordinates")) == "cayley") return cayley_chart(group);
+template <class Chart>
+std::unique_ptr<Integrator> lift(System& system, Chart chart, const BoundTableau& tableau) {
+    return std::make_unique<MuntheKaas<Chart>>(system, std::move(chart), tableau);
+}
+
+/// The chart the options ask for; `order` is the declared one, which decides what dexpinv = "seed" means.
+std::unique_ptr<Integrator> lift_with(System& system, const OptionValues& options, int order, const BoundTableau& tableau) {
+    const Group& group = system.group();
+    if (options.at("coordinates") == OptionValue("cayley")) return lift(system, CayleyChart(group), tableau);
     const OptionValue& dexpinv = options.at("dexpinv");
-    if (const long* brackets = std::get_if<long>(&dexpinv)) return truncated_exp_chart(group, static_cast<int>(*brackets));
-    if (std::get<std::string>(dexpinv) == "seed") return truncated_exp_chart(group, order - 1);
-    return exp_chart(group);
+    if (const long* brackets = std::get_if<long>(&dexpinv))
+        return lift(system, TruncatedExpChart(group, static_cast<int>(*brackets)), tableau);
+    if (dexpinv == OptionValue("seed")) return lift(system, TruncatedExpChart(group, order - 1), tableau);
+    return lift(system, ExpChart(group), tableau);
 }
 
 }  // namespace
@@ -83,8 +92,7 @@ std::unique_ptr<Chart> make_chart(const Group& group, const OptionValues& option
 Factory rkmk(const Tableau& tableau) {
     Factory factory;
     factory.make = [tableau](System& system, const OptionValues& options, const MethodDescription& declared) {
-        auto chart = make_chart(system.group(), options, declared.order.configuration);
-        return std::make_unique<MuntheKaas>(system, std::move(chart), BoundTableau(tableau));
+        return lift_with(system, options, declared.order.configuration, BoundTableau(tableau));
     };
     factory.options = {{.name = "coordinates", .summary = "local coordinates of a step", .standard = "exp", .choices = {"exp", "cayley"}},
                        {.name = "dexpinv",

@@ -10,7 +10,7 @@ inline namespace KREISEL_PRECISION {
 namespace {
 
 Body link(const BodyData& data, const std::string& path, std::vector<std::string>& warnings) {
-    Body body{.name = data.name, .mass = to_mass(data.mass, path + "/mass")};
+    Body body{.name = to_name(data.name, path + "/name"), .mass = to_mass(data.mass, path + "/mass")};
     body.J = to_inertia(data.inertia, path + "/inertia", TriangleInequality::required, warnings);
     body.start.x = to_vec3(data.x);
     body.start.R = to_rotation(data.R, path + "/R");

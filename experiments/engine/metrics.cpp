@@ -66,7 +66,7 @@ Monitor::Monitor(System& system, std::vector<std::string> patterns)
     add(Level::orthogonality, "defect.orthogonality", "1");
     for (const FirstIntegral& integral : system.integrals()) {
         const std::string name = "invariant." + integral.name;
-        if (any_matches(patterns_, name, integral_suffixes)) integrals_.push_back({&integral, name, 0, 0, 0, {}});
+        if (any_matches(patterns_, name, integral_suffixes)) integrals_.push_back({&integral, name});
     }
 }
 
@@ -88,24 +88,37 @@ Real Monitor::measure(Level level, const Real& t, const Real* y) {
     return rows_.norm();
 }
 
+namespace {
+
+/// worst = max(worst, now), where NaN and infinity stay: the maximum of what was not a number is not a number.
+void keep_worst(Real& worst, const Real& now) {
+    if (isfinite(worst) && !(now <= worst)) worst = now;
+}
+
+}  // namespace
+
 void Monitor::observe(const Real& t, const Real* y) {
     for (Defect& defect : defects_) {
         defect.now = measure(defect.level, t, y);
-        defect.worst = max(defect.worst, defect.now);
+        keep_worst(defect.worst, defect.now);
     }
     if (integrals_.empty()) return;
     system_.read(y, states_.data());
     for (Integral& integral : integrals_) {
         const Real value = integral.source->value(states_);
-        if (!started_) integral.start = value;
+        if (!started_) {
+            integral.start = value;
+            // Below round-off of its terms a start value is zero, and relative to it nothing can be said.
+            integral.has_relative = abs(value) > 100 * epsilon * integral.source->size(states_);
+        }
         integral.now = value - integral.start;
-        integral.worst = max(integral.worst, Real(abs(integral.now)));
+        keep_worst(integral.worst, abs(integral.now));
         integral.fit.add(t, integral.now);
     }
     started_ = true;
 }
 
-std::vector<std::pair<std::string, Number>> Monitor::metrics() const {
+std::vector<std::pair<std::string, Number>> Monitor::metrics(bool finished) const {
     std::vector<std::pair<std::string, Number>> all;
     const auto add = [&](const std::string& name, const Real& value) {
         if (isfinite(value) && matches(patterns_, name)) all.emplace_back(name, to_number(value));
@@ -113,13 +126,13 @@ std::vector<std::pair<std::string, Number>> Monitor::metrics() const {
     for (const Defect& defect : defects_) {
         if (defect.level == Level::acceleration && !measured_) continue;
         add(defect.name, defect.worst);
-        add(defect.name + ".final", defect.now);
+        if (finished) add(defect.name + ".final", defect.now);
     }
     for (const Integral& integral : integrals_) {
         add(integral.name, integral.worst);
-        add(integral.name + ".final", Real(abs(integral.now)));
-        if (integral.start != 0) add(integral.name + ".relative", integral.worst / abs(integral.start));
-        if (integral.fit.points() < 3) continue;
+        if (integral.has_relative) add(integral.name + ".relative", integral.worst / abs(integral.start));
+        if (finished) add(integral.name + ".final", Real(abs(integral.now)));
+        if (!finished || integral.fit.points() < 3) continue;
         add(integral.name + ".slope", integral.fit.slope());
         add(integral.name + ".slope_error", integral.fit.slope_error());
     }

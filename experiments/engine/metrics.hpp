@@ -37,8 +37,9 @@ class Monitor {
     bool idle() const { return defects_.empty() && integrals_.empty(); }
     /// Measures the state y at time t; the first call fixes the initial values of the integrals.
     void observe(const Real& t, const Real* y);
-    /// The metrics asked for, in a fixed order.
-    std::vector<std::pair<std::string, Number>> metrics() const;
+    /// The metrics asked for, in a fixed order. Of a run that did not finish only the maxima, which hold for the part that
+    /// was run: there is no final value, and a slope over another span would not compare.
+    std::vector<std::pair<std::string, Number>> metrics(bool finished) const;
     /// Columns and current values for a trajectory: each quantity and its running maximum.
     std::vector<Column> columns() const;
     void append_values(std::vector<Real>& row) const;
@@ -55,7 +56,8 @@ class Monitor {
         const FirstIntegral* source;
         std::string name;
         Real start = 0, now = 0, worst = 0;
-        LineFit fit;
+        bool has_relative = false;
+        LineFit fit = {};
     };
     Real measure(Level level, const Real& t, const Real* y);
 

@@ -47,7 +47,9 @@ Distance distance(const std::vector<BodyState>& a, const std::vector<BodyState>&
         sum.position += (a[i].x - b[i].x).squaredNorm();
         sum.velocity += (a[i].v - b[i].v).squaredNorm();
         sum.omega += (a[i].omega - b[i].omega).squaredNorm();
-        sum.rotation += SO3::log(b[i].R.transpose() * a[i].R).squaredNorm();
+        const Mat3 relative = b[i].R.transpose() * a[i].R;
+        const bool rotation = SO3::orthogonality_defect(relative) <= Real(1) / 10;
+        sum.rotation += rotation ? Real(SO3::log(relative).squaredNorm()) : std::numeric_limits<Real>::quiet_NaN();
     }
     return {sqrt(sum.position), sqrt(sum.rotation), sqrt(sum.velocity), sqrt(sum.omega)};
 }

@@ -19,6 +19,7 @@ ReportedState to_report(const Real& t, const std::vector<BodyState>& states, con
 std::vector<BodyState> from_report(const ReportedState& report);
 
 /// The distances behind error.*: Euclidean norms over all bodies of x, v, omega (m, m/s, rad/s), and of log(R_b^T R_a) (rad).
+/// Where an R is off SO(3) by more than 1/10 it has no angle, and rotation is NaN: not measured.
 struct Distance {
     Real position = 0, rotation = 0, velocity = 0, omega = 0;
 };

@@ -35,6 +35,7 @@ std::string only_for(const std::string& who, const std::vector<std::string>& for
 /// Sum of all entries: finite exactly where every entry is, but for overflow, which ends a run just the same.
 bool all_finite(const std::vector<Real>& y) {
     Real sum = 0;
+#pragma GCC unroll 6
     for (const Real& x : y) sum += x;
     return isfinite(sum);
 }
@@ -102,18 +103,17 @@ class Run {
                           ", from t = " + to_text(time(step)) + " s";
     }
 
+    /// Names the first quantity that is not finite.
     std::string where_not_finite() {
         system_->read(y_.data(), states_.data());
         for (std::size_t i = 0; i < states_.size(); ++i) {
             const BodyState& s = states_[i];
-            const char* quantity = !isfinite(Real(s.x.sum()))   ? "x"
-                                   : !isfinite(Real(s.R.sum())) ? "R"
-                                   : !isfinite(Real(s.v.sum())) ? "v"
-                                                                : "omega";
-            if (!isfinite(Real(s.x.sum() + s.R.sum() + s.v.sum() + s.omega.sum())))
-                return std::string(quantity) + " of body \"" + names_[i] + "\" is not finite: the step";
+            const std::pair<const char*, Real> sums[] = {
+                {"x", s.x.sum()}, {"R", s.R.sum()}, {"v", s.v.sum()}, {"omega", s.omega.sum()}};
+            for (const auto& [quantity, sum] : sums)
+                if (!isfinite(sum)) return std::string("finiteness of ") + quantity + " of body \"" + names_[i] + "\"";
         }
-        return "the step";
+        return "finiteness of the state";
     }
 
     std::vector<Column> columns() const {
@@ -174,7 +174,10 @@ class Run {
             outcome_.final = to_report(t, states_, names_, known ? multipliers_ : std::vector<Real>());
             if (reference) add_errors(*reference, known);
         }
-        for (auto& metric : monitor_.metrics()) outcome_.metrics.push_back(std::move(metric));
+        // A run that failed in its first step has measured nothing but its start.
+        const bool finished = outcome_.status == "ok";
+        if (!finished && outcome_.steps_done == 0) return;
+        for (auto& metric : monitor_.metrics(finished)) outcome_.metrics.push_back(std::move(metric));
     }
 
     void add_errors(const Reference& reference, bool multipliers_known) {

@@ -135,7 +135,7 @@ TEST_CASE("dexpinv cut after q brackets misses the rest of the series", "[lie]")
         for (int i = 0; i < 2; ++i) {
             const VecX u = sizes[i] * direction;
             group.dexpinv_left(u.data(), v.data(), exact.data());
-            truncated_exp_chart(group, q)->pull_back(u.data(), v.data(), cut.data());
+            TruncatedExpChart(group, q).pull_back(u.data(), v.data(), cut.data());
             remainder[i] = (exact - cut).norm();
         }
         INFO("q = " << q);
@@ -147,7 +147,7 @@ TEST_CASE("B_3 = 0: three brackets equal two", "[lie]") {
     const Power<SO3> group(1);
     const VecX u = Vec3(Real(1) / 3, 1, Real(-1) / 2), v = Vec3(1, 2, -1);
     VecX two(3), three(3);
-    truncated_exp_chart(group, 2)->pull_back(u.data(), v.data(), two.data());
-    truncated_exp_chart(group, 3)->pull_back(u.data(), v.data(), three.data());
+    TruncatedExpChart(group, 2).pull_back(u.data(), v.data(), two.data());
+    TruncatedExpChart(group, 3).pull_back(u.data(), v.data(), three.data());
     CHECK(two == three);
 }
