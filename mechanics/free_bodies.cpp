@@ -46,7 +46,9 @@ void FreeBodies<Coordinates>::find_anchored() {
 template <class Coordinates>
 KREISEL_HOT Status FreeBodies<Coordinates>::anchored_accelerations(const Real& t, const Real* q, const Real* v,
                                                                    Real* dv) const {
-    const Vec3 g = model_.gravity.at(t);
+    Vec3 modulated;
+    const Gravity& gravity = model_.gravity;
+    const Vec3& g = gravity.is_constant() ? gravity.g : (modulated = gravity.at(t));
     Real sum = 0;
     for (const Anchored& body : anchored_) {
         const Rotation R = mat3(q + 3);

@@ -46,16 +46,16 @@ class System {
     virtual int constraints() const { return 0; }                 ///< m, rows of C
     virtual int position_constraints() const { return constraints(); }  ///< rows of Phi, the first of C
 
-    /// v' at the state y. Counted: this is the solve of the dynamics a method pays for.
-    Status evaluate(const Real& t, const Real* y, Real* dv) {
+    /// v' at (q, v). Counted: this is the solve of the dynamics a method pays for.
+    Status evaluate(const Real& t, const Real* q, const Real* v, Real* dv) {
         ++evaluations_;
-        return accelerations(t, y, y + group_->size(), dv, nullptr);
+        return accelerations(t, q, v, dv, nullptr);
     }
     /// Right-hand side of y' = y F(t, y) on TG: z = (v, v') [terzezlatarmueller, eq. 9].
     Status vector_field(const Real& t, const Real* y, Real* z) {
         const Real* v = y + group_->size();
         for (int i = 0; i < velocities(); ++i) z[i] = v[i];
-        return evaluate(t, y, z + velocities());
+        return evaluate(t, y, v, z + velocities());
     }
     /// Solves of the dynamics since construction.
     long evaluations() const { return evaluations_; }

@@ -10,10 +10,10 @@ Real value(const Coefficient& c) { return c.digits ? from_text(c.digits) : Real(
 
 namespace {
 
-Combination nonzero(const std::vector<Coefficient>& row) {
+Combination nonzero(const std::vector<Coefficient>& row, std::size_t stride) {
     Combination terms;
     for (std::size_t j = 0; j < row.size(); ++j)
-        if (!row[j].is_zero()) terms.push_back({value(row[j]), static_cast<int>(j)});
+        if (!row[j].is_zero()) terms.push_back({value(row[j]), j * stride});
     return terms;
 }
 
@@ -25,7 +25,7 @@ Real sum(const Combination& terms) {
 
 }  // namespace
 
-BoundTableau::BoundTableau(const Tableau& tableau) : b(nonzero(tableau.b)) {
+BoundTableau::BoundTableau(const Tableau& tableau, std::size_t stride) : b(nonzero(tableau.b, stride)) {
     if (tableau.a.size() != tableau.b.size())
         throw std::invalid_argument("tableau with " + std::to_string(tableau.a.size()) + " rows and " +
                                     std::to_string(tableau.b.size()) + " weights");
@@ -33,7 +33,7 @@ BoundTableau::BoundTableau(const Tableau& tableau) : b(nonzero(tableau.b)) {
         if (tableau.a[i].size() > i)
             throw std::invalid_argument("row " + std::to_string(i + 1) + " of an explicit tableau has " +
                                         std::to_string(tableau.a[i].size()) + " entries, more than " + std::to_string(i));
-        a.push_back(nonzero(tableau.a[i]));
+        a.push_back(nonzero(tableau.a[i], stride));
         c.push_back(sum(a.back()));
     }
     if (abs(sum(b) - 1) > 64 * epsilon) throw std::invalid_argument("the weights of the tableau do not sum to 1");

@@ -12,16 +12,17 @@ inline namespace KREISEL_PRECISION {
 
 Real value(const Coefficient& coefficient);
 
-/// A linear combination of stages without its zeros.
+/// A linear combination of stages without its zeros. The slope of a stage lies at `offset` in the storage of all slopes.
 struct Term {
     Real coefficient;
-    int stage;
+    std::size_t offset;
 };
 using Combination = std::vector<Term>;
 
-/// A tableau as numbers. Throws std::invalid_argument where it is not explicit or sum b is not 1.
+/// A tableau as numbers, bound to slopes that lie `stride` reals apart. Throws std::invalid_argument where it is not
+/// explicit or sum b is not 1.
 struct BoundTableau {
-    explicit BoundTableau(const Tableau& tableau);
+    BoundTableau(const Tableau& tableau, std::size_t stride);
     std::size_t stages() const { return a.size(); }
     std::vector<Combination> a;
     Combination b;
@@ -32,8 +33,8 @@ struct BoundTableau {
 inline constexpr std::size_t vector_chunk = 4;
 inline std::size_t padded(std::size_t n) { return (n + vector_chunk - 1) / vector_chunk * vector_chunk; }
 
-/// For at least one term, out = h sum_j coefficient_j slope_j over vectors of length n, a multiple of vector_chunk, that
-/// lie one after another in `slopes`; one pass for up to four terms.
+/// For at least one term, out = h sum_j coefficient_j slope_j over vectors of length n, a multiple of vector_chunk; one
+/// pass for up to four terms.
 inline void combine(const Combination& terms, const Real& h, const Real* slopes, std::size_t n, Real* __restrict out) {
     const std::size_t whole = n / vector_chunk * vector_chunk;  // n, in a form that tells the compiler of the multiple
     const auto each = [&](auto&& entry) {
@@ -41,7 +42,7 @@ inline void combine(const Combination& terms, const Real& h, const Real* slopes,
     };
     const Term* term = terms.data();
     const Term* const end = term + terms.size();
-    const auto slope = [&](const Term& t) { return slopes + static_cast<std::size_t>(t.stage) * n; };
+    const auto slope = [&](const Term& t) { return slopes + t.offset; };
     if (end - term >= 4) {
         const Real w0 = h * term[0].coefficient, w1 = h * term[1].coefficient;
         const Real w2 = h * term[2].coefficient, w3 = h * term[3].coefficient;

@@ -14,11 +14,11 @@ namespace {
 
 class CrouchGrossman final : public Integrator {
   public:
-    CrouchGrossman(System& system, const BoundTableau& tableau)
+    CrouchGrossman(System& system, const Tableau& tableau)
         : system_(system),
-          tableau_(tableau),
           factor_(static_cast<std::size_t>(system.state_group().dim())),
-          slopes_(factor_.size() * static_cast<std::size_t>(tableau.stages())),
+          tableau_(tableau, factor_.size()),
+          slopes_(factor_.size() * tableau_.stages()),
           stage_(static_cast<std::size_t>(system.state_group().size())) {}
 
     Status step(const Real& t, const Real& h, Real* y) override {
@@ -36,7 +36,7 @@ class CrouchGrossman final : public Integrator {
     /// y <- y exp(h w_1 K_1) ... exp(h w_s K_s).
     void append_product(const Combination& weights, const Real& h, Real* y) {
         for (const Term& term : weights) {
-            const Real* K = &slopes_[static_cast<std::size_t>(term.stage) * factor_.size()];
+            const Real* K = &slopes_[term.offset];
             const Real w = h * term.coefficient;
             for (std::size_t j = 0; j < factor_.size(); ++j) factor_[j] = w * K[j];
             system_.state_group().append_exp(y, factor_.data(), y);
@@ -44,8 +44,9 @@ class CrouchGrossman final : public Integrator {
     }
 
     System& system_;
+    std::vector<Real> factor_;
     BoundTableau tableau_;
-    std::vector<Real> factor_, slopes_, stage_;
+    std::vector<Real> slopes_, stage_;
 };
 
 }  // namespace
@@ -53,7 +54,7 @@ class CrouchGrossman final : public Integrator {
 Factory crouch_grossman(const Tableau& tableau) {
     Factory factory;
     factory.make = [tableau](System& system, const OptionValues&, const MethodDescription&) {
-        return std::make_unique<CrouchGrossman>(system, BoundTableau(tableau));
+        return std::make_unique<CrouchGrossman>(system, tableau);
     };
     factory.stages = static_cast<int>(tableau.b.size());
     factory.scheme = Scheme{Scheme::Kind::crouch_grossman, tableau};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods/rkmk.hpp"
 
-#include <algorithm>
 
 #include "lie/chart.hpp"
 #include "mechanics/system.hpp"
@@ -18,15 +17,15 @@ namespace {
 template <class Chart>
 class MuntheKaas final : public Integrator {
   public:
-    MuntheKaas(System& system, Chart chart, const BoundTableau& tableau)
+    MuntheKaas(System& system, Chart chart, const Tableau& tableau)
         : system_(system),
           chart_(std::move(chart)),
-          tableau_(tableau),
           n_(static_cast<std::size_t>(system.velocities())),
           size_(static_cast<std::size_t>(system.group().size())),
           stride_(padded(2 * n_)),
+          tableau_(tableau, stride_),
           u_(stride_),
-          slopes_(stride_ * tableau.stages()),
+          slopes_(stride_ * tableau_.stages()),
           stage_(size_ + n_) {}
 
     Status step(const Real& t, const Real& h, Real* y) override {
@@ -54,30 +53,31 @@ class MuntheKaas final : public Integrator {
     /// The slope k~_i in the chart around y.
     Status stage(const Combination& row, const Real& t, const Real& h, const Real* y, Real* slope) {
         if (row.empty()) {  // u = 0: k~ = k
-            std::copy_n(y + size_, n_, slope);
-            return system_.evaluate(t, y, slope + n_);
+            for (std::size_t i = 0; i < n_; ++i) slope[i] = y[size_ + i];
+            return system_.evaluate(t, y, y + size_, slope + n_);
         }
         combine(row, h, slopes_.data(), stride_, u_.data());
         append(y, stage_.data());
-        const Status status = system_.evaluate(t, stage_.data(), slope + n_);
+        const Real* v = stage_.data() + size_;
+        const Status status = system_.evaluate(t, stage_.data(), v, slope + n_);
         if (status != Status::ok) return status;
-        return chart_.pull_back(u_.data(), stage_.data() + size_, slope) ? Status::ok : Status::left_chart;
+        return chart_.pull_back(u_.data(), v, slope) ? Status::ok : Status::left_chart;
     }
 
     System& system_;
     Chart chart_;
-    BoundTableau tableau_;
     std::size_t n_, size_, stride_;
+    BoundTableau tableau_;
     std::vector<Real> u_, slopes_, stage_;
 };
 
 template <class Chart>
-std::unique_ptr<Integrator> lift(System& system, Chart chart, const BoundTableau& tableau) {
+std::unique_ptr<Integrator> lift(System& system, Chart chart, const Tableau& tableau) {
     return std::make_unique<MuntheKaas<Chart>>(system, std::move(chart), tableau);
 }
 
 /// The chart the options ask for; `order` is the declared one, which decides what dexpinv = "seed" means.
-std::unique_ptr<Integrator> lift_with(System& system, const OptionValues& options, int order, const BoundTableau& tableau) {
+std::unique_ptr<Integrator> lift_with(System& system, const OptionValues& options, int order, const Tableau& tableau) {
     const Group& group = system.group();
     if (options.at("coordinates") == OptionValue("cayley")) return lift(system, CayleyChart(group), tableau);
     const OptionValue& dexpinv = options.at("dexpinv");
@@ -92,7 +92,7 @@ std::unique_ptr<Integrator> lift_with(System& system, const OptionValues& option
 Factory rkmk(const Tableau& tableau) {
     Factory factory;
     factory.make = [tableau](System& system, const OptionValues& options, const MethodDescription& declared) {
-        return lift_with(system, options, declared.order.configuration, BoundTableau(tableau));
+        return lift_with(system, options, declared.order.configuration, tableau);
     };
     factory.options = {{.name = "coordinates", .summary = "local coordinates of a step", .standard = "exp", .choices = {"exp", "cayley"}},
                        {.name = "dexpinv",

@@ -35,7 +35,7 @@ std::string only_for(const std::string& who, const std::vector<std::string>& for
 /// Sum of all entries: finite exactly where every entry is, but for overflow, which ends a run just the same.
 bool all_finite(const std::vector<Real>& y) {
     Real sum = 0;
-#pragma GCC unroll 6
+#pragma GCC unroll 3
     for (const Real& x : y) sum += x;
     return isfinite(sum);
 }
@@ -80,20 +80,26 @@ class Run {
 
     void advance(const std::stop_token& stop) {
         if (const Status status = integrator_->start(0, y_.data()); status != Status::ok) return fail(status, 0, "start");
-        for (long i = 0; i < cell_.steps; ++i) {
+        const long steps = cell_.steps;
+        Real* const y = y_.data();
+        Integrator& integrator = *integrator_;
+        Projection& projector = *projection_;
+        const bool observing = !monitor_.idle(), sampling = cell_.samples > 0;
+        Real t = 0;
+        for (long i = 0; i < steps; ++i) {
             if (i % 256 == 0 && stop.stop_requested()) {
                 outcome_.status = "interrupted";
                 return;
             }
-            const Real t = time(i);
-            if (const Status status = integrator_->step(t, h_, y_.data()); status != Status::ok)
+            if (const Status status = integrator.step(t, h_, y); status != Status::ok)
                 return fail(status, i, "step of " + cell_.method);
-            if (const Status status = projection_->project(time(i + 1), y_.data()); status != Status::ok)
+            t = time(i + 1);
+            if (const Status status = projector.project(t, y); status != Status::ok)
                 return fail(status, i, "projection " + cell_.projection);
             if (!all_finite(y_)) return fail(Status::non_finite, i, where_not_finite());
             outcome_.steps_done = i + 1;
-            if (!monitor_.idle()) monitor_.observe(time(i + 1), y_.data());
-            if (cell_.samples > 0) sample(i + 1);
+            if (observing) monitor_.observe(t, y);
+            if (sampling) sample(i + 1);
         }
     }
 

@@ -18,7 +18,7 @@ using Vector = std::vector<Real>;
 class Broken : public Integrator {
   public:
     Broken(System& system, const Tableau& tableau)
-        : system_(system), group_(system.state_group()), tableau_(tableau), slopes_(tableau.b.size(), algebra()) {}
+        : system_(system), group_(system.state_group()), tableau_(tableau, 1), slopes_(tableau.b.size(), algebra()) {}
 
     Status step(const Real& t, const Real& h, Real* y) override {
         Vector point(static_cast<std::size_t>(group_.size()));
@@ -57,7 +57,7 @@ class BrokenMuntheKaas final : public Broken {
         Vector u = algebra();
         for (const Term& term : weights)
             for (std::size_t j = 0; j < u.size(); ++j)
-                u[j] += h * term.coefficient * slopes_[static_cast<std::size_t>(term.stage)][j];
+                u[j] += h * term.coefficient * slopes_[term.offset][j];
         group_.append_exp(y, u.data(), y);
         return u;
     }
@@ -88,7 +88,7 @@ class BrokenCrouchGrossman final : public Broken {
         if (final ? fault_.reversed_final_factors : fault_.reversed_stage_factors)
             std::reverse(factors.begin(), factors.end());
         for (const Term& term : factors) {
-            Vector u = slopes_[static_cast<std::size_t>(term.stage)];
+            Vector u = slopes_[term.offset];
             for (Real& x : u) x *= h * term.coefficient;
             group_.append_exp(y, u.data(), y);
         }
