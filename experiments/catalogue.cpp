@@ -113,6 +113,52 @@ void describe_method(const MethodDescription& method, std::ostream& out) {
     print_options(out, method.options);
 }
 
+// First integrals of the problems with their default parameters, by problem.
+std::map<std::string, std::vector<IntegralDescription>> integrals_by_problem(const Engine& engine) {
+    std::map<std::string, std::vector<IntegralDescription>> all;
+    for (const ProblemDescription& problem : engine.problems()) {
+        for (const FormulationDescription& formulation : engine.formulations()) {
+            SystemSummary summary = engine.summary(problem.name, default_parameters(problem), formulation.name);
+            if (summary.skip_reason.empty()) { all[problem.name] = std::move(summary.integrals); }
+        }
+    }
+    return all;
+}
+
+std::vector<std::string> integral_names(const Engine& engine) {
+    std::set<std::string> names;
+    for (const auto& [problem, integrals] : integrals_by_problem(engine)) {
+        for (const IntegralDescription& integral : integrals) { names.insert(integral.name); }
+    }
+    return {names.begin(), names.end()};
+}
+
+// The family of a name such as invariant.energy.slope, and in which problems it holds.
+bool describe_invariant(const Engine& engine, const std::string& name, std::ostream& out) {
+    for (const MetricDescription& suffix : invariant_suffixes()) {
+        for (const auto& [problem, integrals] : integrals_by_problem(engine)) {
+            for (const IntegralDescription& integral : integrals) {
+                if (name != "invariant." + integral.name + suffix.name) { continue; }
+                fmt::print(out, "{}: {} [{}; the integral in {}]\n", name, suffix.summary, suffix.unit, integral.unit);
+                fmt::print(out, "A first integral of {}: {}\n", problem, integral.reason);
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+bool describe_metric(const Engine& engine, const std::string& name, std::ostream& out) {
+    for (const MetricDescription& metric : common_metrics()) {
+        const bool final = name == metric.name + ".final" && name.starts_with("defect.");
+        if (name != metric.name && !final) { continue; }
+        fmt::print(out, "{}: {} [{}]\n", name, final ? "the same at the end: " + metric.summary : metric.summary,
+                   metric.unit);
+        return true;
+    }
+    return describe_invariant(engine, name, out);
+}
+
 }  // namespace
 
 const std::vector<std::string>& catalogue_topics() {
@@ -142,14 +188,15 @@ void describe(const Engine& engine, const std::string& name, std::ostream& out) 
         fmt::print(out, "{}: {}\n", formulation->name, formulation->summary);
         return;
     }
-    std::vector<std::string> names;
+    if (describe_metric(engine, name, out)) { return; }
+    auto names = metric_names(integral_names(engine));
     for (const auto& some : {names_of(registry.problems), names_of(registry.methods), names_of(registry.projections),
                              names_of(registry.formulations)}) {
         names.insert(names.end(), some.begin(), some.end());
     }
     const std::string nearest = nearest_name(name, names);
     throw UsageError(
-        fmt::format("expected the name of a problem, method, projection or formulation (see kreisel list), got {}{}",
+        fmt::format("expected the name of a problem, method, projection, formulation or metric (see kreisel list), got {}{}",
                     in_quotes(name), nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?"));
 }
 

@@ -30,9 +30,9 @@ constexpr const char* description =
     "Start with: kreisel list, then kreisel info heavy_top, then kreisel run experiments/<config>.json";
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed; 2 bad config or usage, nothing was "
-    "run;\n"
-    "3 a file or folder could not be read or written; 4 internal error; 130 interrupted.";
+    "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed, or a figure could not be drawn;\n"
+    "2 bad config or usage, nothing was run; 3 a file or folder could not be read or written, or is damaged;\n"
+    "4 internal error; 130 interrupted.";
 
 // What the command line fills in.
 struct Arguments {
@@ -67,6 +67,7 @@ class CommandLine {
             app_.exit(success, terminal_.out, terminal_.messages);
             return Exit::ok;
         } catch (const CLI::ParseError& error) {
+            if (argc > 1 && argv[1][0] != '-') { require_command(argv[1]); }
             throw UsageError(
                 fmt::format("{}{}\nRun with --help for more information.", error.what(), hint(argc, argv)));
         }
@@ -90,7 +91,7 @@ class CommandLine {
             });
         list->add_option("topic", arguments_.topic, "One of them; all if left out")
             ->check(CLI::IsMember(catalogue_topics()));
-        CLI::App* info = command("info", "All about one problem, method, projection or formulation", [this] {
+        CLI::App* info = command("info", "All about one problem, method, projection, formulation or metric", [this] {
             describe(engines_.binary64, arguments_.name, terminal_.out);
             return Exit::ok;
         });
@@ -138,21 +139,16 @@ class CommandLine {
 
     void add_results() {
         const auto add_folder = [this](CLI::App* sub) {
-            sub->add_option("folder", arguments_.folder, "A folder that kreisel run has written")
-                ->required()
-                ->check(CLI::ExistingDirectory);
+            sub->add_option("folder", arguments_.folder, "A folder that kreisel run has written")->required();
         };
         CLI::App* merge = command(
             "merge", "Puts the journals of shards together into results.jsonl and results.csv",
             [this] { return merge_command(arguments_.folders, arguments_.output, build_id(), engines_, terminal_); });
         merge->add_option("folder", arguments_.folders, "Folders that kreisel run --shard has written")
-            ->required()
-            ->check(CLI::ExistingDirectory);
+            ->required();
         merge->add_option("-o,--output", arguments_.output, "Folder for the results (default: the first folder)");
-        add_folder(command("table", "Tables from results",
-                           [this] { return static_cast<Exit>(table_command(arguments_.folder)); }));
-        add_folder(command("plot", "Figures from results",
-                           [this] { return static_cast<Exit>(plot_command(arguments_.folder)); }));
+        add_folder(command("table", "Tables from results", [this] { return table_command(arguments_.folder); }));
+        add_folder(command("plot", "Figures from results", [this] { return plot_command(arguments_.folder); }));
         CLI::App* verify = command("verify", "Computes some cells again and compares them byte for byte", [this] {
             return verify_command(arguments_.folder, arguments_.cells, arguments_.seed, build_id(), engines_,
                                   terminal_);
@@ -195,6 +191,15 @@ class CommandLine {
             if (!nearest.empty() && nearest != typed) { return "; did you mean " + in_quotes(nearest) + "?"; }
         }
         return "";
+    }
+
+    void require_command(const std::string& word) const {
+        const auto names = command_names();
+        if (std::find(names.begin(), names.end(), word) != names.end()) { return; }
+        const std::string nearest = nearest_name(word, names);
+        throw UsageError(fmt::format("expected a command ({}), got {}{}\nRun with --help for more information.",
+                                     listed(names), in_quotes(word),
+                                     nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?"));
     }
 
     std::vector<std::string> command_names() const {

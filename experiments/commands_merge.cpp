@@ -15,6 +15,9 @@ namespace {
 Document common_config(const Paths& folders, const std::string& build) {
     std::optional<ManifestContents> first;
     for (const auto& folder : folders) {
+        if (!std::filesystem::is_directory(folder)) {
+            throw FileError(fmt::format("{}: there is no such folder", folder.string()));
+        }
         const auto files = files_like(folder, "manifest", ".json");
         if (files.empty()) {
             throw UsageError(fmt::format("{}: expected a folder that kreisel run has written, got one without manifest",

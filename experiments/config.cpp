@@ -212,7 +212,7 @@ void read_metrics(const Node& root, Config& config) {
 void read_figure(const Node& root, Config& config) {
     const auto node = root.find("figure");
     if (!node) { return; }
-    check_figures(*node);
+    read_figures(*node, config.name);
     config.figure = node->json();
 }
 

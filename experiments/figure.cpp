@@ -73,7 +73,7 @@ void read_name(const Node& node, FigureSpec& spec) {
 
 void read_metrics(const Node& node, FigureSpec& spec) {
     const std::string family = spec.kind == "convergence" ? "error." : spec.kind == "drift" ? "defect." : "invariant.";
-    const std::string expected = fmt::format("a metric {}*, or a list of them", family);
+    const std::string expected = fmt::format("{} metric {}*, or a list of them", family == "defect." ? "a" : "an", family);
     spec.metrics.clear();
     for (const Node& entry : node.elements_or_self()) {
         const auto metric = entry.text(expected, 100);
@@ -113,6 +113,7 @@ FigureSpec read_figure(const Node& node, const std::string& experiment) {
     const auto kind = kind_node ? kind_node->name("kind of figure", kinds) : std::nullopt;
     if (!kind) { return spec; }
     spec = standard_figure(*kind, experiment);
+    spec.pointer = node.pointer();
     Names known = {"kind", "name", "title", "select"};
     known.insert(known.end(), keys_of(*kind).begin(), keys_of(*kind).end());
     node.only_keys(known);
@@ -135,6 +136,8 @@ bool is_figure_name(const std::string& name) {
     return letters && !name.empty() && name.size() <= 80 && name[0] != '-';
 }
 
+bool draws_samples(const std::string& kind) { return kind != "convergence"; }
+
 FigureSpec standard_figure(const std::string& kind, const std::string& experiment) {
     FigureSpec spec;
     spec.kind = kind == "trajectory" ? "components" : kind;
@@ -156,7 +159,5 @@ std::vector<FigureSpec> read_figures(const Node& figure, const std::string& expe
     }
     return specs;
 }
-
-void check_figures(const Node& figure) { read_figures(figure, "figure"); }
 
 }  // namespace kreisel

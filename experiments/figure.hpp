@@ -34,6 +34,7 @@
 namespace kreisel {
 
 struct FigureSpec {
+    std::string pointer;  ///< where it stands in the config; empty for a standard figure
     std::string kind, name, title, facet, body;
     std::string quantity = "x";
     std::map<std::string, std::vector<std::string>> select;
@@ -50,8 +51,8 @@ struct FigureSpec {
 /// expected, what came. `experiment` gives the default name.
 std::vector<FigureSpec> read_figures(const Node& figure, const std::string& experiment);
 
-/// The same for its errors alone.
-void check_figures(const Node& figure);
+/// True if the kind draws trajectories, of which the experiment must store samples.
+bool draws_samples(const std::string& kind);
 
 /// The figure drawn for an experiment that asks for none: `kind` convergence, drift, or trajectory (components).
 FigureSpec standard_figure(const std::string& kind, const std::string& experiment);

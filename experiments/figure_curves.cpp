@@ -70,7 +70,7 @@ std::string order_text(const ObservedOrder& order) {
         case NoOrder::pre_asymptotic:
             return "pre-asymptotic";
         case NoOrder::round_off:
-            return "floor";
+            return order.last > order.first ? "too few points above round-off" : "floor";
         case NoOrder::not_settled:
             return "not settled";
         case NoOrder::not_convergent:
@@ -115,7 +115,7 @@ std::vector<Point> growth_line(const GrowthLaw& law) {
 std::string growth_text(const std::optional<GrowthLaw>& law, double largest, double roundoff) {
     if (largest == 0) { return "zero"; }
     if (law && std::abs(law->exponent) < 0.005) { return "constant"; }
-    if (law) { return fmt::format("∝ t^{{{:.3f} ± {:.3f}}}", law->exponent, law->error); }
+    if (law) { return fmt::format("∝ t^{{{:.2f} ± {:.2f}}}", law->exponent, law->spread); }
     return largest <= roundoff ? "round-off" : "no growth law";
 }
 
@@ -221,7 +221,7 @@ PanelFigure drift_figure(const FigureSpec& spec, const Results& results, const s
             if (values == nullptr || t == nullptr) { continue; }
             const auto law = growth_of(trajectory, key.metric, row.precision);
             const std::string label = trajectory_legend(names, axes, row, steps_vary(rows));
-            const std::string growth = growth_text(law, largest_of(*values), roundoff_level(row.precision));
+            const std::string growth = growth_text(law, largest_of(*values), roundoff_level(trajectory, row.precision));
             panel.curves.push_back({enhanced_escape(label) + ": " + growth, zipped(*t, *values), styles.of(label)});
             if (law) { panel.guides.push_back(growth_line(*law)); }
         }

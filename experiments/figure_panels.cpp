@@ -64,19 +64,21 @@ std::pair<Range, Range> ranges(const Panel& panel) {
     return {wide_x, padded(y, panel.log_y)};
 }
 
+// Centimetres that the longest legend entry of a panel takes, with its sample.
+double legend_entry(const Panel& panel) {
+    std::size_t widest = 0;
+    for (const Curve& curve : panel.curves) { widest = std::max(widest, enhanced_width(curve.label)); }
+    return legend_sample + character * static_cast<double>(widest);
+}
+
 struct Legend {
     std::size_t columns = 1, rows = 0;
 };
 
 Legend legend_of(const Panel& panel, double panel_width) {
-    std::size_t widest = 0, count = 0;
-    for (const Curve& curve : panel.curves) {
-        widest = std::max(widest, enhanced_width(curve.label));
-        ++count;
-    }
+    const std::size_t count = panel.curves.size();
     if (count == 1 && panel.curves.front().label.empty()) { return {1, 0}; }
-    const double entry = legend_sample + character * static_cast<double>(widest);
-    const auto fitting = static_cast<std::size_t>((panel_width - 0.3) / entry);
+    const auto fitting = static_cast<std::size_t>((panel_width - right_margin) / legend_entry(panel));
     const std::size_t columns = std::clamp<std::size_t>(fitting, 1, std::max<std::size_t>(count, 1));
     return {columns, (count + columns - 1) / columns};
 }
@@ -107,10 +109,13 @@ class Settings {
     std::string text_ = "# Written by kreisel plot.\n";
 };
 
-// A column of the page for one or two panels beside each other; more share the page.
+// A column of the page for one or two panels beside each other; more share the page. A legend is never cut: a panel is
+// at least as wide as its longest entry.
 double panel_width_of(const PanelFigure& figure) {
     const auto columns = std::min(figure.columns, static_cast<long>(figure.panels.size()));
-    return columns <= 2 ? column_width : page_width / static_cast<double>(columns);
+    double width = columns <= 2 ? column_width : page_width / static_cast<double>(columns);
+    for (const Panel& panel : figure.panels) { width = std::max(width, legend_entry(panel) + right_margin); }
+    return width;
 }
 
 double top_margin_of(const PanelFigure& figure) {

@@ -161,7 +161,7 @@ Document read_document(const std::filesystem::path& file) {
         throw UsageError(fmt::format("{}: expected a file, got a folder", file.string()));
     }
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) { throw UsageError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno))); }
+    if (!stream) { throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno))); }
     std::string text(largest_document + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (stream.bad()) { throw FileError(fmt::format("{}: reading failed: {}", file.string(), std::strerror(errno))); }

@@ -10,6 +10,7 @@
 #include "experiments/json_writer.hpp"
 #include "experiments/metric_names.hpp"
 #include "experiments/nearest.hpp"
+#include "experiments/plan_figures.hpp"
 
 namespace kreisel {
 
@@ -47,13 +48,18 @@ void summarise(const Config& config, const Engines& engines, Diagnostics& sink, 
     }
 }
 
-void check_metrics(const Document& document, const Config& config, Diagnostics& sink, const Plan& plan) {
-    if (!config.metrics_given) { return; }
+// All metrics that the problems of the plan have.
+std::vector<std::string> known_metrics(const Plan& plan) {
     std::set<std::string> integrals;
     for (const auto& [key, summary] : plan.systems) {
         for (const IntegralDescription& integral : summary.integrals) { integrals.insert(integral.name); }
     }
-    const auto names = metric_names({integrals.begin(), integrals.end()});
+    return metric_names({integrals.begin(), integrals.end()});
+}
+
+void check_metrics(const Document& document, const Config& config, Diagnostics& sink,
+                   const std::vector<std::string>& names) {
+    if (!config.metrics_given) { return; }
     const std::vector<std::string> families = {"error.*", "defect.*", "invariant.*", "*"};
     for (std::size_t i = 0; i < config.metrics.size(); ++i) {
         const std::string& pattern = config.metrics[i];
@@ -100,13 +106,22 @@ std::string content_of(const PlannedCell& planned) {
         .text();
 }
 
-std::string identity_of(const PlannedCell& planned) {
+std::string order_text(const Order& order) {
+    return ObjectWriter()
+        .member("configuration", fmt::format("{}", order.configuration))
+        .member("velocity", fmt::format("{}", order.velocity))
+        .member("multipliers", fmt::format("{}", order.multipliers))
+        .text();
+}
+
+std::string identity_of(const PlannedCell& planned, const Order& order) {
     const Cell& cell = planned.cell;
     ObjectWriter object;
     object.member("cell", json_text(planned.hash)).member("problem", json_text(cell.problem));
     object.member("label", json_text(planned.label)).member("parameters", json_value(cell.parameters));
     object.member("formulation", json_text(cell.formulation)).member("method", json_text(cell.method));
-    object.member("options", json_value(cell.options)).member("projection", json_text(cell.projection));
+    object.member("options", json_value(cell.options)).member("order", order_text(order));
+    object.member("projection", json_text(cell.projection));
     object.member("projection_options", json_value(cell.projection_options));
     object.member("precision", json_text(planned.precision)).member("steps", fmt::format("{}", cell.steps));
     object.member("h", json_number(cell.t_end / static_cast<double>(cell.steps)));
@@ -152,7 +167,8 @@ class Crossing {
              const OptionedEntry& projection) {
         const SystemSummary& system = plan_.systems.at({problem.label, planned.cell.formulation});
         planned.hash = hash_text(content_of(planned));
-        planned.identity = identity_of(planned);
+        const Engine& engine = engines_.of(planned.precision);
+        planned.identity = identity_of(planned, engine.declared_order(method.name, method.options));
         planned.skip_reason =
             system.skip_reason.empty() ? ask(planned, problem, method, projection) : system.skip_reason;
         planned.weight =
@@ -207,7 +223,9 @@ Plan make_plan(const Document& document, const Config& config, const Engines& en
     plan.config = config;
     summarise(config, engines, sink, plan);
     sink.raise();
-    check_metrics(document, config, sink, plan);
+    const auto metrics = known_metrics(plan);
+    check_metrics(document, config, sink, metrics);
+    check_figures(document, plan, metrics, sink);
     Crossing(document, engines, sink, plan).cross();
     sink.raise();
     warn(plan);

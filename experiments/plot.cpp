@@ -53,15 +53,16 @@ bool draw(const FigureSpec& spec, const Results& results, const std::filesystem:
 
 }  // namespace
 
-int plot_command(const std::filesystem::path& folder) {
+Exit plot_command(const std::filesystem::path& folder) {
     const Results results = read_results(folder);
     for (const std::string& damage : results.damage) { std::cerr << damage << "\n"; }
     const auto specs = figures_of(results);
     const auto scripts = plot_scripts();
     make_folder(folder / "figures");
-    bool good = results.damage.empty();
-    for (const FigureSpec& spec : specs) { good = draw(spec, results, folder, scripts) && good; }
-    return static_cast<int>(good ? Exit::ok : Exit::cells_failed);
+    bool drawn = true;
+    for (const FigureSpec& spec : specs) { drawn = draw(spec, results, folder, scripts) && drawn; }
+    if (!results.damage.empty()) { return Exit::io; }
+    return drawn ? Exit::ok : Exit::cells_failed;
 }
 
 }  // namespace kreisel

@@ -48,7 +48,7 @@ void print_counts(const Results& results) {
 
 }  // namespace
 
-int table_command(const std::filesystem::path& folder) {
+Exit table_command(const std::filesystem::path& folder) {
     const Results results = read_results(folder);
     for (const std::string& damage : results.damage) { std::cerr << damage << "\n"; }
     print_counts(results);
@@ -65,7 +65,7 @@ int table_command(const std::filesystem::path& folder) {
     writer.write(cost_table(results), false);
     writer.write(failures_table(results), true);
     fmt::print("tables in {}\n", tables.string());
-    return static_cast<int>(results.damage.empty() ? Exit::ok : Exit::cells_failed);
+    return results.damage.empty() ? Exit::ok : Exit::io;
 }
 
 }  // namespace kreisel

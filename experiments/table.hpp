@@ -5,11 +5,13 @@
 
 #include <filesystem>
 
+#include "experiments/errors.hpp"
+
 namespace kreisel {
 
 /// `kreisel table DIR`: reads results.jsonl (and trajectories, where there are any) and writes DIR/tables/*.md, *.csv and
 /// *.tex: orders, errors, drift, invariants, cost, and the cells that did not run. Prints a summary to standard output.
-/// Returns an exit code: 0, or 1 where result lines were damaged. Throws FileError.
-int table_command(const std::filesystem::path& folder);
+/// Exit::io where result lines are damaged: the tables then hold the others. Throws FileError.
+Exit table_command(const std::filesystem::path& folder);
 
 }  // namespace kreisel

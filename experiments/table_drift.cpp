@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "experiments/order.hpp"
@@ -32,20 +33,51 @@ void add(TextTable& table, const CellNames& names, const ResultRow& row, const s
 
 std::vector<std::string> growth_cells(const std::optional<GrowthLaw>& growth) {
     if (!growth) { return {"-", "-", "-"}; }
-    return {fmt::format("{:.3f}", growth->exponent), fmt::format("{:.3f}", growth->error),
+    return {fmt::format("{:.2f}", growth->exponent), fmt::format("{:.2f}", growth->spread),
             fmt::format("{:.4g}–{:.4g}", growth->from, growth->to)};
 }
 
 }  // namespace
 
-double roundoff_level(const std::string& precision) { return 1e4 * epsilon_of(precision); }
+namespace {
+
+// max |omega| |v| over all samples and bodies: the size of the accelerations of a body that is whirled about a joint.
+double largest_acceleration(const TrajectoryTable& trajectory) {
+    const auto norm = [&](const std::string& name, std::size_t sample) {
+        double sum = 0;
+        for (const char* component : {"1", "2", "3"}) {
+            const auto* column = trajectory.find(name + component);
+            if (column == nullptr) { return 0.0; }
+            sum += (*column)[sample] * (*column)[sample];
+        }
+        return std::sqrt(sum);
+    };
+    double largest = 0;
+    for (const std::string& column : trajectory.names) {
+        if (!column.ends_with(".x1")) { continue; }
+        const std::string body = column.substr(0, column.size() - 2);
+        const std::size_t samples = trajectory.columns.front().size();
+        for (std::size_t i = 0; i < samples; ++i) {
+            largest = std::max(largest, norm(body + "omega", i) * norm(body + "v", i));
+        }
+    }
+    return largest;
+}
+
+}  // namespace
+
+double roundoff_level(const TrajectoryTable& trajectory, const std::string& precision) {
+    const auto* t = trajectory.find("t");
+    const double end = t == nullptr || t->empty() ? 0 : t->back();
+    return epsilon_of(precision) * std::max(1e4, 10 * largest_acceleration(trajectory) * end * end / 2);
+}
 
 std::optional<GrowthLaw> growth_of(const TrajectoryTable& trajectory, const std::string& name,
                                    const std::string& precision) {
     const auto* t = trajectory.find("t");
     const auto* y = trajectory.find(name + ".max");
     if (t == nullptr || y == nullptr) { return std::nullopt; }
-    return fit_growth(*t, *y, roundoff_level(precision));
+    return fit_growth(*t, *y, roundoff_level(trajectory, precision));
 }
 
 std::vector<std::string> plain_metrics(const std::vector<ResultRow>& rows, const std::string& prefix) {
@@ -62,10 +94,11 @@ std::vector<std::string> plain_metrics(const std::vector<ResultRow>& rows, const
 TextTable drift_table(const Results& results, const std::filesystem::path& folder, std::string (*number)(double)) {
     const CellNames names(results.rows);
     TextTable table = table_of("drift", "Constraint and orthogonality defects: " + results.name,
-                               {"steps", "h [s]", "defect", "maximum", "final", "exponent", "error", "range [s]"});
+                               {"steps", "h [s]", "defect", "maximum", "final", "exponent", "spread", "range [s]"});
     table.notes = {
-        "Growth law: the running maximum of the defect grows like t^exponent over the given range of t (least "
-        "squares in log-log, second half of the time span, +- standard error); none is given for round-off."};
+        "Growth law: the running maximum of the defect grows like t^exponent over the given range of t (least squares "
+        "in log-log over the last two octaves); spread: largest distance of an octave's own exponent from it. None is "
+        "given for round-off, or where the octaves differ by more than 1/2."};
     const auto metrics = plain_metrics(results.rows, "defect.");
     for (const ResultRow& row : results.rows) {
         if (row.status == "skipped") { continue; }

@@ -12,6 +12,13 @@
 
 namespace kreisel {
 
+namespace {
+
+// Local exponents of two octaves that differ by more than this belong to no power law.
+constexpr double largest_disagreement = 0.5;
+
+}  // namespace
+
 Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
     if (x.size() != y.size()) { throw std::invalid_argument("fit_line: as many ordinates as abscissae are needed"); }
     if (std::adjacent_find(x.begin(), x.end(), std::not_equal_to<>()) == x.end()) {
@@ -28,21 +35,40 @@ Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
     return line;
 }
 
-std::optional<GrowthLaw> fit_growth(const std::vector<double>& t, const std::vector<double>& y, double floor) {
-    if (t.empty() || y.size() != t.size()) { return std::nullopt; }
-    std::vector<double> log_t, log_y;
-    double largest = 0;
-    const double half = (t.front() + t.back()) / 2;
+namespace {
+
+struct LogCurve {
+    std::vector<double> t, y;
+};
+
+// Positive values at times in [from, to].
+LogCurve logarithms(const std::vector<double>& t, const std::vector<double>& y, double from, double to) {
+    LogCurve curve;
     for (std::size_t i = 0; i < t.size(); ++i) {
-        if (t[i] < half || !(t[i] > 0) || !(y[i] > 0) || !std::isfinite(y[i])) { continue; }
-        log_t.push_back(std::log(t[i]));
-        log_y.push_back(std::log(y[i]));
-        largest = std::max(largest, y[i]);
+        if (!(t[i] > 0) || t[i] < from || t[i] > to || !(y[i] > 0) || !std::isfinite(y[i])) { continue; }
+        curve.t.push_back(std::log(t[i]));
+        curve.y.push_back(std::log(y[i]));
     }
-    if (log_t.size() < 4 || largest <= floor) { return std::nullopt; }
-    const Line line = fit_line(log_t, log_y);
-    return GrowthLaw{line.slope, line.slope_error, std::exp(line.intercept), std::exp(log_t.front()),
-                     std::exp(log_t.back())};
+    return curve;
+}
+
+}  // namespace
+
+std::optional<GrowthLaw> fit_growth(const std::vector<double>& t, const std::vector<double>& y, double floor) {
+    if (t.empty() || y.size() != t.size() || !(t.back() > 0)) { return std::nullopt; }
+    const double end = t.back();
+    const LogCurve early = logarithms(t, y, end / 4, end / 2), late = logarithms(t, y, end / 2, end);
+    if (early.t.size() < 3 || late.t.size() < 3 || std::exp(late.y.back()) <= floor) { return std::nullopt; }
+    const LogCurve all = logarithms(t, y, end / 4, end);
+    const Line line = fit_line(all.t, all.y);
+    const double first = fit_line(early.t, early.y).slope, second = fit_line(late.t, late.y).slope;
+    if (std::abs(first - second) > largest_disagreement) { return std::nullopt; }
+    const double spread = std::max(std::abs(first - line.slope), std::abs(second - line.slope));
+    return GrowthLaw{.exponent = line.slope,
+                     .coefficient = std::exp(line.intercept),
+                     .spread = spread,
+                     .from = std::exp(all.t.front()),
+                     .to = std::exp(all.t.back())};
 }
 
 }  // namespace kreisel

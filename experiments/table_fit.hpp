@@ -19,12 +19,15 @@ Line fit_line(const std::vector<double>& x, const std::vector<double>& y);
 
 /// y = coefficient t^exponent, fitted to log y against log t.
 struct GrowthLaw {
-    double exponent = 0, error = 0, coefficient = 0;
+    double exponent = 0, coefficient = 0;
+    double spread = 0;        ///< largest distance of a local exponent, that of one octave, from `exponent`
     double from = 0, to = 0;  ///< s; the range that was fitted
 };
 
-/// The growth law over the second half of the time span, which leaves the transient out. Nothing where fewer than four
-/// positive values lie there, or where all of `y` stays at or below `floor` (round-off grows by no law worth a name).
+/// The growth law over the last two octaves of time, [T/4, T], which leave the transient out. A running maximum is
+/// strongly correlated, so that a standard error would say nothing: the spread of the octaves' own exponents is given.
+/// Nothing where an octave holds fewer than three positive values, where the two exponents differ by more than 1/2 (no
+/// power law), or where `y` ends at or below `floor` (round-off grows by no law worth a name).
 std::optional<GrowthLaw> fit_growth(const std::vector<double>& t, const std::vector<double>& y, double floor);
 
 }  // namespace kreisel

@@ -97,6 +97,14 @@ std::vector<std::string> with_units(const std::vector<std::string>& metrics) {
     return titles;
 }
 
+// "4", or "2, 2, 1": configuration, velocity, multipliers.
+std::string declared_cell(const ResultRow& row) {
+    if (row.declared_order.empty()) { return "-"; }
+    const int q = row.declared_order.at("error.position"), v = row.declared_order.at("error.velocity"),
+              lambda = row.declared_order.at("error.multipliers");
+    return q == v && v == lambda ? fmt::format("{}", q) : fmt::format("{}, {}, {}", q, v, lambda);
+}
+
 std::vector<std::string> without_prefix(const std::vector<std::string>& metrics) {
     std::vector<std::string> titles;
     for (const std::string& metric : metrics) { titles.push_back(metric.substr(metric.find('.') + 1)); }
@@ -149,10 +157,11 @@ TextTable orders_in_full(const Results& results) {
                                              "estimator", "slopes", "remark"});
     for (const CellGroup& group : group_by_method(results.rows)) {
         const ResultRow& row = group.front();
-        const std::string declared = row.declared_order ? fmt::format("{}", *row.declared_order) : "";
         for (const std::string& metric : error_metrics(results.rows)) {
             const ObservedOrder order = order_of(group, metric);
             if (order.points.empty()) { continue; }
+            const auto found = row.declared_order.find(metric);
+            const std::string declared = found == row.declared_order.end() ? "" : fmt::format("{}", found->second);
             table.rows.push_back(with(with(identity(names, row), {metric, declared}), full_row(order)));
         }
     }
@@ -163,9 +172,9 @@ TextTable orders_in_brief(const Results& results) {
     const CellNames names(results.rows);
     const auto metrics = error_metrics(results.rows);
     TextTable table{"orders", "Observed orders: " + results.name, {}, {}, order_notes};
-    table.columns = with(CellNames::axes(), without_prefix(metrics));
+    table.columns = with(with(CellNames::axes(), {"declared"}), without_prefix(metrics));
     for (const CellGroup& group : group_by_method(results.rows)) {
-        std::vector<std::string> cells;
+        std::vector<std::string> cells = {declared_cell(group.front())};
         bool any = false;
         for (const std::string& metric : metrics) {
             const ObservedOrder order = order_of(group, metric);

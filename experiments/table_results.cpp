@@ -68,6 +68,15 @@ std::map<std::string, double> scales(const json& final) {
     return scale;
 }
 
+std::map<std::string, int> declared_orders(const json& order) {
+    const int configuration = order.at("configuration"), velocity = order.at("velocity");
+    return {{"error.position", configuration},
+            {"error.rotation", configuration},
+            {"error.velocity", velocity},
+            {"error.omega", velocity},
+            {"error.multipliers", order.at("multipliers")}};
+}
+
 bool is_hash(const std::string& text) {
     return !text.empty() && text.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
 }
@@ -140,7 +149,7 @@ ResultRow read_result_line(const std::string& text) {
     row.cost = numbers(line, "cost");
     if (line.contains("reference")) { row.reference_error = numbers(line.at("reference"), "error"); }
     if (line.contains("final")) { row.scale = scales(line.at("final")); }
-    if (line.contains("order") && line.at("order").is_number_integer()) { row.declared_order = line.at("order"); }
+    if (line.contains("order")) { row.declared_order = declared_orders(line.at("order")); }
     row.has_trajectory = line.contains("trajectory");
     return row;
 }

@@ -23,7 +23,7 @@ struct ResultRow {
     std::map<std::string, double> reference_error;  ///< by error.* metric; empty without a reference
     std::map<std::string, double> scale;            ///< by error.* metric: size of the final state, same unit
     std::map<std::string, double> cost;
-    std::optional<int> declared_order;
+    std::map<std::string, int> declared_order;      ///< by error.* metric; empty where the method declares none
     bool has_trajectory = false;
 
     bool ok() const { return status == "ok"; }

@@ -31,6 +31,10 @@ struct Factory {
     std::vector<OptionDescription> options = {};
     int stages = 0;  ///< solves of the dynamics per step
     std::optional<Scheme> scheme = {};
+    /// The order under given options, where it is not the declared one.
+    std::function<Order(const OptionValues&, const Order& declared)> order = [](const OptionValues&, const Order& declared) {
+        return declared;
+    };
     /// Why a combination of options does not apply; empty if it does.
     std::function<std::string(const OptionValues&)> why_not = [](const OptionValues&) { return std::string(); };
 };

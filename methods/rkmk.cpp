@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods/rkmk.hpp"
 
+#include <algorithm>
 
 #include "lie/chart.hpp"
 #include "mechanics/system.hpp"
@@ -102,6 +103,11 @@ Factory rkmk(const Tableau& tableau) {
                         .choices = {"exact", "seed"},
                         .count_min = 0,
                         .count_max = max_brackets}};
+    // dexpinv after q brackets leaves an error of the size of q + 1 of them: order min(p, q + 2) [hairer2006, Thm IV.8.5].
+    factory.order = [](const OptionValues& options, const Order& declared) {
+        const long* brackets = std::get_if<long>(&options.at("dexpinv"));
+        return brackets ? Order(std::min(declared.configuration, static_cast<int>(*brackets) + 2)) : declared;
+    };
     factory.why_not = [](const OptionValues& options) -> std::string {
         const bool truncated = options.at("dexpinv") != OptionValue("exact");
         const bool cayley = options.at("coordinates") == OptionValue("cayley");

@@ -18,6 +18,7 @@ inline namespace KREISEL_PRECISION {
 namespace {
 
 constexpr int most_iterations = 50;
+const Real tolerance = 45 * epsilon;  // 1e-14 in double
 constexpr int body_size = 12;  // x and the columns of R
 
 class TerzeProjection final : public Projection {
@@ -37,6 +38,9 @@ class TerzeProjection final : public Projection {
           rhs_(unknowns_ + rows_),
           solution_(unknowns_ + rows_),
           lu_(unknowns_ + rows_) {
+        VecX scale(system.constraints());
+        system.row_scale(scale.data());
+        length_ = scale.maxCoeff();
         if (mass_weighted) set_mass_weight();
         kkt_.topLeftCorner(unknowns_, unknowns_) = weight_;
     }
@@ -46,9 +50,9 @@ class TerzeProjection final : public Projection {
         start_ = z;
         Real previous = std::numeric_limits<Real>::max();
         for (int i = 0; i < most_iterations; ++i) {
-            const Real tolerance = linearise(t, y);
-            const Real size = residual_.lpNorm<Eigen::Infinity>();
-            if (!isfinite(size)) return Status::non_finite;
+            linearise(t, y);
+            if (!residual_.allFinite()) return Status::non_finite;
+            const Real size = relative_residual(y);
             if (size <= tolerance) return Status::ok;
             // At round-off the rows stop falling; above it that means no convergence.
             if (2 * size > previous && size <= 100 * tolerance) return Status::ok;
@@ -64,9 +68,22 @@ class TerzeProjection final : public Projection {
     }
 
   private:
-    /// Fills residual_, jacobian_ and kkt_; returns the size below which the rows are met: 1e-14 in double, relative to
-    /// the velocities where these exceed 1.
-    Real linearise(const Real& t, const Real* y) {
+    /// Largest row: position rows relative to the length of the joint arms, velocity rows relative to the fastest motion
+    /// (a rate below 1/s counts as 1/s), orthogonality rows as they are.
+    Real relative_residual(const Real* y) const {
+        const Eigen::Index m = system_.constraints();
+        Real speed = length_;
+        for (int body = 0; body < system_.bodies(); ++body) {
+            const Real* v = y + configuration_ + 6 * body;
+            speed = max(speed, max(Real(vec3(v).norm()), Real(length_ * vec3(v + 3).norm())));
+        }
+        const Real position = residual_.head(m).lpNorm<Eigen::Infinity>() / length_;
+        const Real velocity = residual_.segment(m, m).lpNorm<Eigen::Infinity>() / speed;
+        return max(max(position, velocity), Real(residual_.tail(rows_ - joint_rows_).lpNorm<Eigen::Infinity>()));
+    }
+
+    /// Fills residual_, jacobian_ and kkt_.
+    void linearise(const Real& t, const Real* y) {
         const Real* v = y + configuration_;
         system_.position_residual(t, y, residual_.data());
         system_.velocity_residual(t, y, v, residual_.data() + system_.constraints());
@@ -75,9 +92,6 @@ class TerzeProjection final : public Projection {
         for (int body = 0; body < system_.bodies(); ++body) add_orthogonality(body, mat3(y + body_size * body + 3));
         kkt_.bottomLeftCorner(rows_, unknowns_) = jacobian_;
         kkt_.topRightCorner(unknowns_, rows_) = jacobian_.transpose();
-        Real speed = 1;
-        for (int body = 0; body < system_.bodies(); ++body) speed = max(speed, Real(vec3(v + 6 * body).norm()));
-        return 45 * epsilon * speed;
     }
 
     /// Rows (R R^T - I)_jk, j <= k: sum_c R_jc R_kc.
@@ -114,6 +128,7 @@ class TerzeProjection final : public Projection {
     MatX weight_, joint_jacobian_, jacobian_;
     VecX residual_, start_;
     MatX kkt_;
+    Real length_ = 1;
     VecX rhs_, solution_;
     Eigen::PartialPivLU<MatX> lu_;
 };

@@ -146,6 +146,16 @@ const std::vector<BadConfig>& bad_configs() {
         {R"({"figure": "lines"})", "/figure", "describes a figure"},
         {R"({"figure": [{"kind": "drift"}, 1]})", "/figure/1", "describes a figure"},
         {R"({"figure": {"kind": "dirft"}})", "/figure/kind", "did you mean \"drift\"?"},
+        {R"({"figure": {"kind": "drift"}})", "/figure/kind", "stores samples"},
+        {R"({"figure": {"kind": "convergence", "metric": "error.postion"}})", "/figure/metric",
+         "did you mean \"error.position\"?"},
+        {R"({"figure": [{"kind": "convergence", "metric": ["error.omega", "error.spin"]}]})", "/figure/0/metric/1",
+         "kreisel list metrics"},
+        {R"({"metrics": ["defect.*"], "figure": {"kind": "convergence"}})", "/figure", "this experiment measures"},
+        {R"({"figure": {"kind": "convergence", "select": {"formulation": "SE4"}}})", "/figure/select/formulation",
+         "a formulation of this experiment"},
+        {R"({"figure": {"kind": "convergence", "select": {"steps": [8, 9]}}})", "/figure/select/steps/1",
+         "steps of this experiment"},
     };
     return all;
 }

@@ -34,9 +34,8 @@ TEST_CASE("wrong usage ends with 2 and the nearest command or option") {
         {{"list", "metods"}, "did you mean \"methods\"?"},
         {{"info", "heavytop"}, "did you mean \"heavy_top\"?"},
         {{"info", "rk4"}, "did you mean \"rkmk/rk4\"?"},
-        {{"merge", "/absent"}, "/absent"},
-        {{"verify", "/absent"}, "/absent"},
-        {{"check", "/absent.json"}, "No such file"},
+        {{"quantum"}, "expected a command (\"list\""},
+        {{"info", "defect.postion"}, "did you mean \"defect.position\"?"},
     };
     for (const auto& [words, phrase] : cases) {
         const auto result = run_program(words);
@@ -46,6 +45,21 @@ TEST_CASE("wrong usage ends with 2 and the nearest command or option") {
         CHECK(tells(result.messages, phrase));
     }
     CHECK_FALSE(tells(run_program({"quantum"}).messages, "did you mean"));
+}
+
+TEST_CASE("a file or folder that is not there ends with 3") {
+    for (const char* command : {"check", "plan", "run", "table", "plot", "merge", "verify"}) {
+        const auto result = run_program({command, "/absent"});
+        INFO(command << ": " << result.messages);
+        CHECK(result.code == 3);
+        CHECK(tells(result.messages, "/absent"));
+    }
+}
+
+TEST_CASE("a metric is described by its name") {
+    CHECK(tells(run_program({"info", "defect.position"}).out, "largest |Phi| over all steps"));
+    CHECK(tells(run_program({"info", "defect.position.final"}).out, "at the end"));
+    CHECK(run_program({"info", "error.position.final"}).code == 2);
 }
 
 TEST_CASE("help and version end with 0") {

@@ -74,7 +74,7 @@ TEST_CASE("files that cannot be configs at all") {
     const auto huge = run_program({"check", scratch.file("huge.json", "[" + std::string(9U << 20U, ' ') + "]")});
     CHECK(huge.code == 2);
     CHECK(huge.messages.find("at most 8 MB") != std::string::npos);
-    CHECK(run_program({"check", (scratch / "absent.json").string()}).code == 2);
+    CHECK(run_program({"check", (scratch / "absent.json").string()}).code == 3);
     CHECK(run_program({"check", (scratch / "").string()}).messages.find("got a folder") != std::string::npos);
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -144,6 +145,11 @@ SystemSummary FakeEngine::summary(const std::string& problem, const ParameterVal
     }
     if (mass_of(parameters) > 1000) { summary.warnings = {"a very heavy top"}; }
     return summary;
+}
+
+Order FakeEngine::declared_order(const std::string& name, const OptionValues&) const {
+    const auto all = methods();
+    return std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; })->order;
 }
 
 std::string FakeEngine::skip_reason(const Cell& cell) const {

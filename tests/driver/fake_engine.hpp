@@ -20,6 +20,7 @@ class FakeEngine final : public Engine {
     std::vector<FormulationDescription> formulations() const override;
     SystemSummary summary(const std::string& problem, const ParameterValues&,
                           const std::string& formulation) const override;
+    Order declared_order(const std::string& method, const OptionValues&) const override;
     std::string skip_reason(const Cell&) const override;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&) const override;
     Reference reference(const std::string& problem, const ParameterValues&, double t_end) const override;

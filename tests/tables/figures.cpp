@@ -14,13 +14,13 @@ using namespace kreisel::test;
 
 namespace {
 
-constexpr int drawn = 0, not_drawn = 1;
+constexpr Exit drawn = Exit::ok, not_drawn = Exit::cells_failed;
 
 // The first issue of a "figure" value: pointer and expectation.
 std::string first_issue(const std::string& figure) {
     const Document document = parse_document("test.json", "{\"figure\": " + figure + "}");
     Diagnostics diagnostics(document);
-    check_figures(Node(document.value["figure"], "/figure", diagnostics));
+    read_figures(Node(document.value["figure"], "/figure", diagnostics), "figure");
     return diagnostics.empty() ? ""
                                : diagnostics.issues().front().pointer + ": " + diagnostics.issues().front().expected;
 }
@@ -141,7 +141,7 @@ TEST_CASE("every kind of figure is drawn, without a word from gnuplot") {
     for (const char* name : {"path", "motion", "omega", "convergence", "drift", "energy"}) {
         check_drawn(folder, name);
     }
-    CHECK(folder.read("plotdata/drift.gp").find("∝ t^{2.000 ± 0.000}") != std::string::npos);
+    CHECK(folder.read("plotdata/drift.gp").find("∝ t^{2.00 ± 0.00}") != std::string::npos);
     CHECK(folder.read("plotdata/convergence.gp").find("rkmk/rk4: 4.00 ± 0.00") != std::string::npos);
 }
 

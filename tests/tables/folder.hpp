@@ -61,6 +61,7 @@ inline nlohmann::json result_line(const std::string& cell, long steps, double er
         {"formulation", "SO3xR3"},
         {"method", "rkmk/rk4"},
         {"options", {{"coordinates", "exp"}}},
+        {"order", {{"configuration", 4}, {"velocity", 4}, {"multipliers", 3}}},
         {"projection", "none"},
         {"precision", "double"},
         {"steps", steps},
