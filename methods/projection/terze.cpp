@@ -40,7 +40,7 @@ class TerzeProjection final : public Projection {
           lu_(unknowns_ + rows_) {
         VecX scale(system.constraints());
         system.row_scale(scale.data());
-        length_ = scale.maxCoeff();
+        if (scale.size() > 0) length_ = scale.maxCoeff();
         if (mass_weighted) set_mass_weight();
         kkt_.topLeftCorner(unknowns_, unknowns_) = weight_;
     }

@@ -169,8 +169,9 @@ TEST_CASE("names are unique, match their files, and every file registers", "[met
     const std::string root = KREISEL_SOURCE_DIR;
     const auto check = [&](const std::string& name, const std::string& file, const std::string& folder) {
         INFO(name << " in " << file);
-        CHECK(file == root + "/" + folder + name + ".cpp");
-        CHECK(std::ifstream(file).good());
+        // Compilers and caches may shorten the path of the root, not what lies below it.
+        CHECK(file.ends_with("/" + folder + name + ".cpp"));
+        CHECK(std::ifstream(root + "/" + folder + name + ".cpp").good());
     };
     std::set<std::string> names;
     for (const Method& entry : methods()) {
