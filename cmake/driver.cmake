@@ -8,7 +8,7 @@ target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fm
 
 if(NOT KREISEL_SANITIZE)
   # Objects only, no usage requirements: main.cpp belongs to neither precision.
-  add_executable(kreisel ${CMAKE_SOURCE_DIR}/experiments/main.cpp $<TARGET_OBJECTS:kreisel_binary64>
-                         $<TARGET_OBJECTS:kreisel_binary128>)
+  add_executable(kreisel ${CMAKE_SOURCE_DIR}/experiments/main.cpp ${KREISEL_OBJECTS_binary64}
+                         ${KREISEL_OBJECTS_binary128})
   target_link_libraries(kreisel PRIVATE kreisel_driver quadmath)
 endif()

@@ -1,22 +1,45 @@
 # The numerical code, compiled once per precision. OBJECT libraries: a static library would drop the objects that only
 # register a method or a problem, and with them every method. The globs make a new file known without any list.
-function(kreisel_numerics precision)
-  file(GLOB sources CONFIGURE_DEPENDS
-       ${CMAKE_SOURCE_DIR}/lie/*.cpp ${CMAKE_SOURCE_DIR}/mechanics/*.cpp ${CMAKE_SOURCE_DIR}/problems/*.cpp
-       ${CMAKE_SOURCE_DIR}/methods/*.cpp ${CMAKE_SOURCE_DIR}/methods/*/*.cpp
-       ${CMAKE_SOURCE_DIR}/experiments/engine/*.cpp)
-  set(target kreisel_${precision})
-  add_library(${target} OBJECT ${sources})
-  target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR})
-  target_link_libraries(${target} PUBLIC Eigen3::Eigen Boost::headers)
+#
+# kreisel_flags_<precision>    what numerical code is compiled with, tests of it included
+# kreisel_<layer>_<precision>  the objects of one folder
+# kreisel_<precision>          all of them
+# KREISEL_OBJECTS_<precision>  the objects alone, for what belongs to neither precision
+
+function(kreisel_flags precision)
+  set(target kreisel_flags_${precision})
+  add_library(${target} INTERFACE)
+  target_include_directories(${target} INTERFACE ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${target} INTERFACE Eigen3::Eigen Boost::headers)
   # The vectors of this code have three entries: packets of two cost more in shuffles than they save (3 % of a step).
   # Long loops are still vectorised. Both settings reach the tests too: the first changes Eigen's alignment.
-  target_compile_definitions(${target} PUBLIC KREISEL_PRECISION=${precision} EIGEN_DONT_VECTORIZE)
-  target_compile_options(${target} PUBLIC -fno-tree-slp-vectorize)
+  target_compile_definitions(${target} INTERFACE KREISEL_PRECISION=${precision} EIGEN_DONT_VECTORIZE)
+  target_compile_options(${target} INTERFACE -fno-tree-slp-vectorize)
   if(precision STREQUAL "binary128")
-    target_compile_definitions(${target} PUBLIC KREISEL_QUAD=1)
-    target_link_libraries(${target} PUBLIC quadmath)
+    target_compile_definitions(${target} INTERFACE KREISEL_QUAD=1)
+    target_link_libraries(${target} INTERFACE quadmath)
   else()
-    target_compile_definitions(${target} PUBLIC KREISEL_QUAD=0)
+    target_compile_definitions(${target} INTERFACE KREISEL_QUAD=0)
   endif()
 endfunction()
+
+function(kreisel_layer precision layer)
+  file(GLOB sources CONFIGURE_DEPENDS ${ARGN})
+  add_library(kreisel_${layer}_${precision} OBJECT ${sources})
+  target_link_libraries(kreisel_${layer}_${precision} PUBLIC kreisel_flags_${precision})
+  target_sources(kreisel_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_${layer}_${precision}>)
+  set(KREISEL_OBJECTS_${precision} ${KREISEL_OBJECTS_${precision}} $<TARGET_OBJECTS:kreisel_${layer}_${precision}>
+      PARENT_SCOPE)
+endfunction()
+
+macro(kreisel_numerics precision)
+  kreisel_flags(${precision})
+  add_library(kreisel_${precision} INTERFACE)
+  target_link_libraries(kreisel_${precision} INTERFACE kreisel_flags_${precision})
+  set(KREISEL_OBJECTS_${precision} "")
+  kreisel_layer(${precision} lie ${CMAKE_SOURCE_DIR}/lie/*.cpp)
+  kreisel_layer(${precision} mechanics ${CMAKE_SOURCE_DIR}/mechanics/*.cpp)
+  kreisel_layer(${precision} problems ${CMAKE_SOURCE_DIR}/problems/*.cpp)
+  kreisel_layer(${precision} methods ${CMAKE_SOURCE_DIR}/methods/*.cpp ${CMAKE_SOURCE_DIR}/methods/*/*.cpp)
+  kreisel_layer(${precision} engine ${CMAKE_SOURCE_DIR}/experiments/engine/*.cpp)
+endmacro()

@@ -21,13 +21,13 @@ function(kreisel_suite suite variant)
 endfunction()
 
 file(GLOB controls CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/controls/*.cpp)
-kreisel_suite(lie binary64 LIBRARIES kreisel_binary64)
-kreisel_suite(mechanics binary64 LIBRARIES kreisel_binary64)
+kreisel_suite(lie binary64 LIBRARIES kreisel_lie_binary64)
+kreisel_suite(mechanics binary64 LIBRARIES kreisel_lie_binary64 kreisel_mechanics_binary64 kreisel_problems_binary64)
 kreisel_suite(methods binary64 LIBRARIES kreisel_binary64 SOURCES ${controls})
 kreisel_suite(architecture plain)
 if(NOT KREISEL_SANITIZE)
-  kreisel_suite(lie binary128 LIBRARIES kreisel_binary128)
-  kreisel_suite(mechanics binary128 LIBRARIES kreisel_binary128)
+  kreisel_suite(lie binary128 LIBRARIES kreisel_lie_binary128)
+  kreisel_suite(mechanics binary128 LIBRARIES kreisel_lie_binary128 kreisel_mechanics_binary128 kreisel_problems_binary128)
   kreisel_suite(methods binary128 LIBRARIES kreisel_binary128 SOURCES ${controls})
   kreisel_suite(orders binary64 LIBRARIES kreisel_binary64 SOURCES ${controls})
   kreisel_suite(orders binary128 LIBRARIES kreisel_binary128 SOURCES ${controls})
@@ -35,11 +35,11 @@ if(NOT KREISEL_SANITIZE)
   kreisel_suite(tables plain LIBRARIES kreisel_driver)
   kreisel_suite(driver plain LIBRARIES kreisel_driver)
   kreisel_suite(campaign plain LIBRARIES kreisel_driver quadmath
-                SOURCES $<TARGET_OBJECTS:kreisel_binary64> $<TARGET_OBJECTS:kreisel_binary128>)
+                SOURCES ${KREISEL_OBJECTS_binary64} ${KREISEL_OBJECTS_binary128})
   target_link_libraries(test_architecture_plain PRIVATE fmt::fmt)
   add_test(NAME architecture.symbols
-           COMMAND ${CMAKE_SOURCE_DIR}/tests/architecture/symbols.sh $<TARGET_OBJECTS:kreisel_binary64> --
-                   $<TARGET_OBJECTS:kreisel_binary128>
+           COMMAND ${CMAKE_SOURCE_DIR}/tests/architecture/symbols.sh ${KREISEL_OBJECTS_binary64} --
+                   ${KREISEL_OBJECTS_binary128}
            COMMAND_EXPAND_LISTS)
   set_tests_properties(architecture.symbols PROPERTIES LABELS architecture ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 endif()
