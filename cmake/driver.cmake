@@ -6,7 +6,7 @@ target_include_directories(kreisel_driver PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BIN
 target_compile_definitions(kreisel_driver PUBLIC KREISEL_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 GSL::gsl Threads::Threads)
 
-if(NOT KREISEL_SANITIZE)
+if(KREISEL_BINARY128)
   # Objects only, no usage requirements: main.cpp belongs to neither precision.
   add_executable(kreisel ${CMAKE_SOURCE_DIR}/experiments/main.cpp ${KREISEL_OBJECTS_binary64}
                          ${KREISEL_OBJECTS_binary128})

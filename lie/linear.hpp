@@ -32,7 +32,12 @@ using VecX = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using MatX = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// For the innermost functions: inline every call in the body, which the compiler's own limits stop short of in Eigen.
+/// Not under sanitizers, whose checks in the flattened bodies take a compiler minutes and gigabytes.
+#if defined(__SANITIZE_ADDRESS__)
+#define KREISEL_HOT
+#else
 #define KREISEL_HOT [[gnu::flatten]]
+#endif
 
 inline Vec3 vec3(const Real* p) { return {p[0], p[1], p[2]}; }
 inline Eigen::Map<const Mat3> mat3(const Real* p) { return Eigen::Map<const Mat3>(p); }
