@@ -3,7 +3,6 @@ file(GLOB driver_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/experiments/*.cpp
 list(REMOVE_ITEM driver_sources ${CMAKE_SOURCE_DIR}/experiments/main.cpp)
 add_library(kreisel_driver OBJECT ${driver_sources})
 target_include_directories(kreisel_driver PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
-target_compile_definitions(kreisel_driver PUBLIC KREISEL_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 GSL::gsl Threads::Threads)
 
 if(KREISEL_BINARY128)

@@ -136,25 +136,48 @@ void read_problems(const Node& root, const Registry& registry, Config& config) {
     }
 }
 
+// What an entry of the list names: one description, or by "*" and "family/*" several.
+template <class Description>
+std::vector<const Description*> described_by(const Node& entry, const std::string& what,
+                                             const std::vector<Description>& known) {
+    std::vector<const Description*> all;
+    const std::string text = entry.is_string() ? entry.json().get<std::string>() : "";
+    const auto wildcards = wildcards_of(known);
+    if (std::find(wildcards.begin(), wildcards.end(), text) == wildcards.end()) {
+        if (const Description* one = described(entry, what, known)) { all.push_back(one); }
+        return all;
+    }
+    for (const Description& one : known) {
+        if (one.name.starts_with(text.substr(0, text.size() - 1))) { all.push_back(&one); }
+    }
+    return all;
+}
+
+template <class Description>
+void add_optioned(const Node& entry, const std::string& what, const Description& description,
+                  std::vector<OptionedEntry>& result) {
+    const auto combinations =
+        entry.is_object() ? read_options(entry, description.options) : default_options(description.options);
+    for (const OptionValues& options : combinations) {
+        const auto twin = std::find_if(result.begin(), result.end(), [&](const OptionedEntry& other) {
+            return other.name == description.name && other.options == options;
+        });
+        if (twin != result.end()) {
+            entry.error("each " + what + " once", "the same as at " + twin->pointer);
+        } else {
+            result.push_back({description.name, options, entry.pointer()});
+        }
+    }
+}
+
 template <class Description>
 std::vector<OptionedEntry> read_optioned(const Node& list, const std::string& what,
                                          const std::vector<Description>& known) {
     std::vector<OptionedEntry> result;
     const auto entries = list.elements("a list of at least one " + what);
     for (const Node& entry : entries.value_or(std::vector<Node>())) {
-        const Description* description = described(entry, what, known);
-        if (description == nullptr) { continue; }
-        const auto combinations =
-            entry.is_object() ? read_options(entry, description->options) : default_options(description->options);
-        for (const OptionValues& options : combinations) {
-            const auto twin = std::find_if(result.begin(), result.end(), [&](const OptionedEntry& other) {
-                return other.name == description->name && other.options == options;
-            });
-            if (twin != result.end()) {
-                entry.error("each " + what + " once", "the same as at " + twin->pointer);
-            } else {
-                result.push_back({description->name, options, entry.pointer()});
-            }
+        for (const Description* description : described_by(entry, what, known)) {
+            add_optioned(entry, what, *description, result);
         }
     }
     return result;

@@ -13,6 +13,7 @@
 
 #include "experiments/errors.hpp"
 #include "experiments/files.hpp"
+#include "kreisel_build.hpp"
 
 namespace kreisel {
 
@@ -58,7 +59,7 @@ std::filesystem::path plot_scripts() {
     if (const char* chosen = std::getenv("KREISEL_PLOTS")) {
         candidates.emplace_back(chosen);
     } else {
-        candidates.emplace_back(KREISEL_SOURCE_DIR "/plots");
+        candidates.emplace_back(std::string(build::source_dir) + "/plots");
         std::error_code none;
         const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
         candidates.push_back(program.parent_path().parent_path() / "share" / "kreisel" / "plots");

@@ -32,6 +32,17 @@ std::vector<std::string> names_of(const std::vector<Description>& all) {
     return names;
 }
 
+/// What stands for several names at once: "*" for all, "family/*" for those of a family.
+template <class Description>
+std::vector<std::string> wildcards_of(const std::vector<Description>& all) {
+    std::vector<std::string> wildcards = {"*"};
+    for (const auto& one : all) {
+        const std::string family = one.name.substr(0, one.name.find('/') + 1) + "*";
+        if (std::find(wildcards.begin(), wildcards.end(), family) == wildcards.end()) { wildcards.push_back(family); }
+    }
+    return wildcards;
+}
+
 struct Registry {
     std::vector<ProblemDescription> problems;
     std::vector<MethodDescription> methods;

@@ -108,11 +108,21 @@ Schema optioned_object(const Description& description) {
     return object(properties, {"name"});
 }
 
+// `names`: what a text may be; an object is one of `all`.
 template <class Description, class MakeObject>
-Schema entries(const std::vector<Description>& all, const MakeObject& make_object) {
-    Schema alternatives = Schema::array({choice(names_of(all))});
+Schema entries(const std::vector<std::string>& names, const std::vector<Description>& all,
+               const MakeObject& make_object) {
+    Schema alternatives = Schema::array({choice(names)});
     for (const Description& description : all) { alternatives.push_back(make_object(description)); }
     return list({{"anyOf", alternatives}});
+}
+
+template <class Description>
+Schema optioned_entries(const std::vector<Description>& all) {
+    std::vector<std::string> names = names_of(all);
+    const auto wildcards = wildcards_of(all);
+    names.insert(names.end(), wildcards.begin(), wildcards.end());
+    return entries(names, all, optioned_object<Description>);
 }
 
 Schema time() {
@@ -135,10 +145,10 @@ Schema config_schema(const Registry& registry) {
                 {"description", text(2000)},
                 {"kind", choice(runnable_kinds())},
                 {"precision", one_or_list(precision)},
-                {"problems", entries(registry.problems, problem_object)},
+                {"problems", entries(names_of(registry.problems), registry.problems, problem_object)},
                 {"formulations", list(choice(names_of(registry.formulations)))},
-                {"methods", entries(registry.methods, optioned_object<MethodDescription>)},
-                {"projections", entries(registry.projections, optioned_object<ProjectionDescription>)},
+                {"methods", optioned_entries(registry.methods)},
+                {"projections", optioned_entries(registry.projections)},
                 {"time", time()},
                 {"metrics", list(text(100), 0)},
                 {"output", object({{"samples", integer(0, 10'000'000)}}, {})},

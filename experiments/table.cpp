@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "experiments/errors.hpp"
+#include "experiments/table_certification.hpp"
 #include "experiments/table_drift.hpp"
 #include "experiments/table_orders.hpp"
 
@@ -57,6 +58,7 @@ Exit table_command(const std::filesystem::path& folder) {
     TableWriter writer(tables);
     const bool convergence = !error_metrics(results.rows).empty();
     if (convergence) {
+        for (const TextTable& table : certification_tables(results)) { writer.write(table, table, false); }
         writer.write(orders_in_full(results), orders_in_brief(results), true);
         writer.write(errors_in_full(results), errors_in_brief(results), true);
     }

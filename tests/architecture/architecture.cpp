@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "kreisel_build.hpp"
 #include "tests/architecture/rules.hpp"
 
 namespace {
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace architecture;
 
-const fs::path project_root = KREISEL_SOURCE_DIR;
+const fs::path project_root = build::source_dir;
 
 std::string print(const std::vector<Finding>& findings) {
     std::string lines;

@@ -33,6 +33,20 @@ std::string hash_of(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("a wildcard stands for all methods, or for those of a family") {
+    const auto planned = [](const std::string& methods) {
+        const Plan plan = plan_from(R"({"name": "n", "kind": "drift", "problems": ["heavy_top"], "methods": )" + methods +
+                                    R"(, "time": {"end": 2, "steps": 4}})");
+        std::set<std::string> names;
+        for (const PlannedCell& cell : plan.cells) { names.insert(cell.cell.method); }
+        return names;
+    };
+    CHECK(planned(R"(["rkmk/*"])") == std::set<std::string>{"rkmk/rk4", "rkmk/midpoint"});
+    CHECK(planned(R"(["*"])").size() == engine.methods().size());
+    CHECK_THROWS_WITH(planned(R"(["*", "rkmk/rk4"])"), Catch::Contains("each method once"));
+    CHECK_THROWS_WITH(planned(R"(["rkmc/*"])"), Catch::Contains("method"));
+}
+
 TEST_CASE("every axis is crossed with every other, the steps varying fastest") {
     const Plan plan = plan_from(R"({"name": "n", "kind": "drift", "precision": ["double", "quad"],
         "problems": ["heavy_top", "double_pendulum"], "formulations": ["SO3xR3", "SE3"],

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <set>
 
+#include "kreisel_build.hpp"
 #include "tests/methods/stepping.hpp"
 
 using namespace kreisel;
@@ -166,7 +167,7 @@ TEST_CASE("the mass-weighted projection is the nearest point in the mass metric"
 }
 
 TEST_CASE("names are unique, match their files, and every file registers", "[methods]") {
-    const std::string root = KREISEL_SOURCE_DIR;
+    const std::string root = build::source_dir;
     const auto check = [&](const std::string& name, const std::string& file, const std::string& folder) {
         INFO(name << " in " << file);
         // Compilers and caches may shorten the path of the root, not what lies below it.

@@ -34,6 +34,18 @@ TEST_CASE("a convergence study becomes a table of orders with windows") {
     CHECK(folder.has("tables/cost.md"));
 }
 
+TEST_CASE("declared and observed orders stand side by side, and a shortfall is marked") {
+    const ResultFolder folder;
+    folder.write("results.jsonl", convergence_lines(4) + convergence_lines(2, {{"formulation", "SE3"}}, 16));
+    CHECK(table_command(folder.path()) == ok);
+    CHECK(folder.read("tables/certification.csv") ==
+          "method,declared,SO3xR3,SE3\nrkmk/rk4,4 / 4 / 3,4.00 / - / -,2.00! / - / -\n");
+    folder.write("results.jsonl", convergence_lines(4) + convergence_lines(4, {{"label", "A/b"}}, 16));
+    CHECK(table_command(folder.path()) == ok);
+    CHECK(folder.has("tables/certification_heavy_top.tex"));
+    CHECK(folder.has("tables/certification___b.tex"));
+}
+
 TEST_CASE("numbers of quad cells are read from decimal strings") {
     const ResultRow row = read_result_line(
         result_line("aa", 64, 0,

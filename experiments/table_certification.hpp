@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Declared against observed orders at a glance: a line per method, a column per formulation.
+#pragma once
+
+#include <vector>
+
+#include "experiments/table_names.hpp"
+#include "experiments/table_text.hpp"
+
+namespace kreisel {
+
+/// One table for each problem (by label) of a convergence study, named "certification", or "certification_<label>" where
+/// there are several. A cell holds the observed orders of configuration, velocity and multipliers: the least over the
+/// metrics of each, "-" where none can be stated. An order that falls short of the declared one by more than
+/// `order_tolerance` is followed by "!".
+std::vector<TextTable> certification_tables(const Results& results);
+
+/// How far an observed order may fall short of the declared one.
+double order_tolerance(int declared);
+
+}  // namespace kreisel
