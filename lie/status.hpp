@@ -12,6 +12,7 @@ enum class Status {
     chart_singularity,   ///< global coordinates are singular here (Euler angles)
     singular_kkt,        ///< the constraint Jacobian has lost rank
     projection_failed,   ///< the projection onto the constraints did not converge
+    newton_failed,       ///< the Newton iteration of an implicit step did not converge
 };
 
 constexpr const char* name(Status status) {
@@ -22,6 +23,7 @@ constexpr const char* name(Status status) {
         case Status::chart_singularity: return "chart_singularity";
         case Status::singular_kkt: return "singular_kkt";
         case Status::projection_failed: return "projection_failed";
+        case Status::newton_failed: return "newton_failed";
     }
     return "unknown";
 }
