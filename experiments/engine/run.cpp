@@ -149,7 +149,7 @@ class Run {
                 for (int j = 0; j < 3; ++j) row.push_back(s.R(i, j));
             row.insert(row.end(), {s.v[0], s.v[1], s.v[2], s.omega[0], s.omega[1], s.omega[2]});
         }
-        const bool known = solve_multipliers(time(step));
+        const bool known = find_multipliers(time(step));
         std::string line;
         const auto append = [&](const std::string& text) { line += (line.empty() ? "" : ",") + text; };
         for (const Real& x : row) append(to_text(x));
@@ -160,9 +160,14 @@ class Run {
         outcome_.trajectory.rows.push_back(std::move(line));
     }
 
-    /// Multipliers at the present state; false where they cannot be solved for.
-    bool solve_multipliers(const Real& t) {
+    /// Multipliers at the present state: the method's own, or those of the index-1 form; false where these cannot be
+    /// solved for.
+    bool find_multipliers(const Real& t) {
         if (multipliers_.empty()) return true;
+        if (const Real* own = integrator_->multipliers()) {
+            std::copy_n(own, multipliers_.size(), multipliers_.begin());
+            return true;
+        }
         ++outcome_.cost.output_evaluations;
         const Real* v = y_.data() + system_->group().size();
         return system_->accelerations(t, y_.data(), v, dv_.data(), multipliers_.data()) == Status::ok;
@@ -175,7 +180,7 @@ class Run {
         outcome_.cost.projection_iterations = projection_->iterations();
         outcome_.cost.output_evaluations += monitor_.evaluations();
         if (outcome_.status == "ok") {
-            const bool known = solve_multipliers(t);
+            const bool known = find_multipliers(t);
             system_->read(y_.data(), states_.data());
             outcome_.final = to_report(t, states_, names_, known ? multipliers_ : std::vector<Real>());
             if (reference) add_errors(*reference, known);
@@ -232,6 +237,8 @@ std::string why_skipped(const Cell& cell) {
         return only_for(cell.method, entry.description.formulations);
     if (const std::string reason = entry.factory.why_not(cell.options); !reason.empty()) return reason;
     if (cell.projection == "none") return "";
+    if (entry.description.own_multipliers)
+        return cell.method + " meets the constraints by itself, so that nothing is left to project";
     if (!applies(projector.description.formulations, cell.formulation))
         return only_for("projection " + cell.projection, projector.description.formulations);
     const bool free = make_system(model, cell.formulation)->constraints() == 0;

@@ -31,6 +31,7 @@ TEST_CASE("a step and a projection allocate nothing", "[methods]") {
             for (const Named& named : all())
                 for (const std::string& formulation : applicable(named.model)) {
                     if (!runs_on(entry.description, formulation)) continue;
+                    if (entry.description.own_multipliers && projector.description.name != "none") continue;
                     const auto& only = projector.description.formulations;
                     if (!only.empty() && std::find(only.begin(), only.end(), formulation) == only.end()) continue;
                     Trip trip(named.model, formulation, entry, projector.description.name);
