@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Implicit methods against their own equations, which the steps must satisfy to round-off, and the ways in which a step
+// fails.
+#include <array>
+#include <cmath>
+
+#include "methods/newton.hpp"
+#include "tests/methods/poisoned.hpp"
+#include "tests/methods/stepping.hpp"
+
+using namespace kreisel;
+using namespace models;
+using namespace stepping;
+
+namespace {
+
+const Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
+const Real infinite = std::numeric_limits<Real>::infinity();
+
+template <class F>
+void for_each_with_multipliers(F f) {
+    for (const Method& entry : methods())
+        if (entry.description.own_multipliers) {
+            INFO(entry.description.name);
+            f(entry);
+        }
+}
+
+/// r(x) = x^2 - c in each unknown, counted.
+class Squares final : public Equations {
+  public:
+    explicit Squares(VecX c) : c_(std::move(c)) {}
+    Status residual(const Real* x, Real* r) override {
+        ++calls;
+        for (Eigen::Index i = 0; i < c_.size(); ++i) r[i] = x[i] * x[i] - c_[i];
+        return answer;
+    }
+    Status answer = Status::ok;
+    int calls = 0;
+
+  private:
+    VecX c_;
+};
+
+/// x'' = f(t, x, x') with unit mass on R, in both forms of the interface.
+class Line final : public System {
+  public:
+    using Force = Real (*)(const Real& t, const Real& x, const Real& v);
+    explicit Line(Force force) : System(std::make_shared<AdditiveGroup>(1)), force_(force) {}
+    Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real*) override {
+        *dv = force_(t, *q, *v);
+        return isfinite(*dv) ? Status::ok : Status::non_finite;
+    }
+    void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override { *f = force_(t, *q, *v); }
+    Real force_at(const Real& t, const std::array<Real, 2>& y) const { return force_(t, y[0], y[1]); }
+
+  private:
+    Force force_;
+};
+
+Real oscillator(const Real& t, const Real& x, const Real& v) { return sin(2 * t) - 4 * sin(x) - v / 4; }
+/// Faster than any method can follow: the equations of a long step have no real solution.
+Real runaway(const Real&, const Real&, const Real& v) { return 1000 * (1 + v * v); }
+
+/// States (x, v) after 0, 1, ... steps.
+std::vector<std::array<Real, 2>> march(const Method& entry, const OptionValues& options, Line& system, const Real& h,
+                                       int steps) {
+    std::vector<std::array<Real, 2>> states = {{Real(1), Real(1) / 2}};
+    const auto integrator = entry.factory.make(system, options, entry.description);
+    REQUIRE(integrator->start(0, states[0].data()) == Status::ok);
+    for (int i = 0; i < steps; ++i) {
+        states.push_back(states.back());
+        REQUIRE(integrator->step(h * i, h, states.back().data()) == Status::ok);
+    }
+    return states;
+}
+
+}  // namespace
+
+TEST_CASE("Newton's iteration ends at round-off, and keeps its Jacobian", "[methods]") {
+    Squares equations(VecX::Constant(2, 2));
+    Newton newton(2);
+    const Real size[2] = {1, 1};
+    Real x[2] = {Real(3) / 2, Real(5) / 4};
+    REQUIRE(newton.solve(equations, size, x) == Status::ok);
+    for (const Real& root : x) CHECK(abs(root - sqrt(Real(2))) <= 2 * epsilon);
+    equations.calls = 0;
+    REQUIRE(newton.solve(equations, size, x) == Status::ok);
+    CHECK(equations.calls <= 2);
+}
+
+TEST_CASE("Newton's iteration says why it fails", "[methods]") {
+    Newton newton(1);
+    const Real size = 1;
+    const auto solve = [&](const Real& c, const Real& guess, Status answer = Status::ok) {
+        Squares equations(VecX::Constant(1, c));
+        equations.answer = answer;
+        Real x = guess;
+        newton.forget();
+        return newton.solve(equations, &size, &x);
+    };
+    CHECK(solve(4, 1) == Status::ok);
+    CHECK(solve(-1, Real(1) / 3) == Status::newton_failed);  // no real root
+    CHECK(solve(not_a_number, 1) == Status::non_finite);
+    CHECK(solve(4, not_a_number) == Status::non_finite);
+    CHECK(solve(4, infinite) == Status::non_finite);
+    CHECK(solve(4, 1, Status::singular_kkt) == Status::singular_kkt);
+}
+
+TEST_CASE("a step of the Lie midpoint method satisfies its equations", "[methods]") {
+    for (const Named& named : all())
+        for (const std::string& formulation : applicable(named.model)) {
+            INFO(named.name << " as " << formulation);
+            Trip trip(named.model, formulation, method("rkmk/implicit_midpoint"));
+            System& s = *trip.system;
+            const auto n = static_cast<std::size_t>(s.velocities()), size = static_cast<std::size_t>(s.group().size());
+            const Real t = Real(1) / 3, h = Real(1) / 512;
+            const std::vector<Real> before = trip.y;
+            REQUIRE(trip.integrator->step(t, h, trip.y.data()) == Status::ok);
+            std::vector<Real> V(n), u(n), f(n), middle(size), end(size);
+            Real speed = 1;
+            for (std::size_t i = 0; i < n; ++i) {
+                V[i] = (before[size + i] + trip.y[size + i]) / 2;
+                u[i] = h * V[i];
+                speed = max(speed, Real(abs(V[i])));
+            }
+            s.group().append_exp(before.data(), u.data(), end.data());
+            for (Real& x : u) x /= 2;
+            s.group().append_exp(before.data(), u.data(), middle.data());
+            REQUIRE(s.evaluate(t + h / 2, middle.data(), V.data(), f.data()) == Status::ok);
+            for (std::size_t i = 0; i < n; ++i)
+                CHECK(abs(trip.y[size + i] - before[size + i] - h * f[i]) <= 100 * epsilon * speed);
+            for (std::size_t i = 0; i < size; ++i) CHECK(abs(trip.y[i] - end[i]) <= 100 * epsilon);
+        }
+}
+
+TEST_CASE("on R the generalised-alpha method is the classical one", "[methods]") {
+    const Method& entry = method("generalized_alpha/index2");
+    for (const double option : {0.0, 0.5, 0.9}) {
+        Line system(oscillator);
+        const Real rho = decimal(option), h = Real(1) / 16;
+        const auto y = march(entry, {{"rho", option}}, system, h, 8);
+        const Real am = (2 * rho - 1) / (rho + 1), af = rho / (rho + 1);
+        const Real gamma = Real(1) / 2 + af - am, beta = (gamma + Real(1) / 2) * (gamma + Real(1) / 2) / 4;
+        Real last = 0;
+        for (std::size_t i = 0; i + 1 < y.size(); ++i) {
+            // a and a+ of this step from its two updates, which are linear in them.
+            const Real dv = (y[i + 1][1] - y[i][1]) / h, dx = (y[i + 1][0] - y[i][0] - h * y[i][1]) / (h * h);
+            const Real determinant = (1 - gamma) * beta - gamma * (Real(1) / 2 - beta);
+            const Real a = (beta * dv - gamma * dx) / determinant;
+            const Real a_next = ((1 - gamma) * dx - (Real(1) / 2 - beta) * dv) / determinant;
+            const Real f = system.force_at(h * static_cast<int>(i), y[i]),
+                       f_next = system.force_at(h * static_cast<int>(i + 1), y[i + 1]);
+            const Real slack = 10000 * epsilon / abs(determinant);
+            CHECK(abs((1 - am) * a_next + am * a - (1 - af) * f_next - af * f) <= slack);
+            if (i > 0) CHECK(abs(a - last) <= slack);
+            last = a_next;
+        }
+    }
+}
+
+TEST_CASE("on R the generalised-alpha method starts with v' at its own time", "[methods]") {
+    // a(0) = v'(Delta h) + O(h^2), Delta = alpha_m - alpha_f; for rho = 0, Delta = -1.
+    double errors[2];
+    for (int i = 0; i < 2; ++i) {
+        Line system([](const Real& t, const Real&, const Real&) -> Real { return sin(2 * t); });
+        const Real h = Real(1) / (16 << i);
+        const auto y = march(method("generalized_alpha/index2"), {{"rho", 0.0}}, system, h, 1);
+        const Real gamma = Real(3) / 2, beta = 1;  // rho = 0
+        const Real dv = (y[1][1] - y[0][1]) / h, dx = (y[1][0] - y[0][0] - h * y[0][1]) / (h * h);
+        const Real a = (beta * dv - gamma * dx) / ((1 - gamma) * beta - gamma * (Real(1) / 2 - beta));
+        errors[i] = std::abs(to_double(a - sin(-2 * h)));
+    }
+    CHECK(std::log2(errors[0] / errors[1]) >= 1.9);
+}
+
+TEST_CASE("on R the BLieDF method is the backward differentiation formula", "[methods]") {
+    Line system(oscillator);
+    const Real h = Real(1) / 16;
+    const auto y = march(method("multistep/bliedf2"), {}, system, h, 8);
+    for (std::size_t i = 2; i < y.size(); ++i) {
+        const auto difference = [&](std::size_t k) { return (3 * y[i][k] - 4 * y[i - 1][k] + y[i - 2][k]) / (2 * h); };
+        CHECK(abs(difference(0) - y[i][1]) <= 1000 * epsilon);
+        CHECK(abs(difference(1) - system.force_at(h * static_cast<int>(i), y[i])) <= 1000 * epsilon);
+    }
+}
+
+TEST_CASE("methods with multipliers stay on the constraints, and report multipliers from the first step on",
+          "[methods]") {
+    for_each_with_multipliers([](const Method& entry) {
+        for (const Named& named : all())
+            for (const std::string& formulation : applicable(named.model)) {
+                INFO(named.name << " as " << formulation);
+                Trip trip(named.model, formulation, entry);
+                System& s = *trip.system;
+                CHECK(trip.integrator->multipliers() == nullptr);
+                const Real speed = named.name == "heavy_top" ? 150 : 10;
+                for (int i = 0; i < 20; ++i) {
+                    REQUIRE(trip.integrator->step(Real(i) / 1000, Real(1) / 1000, trip.y.data()) == Status::ok);
+                    CHECK(trip.position_defect() <= 1000 * epsilon);
+                    CHECK(trip.velocity_defect() <= 1000 * epsilon * speed);
+                }
+                VecX dv(s.velocities()), exact(s.constraints());
+                if (exact.size() == 0) continue;
+                REQUIRE(trip.integrator->multipliers() != nullptr);
+                const Real* v = trip.y.data() + s.group().size();
+                REQUIRE(s.accelerations(Real(20) / 1000, trip.y.data(), v, dv.data(), exact.data()) == Status::ok);
+                const Eigen::Map<const VecX> own(trip.integrator->multipliers(), exact.size());
+                CHECK((own - exact).norm() <= exact.norm() / (named.name == "heavy_top" ? 10 : 1000));
+            }
+    });
+}
+
+TEST_CASE("a step without a solution is newton_failed, and leaves the state", "[methods]") {
+    for (const Method& entry : methods()) {
+        if (!entry.description.implicit) continue;
+        INFO(entry.description.name);
+        Line system(runaway);
+        const auto integrator =
+            entry.factory.make(system, default_options(entry.description.options), entry.description);
+        Real y[2] = {1, 0};
+        CHECK(integrator->step(0, 1, y) == Status::newton_failed);
+        CHECK(y[0] == 1);
+        CHECK(y[1] == 0);
+    }
+}
+
+TEST_CASE("what is not a number never ends as ok in an implicit step", "[methods]") {
+    using enum PoisonedSystem::What;
+    for (const Method& entry : methods()) {
+        if (!entry.description.implicit) continue;
+        for (const auto what : {acceleration, mass, applied, gyroscopic, position, velocity, jacobian})
+            for (const Real& poison : {not_a_number, infinite})
+                for (const int healthy_steps : {0, 3, 9}) {
+                    // The index-1 form is all that a method without multipliers sees.
+                    if (!entry.description.own_multipliers && what != acceleration) continue;
+                    if (entry.description.own_multipliers && what == acceleration && healthy_steps > 0) continue;
+                    INFO(entry.description.name << ", quantity " << static_cast<int>(what) << ", step "
+                                                << healthy_steps);
+                    Trip trip(standard("double_pendulum"), "SO3xR3", entry);
+                    PoisonedSystem system(*trip.system);
+                    const auto integrator =
+                        entry.factory.make(system, default_options(entry.description.options), entry.description);
+                    const Real h = Real(1) / 100;
+                    for (int i = 0; i < healthy_steps; ++i)
+                        REQUIRE(integrator->step(h * i, h, trip.y.data()) == Status::ok);
+                    const auto before = trip.y;
+                    system.what = what, system.poison = poison;
+                    CHECK(integrator->step(h * healthy_steps, h, trip.y.data()) == Status::non_finite);
+                    CHECK(trip.y == before);
+                    system.what = nothing;
+                    CHECK(integrator->step(h * healthy_steps, h, trip.y.data()) == Status::ok);
+                }
+    }
+}
+
+TEST_CASE("a number that is none in the state never ends as ok in a step with multipliers", "[methods]") {
+    for_each_with_multipliers([](const Method& entry) {
+        const Real h = Real(1) / 100;
+        for (const int healthy_steps : {0, 3}) {
+            Trip start(standard("double_pendulum"), "SO3xR3", entry);
+            for (std::size_t i = 0; i < start.y.size(); ++i) {
+                Trip trip(standard("double_pendulum"), "SO3xR3", entry);
+                for (int k = 0; k < healthy_steps; ++k)
+                    REQUIRE(trip.integrator->step(h * k, h, trip.y.data()) == Status::ok);
+                trip.y[i] = not_a_number;
+                INFO("entry " << i << ", step " << healthy_steps);
+                CHECK(trip.integrator->step(h * healthy_steps, h, trip.y.data()) != Status::ok);
+            }
+        }
+    });
+}
