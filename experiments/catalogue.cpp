@@ -105,11 +105,17 @@ void describe_problem(const Engine& engine, const ProblemDescription& problem, s
     }
 }
 
+std::string stepping_text(const MethodDescription& method) {
+    if (method.implicit) { return "implicit, solved by Newton iteration"; }
+    return fmt::format("explicit, solves of the dynamics per step: {}", method.stages);
+}
+
 void describe_method(const MethodDescription& method, std::ostream& out) {
     fmt::print(out, "{}: {}\n", method.name, method.summary);
     print_sources(out, method.cites);
-    fmt::print(out, "{}; solves of the dynamics per step: {}; {}{}\n", order_text(method.order), method.stages,
-               method.implicit ? "implicit" : "explicit", method.symmetric ? ", symmetric" : "");
+    fmt::print(out, "{}; {}{}{}\n", order_text(method.order), stepping_text(method),
+               method.symmetric ? "; symmetric" : "",
+               method.own_multipliers ? "; multipliers are its own unknowns, constraints are met without projection" : "");
     print_options(out, method.options);
 }
 
