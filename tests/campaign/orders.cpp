@@ -29,17 +29,20 @@ const Reference& reference(const std::string& problem) {
     return known.at(problem);
 }
 
-/// All combinations of the words of a method's options, its counts and flags at their default.
+/// The default options, and each word and the least value of each real in turn; counts and flags stay at their default.
 std::vector<OptionValues> variants(const MethodDescription& method) {
     OptionValues standard;
     for (const OptionDescription& option : method.options) standard[option.name] = option.standard;
     std::vector<OptionValues> all = {standard};
-    for (const OptionDescription& option : method.options)
-        for (const std::string& word : option.choices)
-            if (OptionValue(word) != option.standard) {
-                all.push_back(standard);
-                all.back()[option.name] = word;
-            }
+    const auto vary = [&](const std::string& option, const OptionValue& value) {
+        if (value == standard.at(option)) return;
+        all.push_back(standard);
+        all.back()[option] = value;
+    };
+    for (const OptionDescription& option : method.options) {
+        for (const std::string& word : option.choices) vary(option.name, word);
+        if (option.real_min <= option.real_max) vary(option.name, option.real_min);
+    }
     return all;
 }
 
