@@ -65,7 +65,7 @@ struct Cell {
 };
 
 struct Cost {
-    long evaluations = 0;             ///< solves of the dynamics inside the steps
+    long evaluations = 0;             ///< solves of the dynamics inside the steps, or residuals of implicit ones
     long projection_iterations = 0;   ///< Gauss-Newton iterations, all steps
     long output_evaluations = 0;      ///< solves for start, metrics and samples
     double cpu_s = 0;

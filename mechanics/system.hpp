@@ -57,7 +57,9 @@ class System {
         for (int i = 0; i < velocities(); ++i) z[i] = v[i];
         return evaluate(t, y, v, z + velocities());
     }
-    /// Solves of the dynamics since construction.
+    /// For methods that evaluate the equations of motion instead of solving them: that counts alike.
+    void count_evaluation() { ++evaluations_; }
+    /// Solves and other counted evaluations of the dynamics since construction.
     long evaluations() const { return evaluations_; }
 
     /// Solves the index-1 system for v' (n) and lambda (m; may be null).

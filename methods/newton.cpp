@@ -17,7 +17,13 @@ bool all_finite(const Vector& values) {
 }  // namespace
 
 Newton::Newton(int unknowns)
-    : residual_(unknowns), moved_(unknowns), correction_(unknowns), jacobian_(unknowns, unknowns), lu_(unknowns) {}
+    : residual_(unknowns),
+      moved_(unknowns),
+      correction_(unknowns),
+      row_weight_(unknowns),
+      column_size_(unknowns),
+      jacobian_(unknowns, unknowns),
+      lu_(unknowns) {}
 
 Status Newton::solve(Equations& equations, const Real* size, Real* x) {
     if (residual_.size() == 0) return Status::ok;
@@ -34,7 +40,9 @@ Status Newton::iterate(Equations& equations, const Real* size, Real* x) {
         if (!all_finite(residual_)) return Status::non_finite;
         if (!known_)
             if (const Status status = differentiate(equations, size, x); status != Status::ok) return status;
+        residual_.array() *= row_weight_.array();
         correction_ = lu_.solve(residual_);
+        correction_.array() *= column_size_.array();
         const Real now = relative_correction(size);
         if (!isfinite(now)) return Status::newton_failed;  // a singular Jacobian
         Eigen::Map<VecX>(x, correction_.size()) -= correction_;
@@ -59,9 +67,12 @@ Status Newton::differentiate(Equations& equations, const Real* size, Real* x) {
         const Status status = equations.residual(x, moved_.data());
         x[j] = at;
         if (status != Status::ok) return status;
-        jacobian_.col(j) = (moved_ - residual_) / step;
+        column_size_[j] = size[j];
+        jacobian_.col(j) = (moved_ - residual_) * (size[j] / step);
     }
     if (!all_finite(jacobian_)) return Status::non_finite;
+    row_weight_ = jacobian_.cwiseAbs().rowwise().maxCoeff().cwiseInverse();
+    for (Eigen::Index i = 0; i < row_weight_.size(); ++i) jacobian_.row(i) *= row_weight_[i];
     lu_.compute(jacobian_);
     known_ = true;
     return Status::ok;

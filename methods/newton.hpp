@@ -44,6 +44,7 @@ class Newton {
 
     bool known_ = false;
     VecX residual_, moved_, correction_;
+    VecX row_weight_, column_size_;  // equilibrate the Jacobian: pivoting compares entries of different units
     MatX jacobian_;
     Eigen::PartialPivLU<MatX> lu_;
 };

@@ -65,14 +65,14 @@ Status StabilisedStep::advance(const Real& t, const Real& h, Real* y) {
     return Status::ok;
 }
 
-/// Impulses are relative to m s, velocities to s. Positions are met up to round-off of the joints' levers, and eta moves
-/// them by h: its round-off is a lever's over h.
+/// Positions are met up to round-off of the joints' levers, and eta moves them by h C C^T, which has 1 along the lever and
+/// |C_k|^2 across it: its size lies in the middle.
 void StabilisedStep::measure_sizes(const Real& t, const Real* y) {
     scale_.measure(t, h_, y);
-    sizes_.head(n_).setConstant(scale_.velocity());
-    sizes_.segment(n_, m_).setConstant(scale_.impulse());
+    std::copy(scale_.velocities().begin(), scale_.velocities().end(), sizes_.data());
+    for (Eigen::Index i = 0; i < m_; ++i) sizes_[n_ + i] = scale_.impulse(jacobian_before_, i);
     for (Eigen::Index i = 0; i < positions_; ++i)
-        sizes_[n_ + m_ + i] = max(Real(rows_scale_[i] / abs(h_)), scale_.velocity());
+        sizes_[n_ + m_ + i] = rows_scale_[i] / (abs(h_) * jacobian_before_.row(i).norm());
 }
 
 /// q+, v+ and D for unknowns x.
@@ -95,6 +95,7 @@ void StabilisedStep::add_mass_times(const Real* rate, Real* impulse) const {
 
 Status StabilisedStep::residual(const Real* x, Real* r) {
     place(x);
+    system_.count_evaluation();
     const Real* q = configuration_.data();
     const Real* v = velocity_.data();
     system_.mass(q, blocks_.data());

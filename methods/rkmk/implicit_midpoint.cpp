@@ -12,8 +12,8 @@
 // The unknown of the Newton iteration is w = v+ - v. Sources: midpoint rule [hairer2006], lift [munthekaas1998].
 #include "mechanics/system.hpp"
 #include "methods/integrator.hpp"
+#include "methods/motion_scale.hpp"
 #include "methods/newton.hpp"
-#include "methods/velocity_scale.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -27,7 +27,6 @@ class ImplicitMidpoint final : public Integrator, private Equations {
           n_(static_cast<std::size_t>(system.velocities())),
           newton_(system.velocities()),
           scale_(system),
-          size_(n_),
           w_(n_),
           u_(n_),
           middle_v_(n_),
@@ -45,8 +44,8 @@ class ImplicitMidpoint final : public Integrator, private Equations {
         if (const Status status = system_.evaluate(t, q_, v_, f_.data()); status != Status::ok) return status;
         for (std::size_t i = 0; i < n_; ++i) w_[i] = h * f_[i];
         scale_.measure(t, h, y);
-        size_.assign(n_, scale_.velocity());
-        if (const Status status = newton_.solve(*this, size_.data(), w_.data()); status != Status::ok) return status;
+        const Real* size = scale_.velocities().data();
+        if (const Status status = newton_.solve(*this, size, w_.data()); status != Status::ok) return status;
         Real* v = y + middle_q_.size();
         for (std::size_t i = 0; i < n_; ++i) {
             u_[i] = h * (v[i] + w_[i] / 2);
@@ -72,8 +71,8 @@ class ImplicitMidpoint final : public Integrator, private Equations {
     System& system_;
     std::size_t n_;
     Newton newton_;
-    VelocityScale scale_;
-    std::vector<Real> size_, w_, u_, middle_v_, f_, middle_q_;
+    MotionScale scale_;
+    std::vector<Real> w_, u_, middle_v_, f_, middle_q_;
     Real t_ = 0, h_ = 0;
     const Real *q_ = nullptr, *v_ = nullptr;  // where the step begins
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "experiments/engine/run.hpp"
 #include "methods/newton.hpp"
 #include "tests/methods/poisoned.hpp"
 #include "tests/methods/stepping.hpp"
@@ -62,6 +63,17 @@ class Line final : public System {
 Real oscillator(const Real& t, const Real& x, const Real& v) { return sin(2 * t) - 4 * sin(x) - v / 4; }
 /// Faster than any method can follow: the equations of a long step have no real solution.
 Real runaway(const Real&, const Real&, const Real& v) { return 1000 * (1 + v * v); }
+
+Model resized(Model model, const Real& length, const Real& mass) {
+    for (Body& body : model.bodies) {
+        body.mass *= mass;
+        body.J *= mass * length * length;
+        body.start.x *= length, body.start.v *= length;
+    }
+    for (SphericalJoint& joint : model.joints) joint.r_first *= length, joint.r_second *= length;
+    model.gravity.g *= length;
+    return model;
+}
 
 /// States (x, v) after 0, 1, ... steps.
 std::vector<std::array<Real, 2>> march(const Method& entry, const OptionValues& options, Line& system, const Real& h,
@@ -186,6 +198,24 @@ TEST_CASE("on R the BLieDF method is the backward differentiation formula", "[me
     }
 }
 
+TEST_CASE("the first step is as accurate as any other", "[methods]") {
+    // Its error against rkmk/rk4, which is far smaller, falls with h^(p+1): an own start must not cost an order.
+    for (const Method& entry : methods()) {
+        if (!entry.description.implicit) continue;
+        INFO(entry.description.name);
+        double errors[2];
+        for (int i = 0; i < 2; ++i) {
+            Line system(oscillator);
+            const Real h = Real(1) / (64 << i);
+            const auto y = march(entry, default_options(entry.description.options), system, h, 1).back();
+            const auto exact =
+                march(method("rkmk/rk4"), default_options(method("rkmk/rk4").description.options), system, h, 1).back();
+            errors[i] = std::hypot(to_double(y[0] - exact[0]), to_double(y[1] - exact[1]));
+        }
+        CHECK(std::log2(errors[0] / errors[1]) >= entry.description.order.configuration + 1 - 0.2);
+    }
+}
+
 TEST_CASE("methods with multipliers stay on the constraints, and report multipliers from the first step on",
           "[methods]") {
     for_each_with_multipliers([](const Method& entry) {
@@ -209,6 +239,50 @@ TEST_CASE("methods with multipliers stay on the constraints, and report multipli
                 const Eigen::Map<const VecX> own(trip.integrator->multipliers(), exact.size());
                 CHECK((own - exact).norm() <= exact.norm() / (named.name == "heavy_top" ? 10 : 1000));
             }
+    });
+}
+
+TEST_CASE("methods with multipliers meet the constraints of small and of large systems alike", "[methods]") {
+    // Lengths in units of L metres, masses in units of m kilograms; gravity follows, so that the motion is the same.
+    for_each_with_multipliers([](const Method& entry) {
+        for (const double length : {1.0 / 1048576, 32.0})
+            for (const double mass : {1.0 / 1048576, 1048576.0}) {
+                INFO("L = " << length << ", m = " << mass);
+                Trip trip(resized(standard("double_pendulum"), Real(length), Real(mass)), "SO3xR3", entry);
+                REQUIRE(trip.run(Real(1) / 10, 20) == Status::ok);
+                CHECK(trip.position_defect() <= 1000 * epsilon * length);
+                CHECK(trip.velocity_defect() <= 10000 * epsilon * length);
+            }
+    });
+}
+
+TEST_CASE("a run reports the multipliers of the method, where it has any", "[methods]") {
+    for_each_with_multipliers([](const Method& entry) {
+        Cell cell{.problem = "forced_heavy_top",
+                  .parameters = defaults(problem("forced_heavy_top")),
+                  .formulation = "SO3xR3",
+                  .method = entry.description.name,
+                  .options = default_options(entry.description.options),
+                  .projection = "none",
+                  .projection_options = {},
+                  .t_end = 1,
+                  .steps = 64,
+                  .samples = 0,
+                  .metrics = {}};
+        CHECK(why_skipped(cell).empty());
+        const Outcome outcome = run_cell(cell, nullptr, {});
+        REQUIRE(outcome.status == "ok");
+        Trip trip(standard("forced_heavy_top"), "SO3xR3", entry);
+        REQUIRE(trip.run(1, 64) == Status::ok);
+        VecX dv(6), from_state(3);
+        const Real* v = trip.y.data() + trip.system->group().size();
+        REQUIRE(trip.system->accelerations(1, trip.y.data(), v, dv.data(), from_state.data()) == Status::ok);
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(from_number(outcome.final->multipliers.at(i)) == trip.integrator->multipliers()[i]);
+            CHECK(from_number(outcome.final->multipliers.at(i)) != from_state[static_cast<Eigen::Index>(i)]);
+        }
+        cell.projection = "position";
+        CHECK(why_skipped(cell).find("nothing is left to project") != std::string::npos);
     });
 }
 
