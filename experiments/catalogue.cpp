@@ -115,7 +115,7 @@ void describe_method(const MethodDescription& method, std::ostream& out) {
     print_sources(out, method.cites);
     fmt::print(out, "{}; {}{}{}\n", order_text(method.order), stepping_text(method),
                method.symmetric ? "; symmetric" : "",
-               method.own_multipliers ? "; multipliers are its own unknowns, constraints are met without projection" : "");
+               method.own_multipliers ? "; multipliers are its own unknowns, projections do not apply" : "");
     print_options(out, method.options);
 }
 

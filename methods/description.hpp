@@ -45,8 +45,8 @@ struct MethodDescription {
     int stages = 0;  ///< solves of the dynamics per step; of an implicit method, its implicit stages, if it has such
     bool implicit = false;
     bool symmetric = false;
-    /// Multipliers are unknowns of a step, which meets positions and velocities of the constraints by itself; nothing is
-    /// left to project, and its memory would not survive it.
+    /// Multipliers are unknowns of a step, which meets positions and velocities of the constraints by itself: nothing
+    /// is left to project, and its memory would not survive it.
     bool own_multipliers = false;
     std::vector<OptionDescription> options = {};
     std::vector<std::string> formulations = {};  ///< where it applies; empty: everywhere

@@ -12,12 +12,12 @@ inline namespace KREISEL_PRECISION {
 class Integrator {
   public:
     virtual ~Integrator() = default;
-    /// Called before the first step, and whenever y is not what the last step has left: methods with memory drop it here.
+    /// Called before the first step, and whenever y is not what the last step left: methods with memory drop it here.
     virtual Status start(const Real& /*t*/, const Real* /*y*/) { return Status::ok; }
     /// y(t) -> y(t + h) in place. Any status but ok leaves y as it was.
     virtual Status step(const Real& t, const Real& h, Real* y) = 0;
-    /// The method's own multipliers at the end of the last step, as forces (N) in the order of the rows of C. Null before
-    /// the first step, without constraints, and for methods that have none: theirs follow from the index-1 form.
+    /// The method's own multipliers at the end of the last step, as forces (N) in the order of the rows of C. Null
+    /// before the first step, without constraints, and for methods without: theirs follow from the index-1 form.
     virtual const Real* multipliers() const { return nullptr; }
 };
 

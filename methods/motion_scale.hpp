@@ -20,7 +20,7 @@ class MotionScale {
     void measure(const Real& t, const Real& h, const Real* y);
     /// s / sqrt(M_ii).
     const std::vector<Real>& velocities() const { return velocities_; }
-    /// Size of the impulse h lambda_k of a constraint: s / sqrt(S_kk), S_kk = sum_i C_ki^2 / M_ii for row k of C (m x n).
+    /// Size of the impulse h lambda_k of row k of C (m x n): s / sqrt(S_kk), S_kk = sum_i C_ki^2 / M_ii.
     Real impulse(const MatX& C, Eigen::Index row) const;
 
   private:

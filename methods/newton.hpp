@@ -2,7 +2,7 @@
 //
 // Simplified Newton iteration for the equations of an implicit step, down to round-off in either precision.
 //
-// The Jacobian comes from forward differences, unknown j moved by sqrt(eps) times its size: the quotient is then good to
+// The Jacobian comes from forward differences, unknown j moved by sqrt(eps) times its size: the quotient is good to
 // some sqrt(eps), which costs the iteration nothing, because every further step gains that factor at least. It is kept
 // from solve to solve and differentiated again once an iteration gains less than a factor of four. `forget` drops it:
 // whoever must not depend on earlier steps calls that. Dense LU with partial pivoting, all storage sized in advance.

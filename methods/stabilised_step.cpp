@@ -65,8 +65,8 @@ Status StabilisedStep::advance(const Real& t, const Real& h, Real* y) {
     return Status::ok;
 }
 
-/// Positions are met up to round-off of the joints' levers, and eta moves them by h C C^T, which has 1 along the lever and
-/// |C_k|^2 across it: its size lies in the middle.
+/// Positions are met up to round-off of the joints' levers, and eta moves them by h C C^T, which is 1 along the lever
+/// and |C_k|^2 across it: its size lies in the middle.
 void StabilisedStep::measure_sizes(const Real& t, const Real* y) {
     scale_.measure(t, h_, y);
     std::copy(scale_.velocities().begin(), scale_.velocities().end(), sizes_.data());

@@ -7,8 +7,8 @@
 //   h (M v'+ + C^T lambda - Q) = 0,   Phi(t+, q+) / h = 0,   C(t+, q+) v+ + b(t+, q+) = 0.
 // Scaled like this (dynamics by h, positions by 1/h) unknowns and residuals keep their size, and the Jacobian its
 // condition, as h goes to zero [arnold2016]. Without constraints it is the first row alone.
-// The term C^T eta is that of the literature: it takes metres and radians as equal. With levers of hundreds of metres it
-// repairs positions by turning bodies, and the iteration converges for short steps only.
+// The term C^T eta is that of the literature: it takes metres and radians as equal. With levers of hundreds of metres
+// it repairs positions by turning bodies, and the iteration converges for short steps only.
 #pragma once
 
 #include <vector>

@@ -4,8 +4,8 @@
 //   k = F(t + h/2, y exp(h k / 2)),   y+ = y exp(h k),
 // that is, with V = (v + v+)/2,
 //   q+ = q exp(h V),   v+ = v + h f(t + h/2, q exp(h V / 2), V),   f = v' of the index-1 form.
-// The stage k is frozen along its own direction, where dexpinv is the identity, so that none is needed. Exchanging the ends
-// and h by -h gives the same equations: the method is symmetric.
+// The stage k is frozen along its own direction, where dexpinv is the identity, so that none is needed. Exchanging the
+// ends, and h by -h, gives the same equations: the method is symmetric.
 //    1/2 | 1/2
 //   -----+----
 //        |  1

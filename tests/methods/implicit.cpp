@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "experiments/engine/run.hpp"
-#include "methods/newton.hpp"
 #include "tests/methods/poisoned.hpp"
 #include "tests/methods/stepping.hpp"
 
@@ -27,22 +26,6 @@ void for_each_with_multipliers(F f) {
             f(entry);
         }
 }
-
-/// r(x) = x^2 - c in each unknown, counted.
-class Squares final : public Equations {
-  public:
-    explicit Squares(VecX c) : c_(std::move(c)) {}
-    Status residual(const Real* x, Real* r) override {
-        ++calls;
-        for (Eigen::Index i = 0; i < c_.size(); ++i) r[i] = x[i] * x[i] - c_[i];
-        return answer;
-    }
-    Status answer = Status::ok;
-    int calls = 0;
-
-  private:
-    VecX c_;
-};
 
 /// x'' = f(t, x, x') with unit mass on R, in both forms of the interface.
 class Line final : public System {
@@ -89,36 +72,6 @@ std::vector<std::array<Real, 2>> march(const Method& entry, const OptionValues& 
 }
 
 }  // namespace
-
-TEST_CASE("Newton's iteration ends at round-off, and keeps its Jacobian", "[methods]") {
-    Squares equations(VecX::Constant(2, 2));
-    Newton newton(2);
-    const Real size[2] = {1, 1};
-    Real x[2] = {Real(3) / 2, Real(5) / 4};
-    REQUIRE(newton.solve(equations, size, x) == Status::ok);
-    for (const Real& root : x) CHECK(abs(root - sqrt(Real(2))) <= 2 * epsilon);
-    equations.calls = 0;
-    REQUIRE(newton.solve(equations, size, x) == Status::ok);
-    CHECK(equations.calls <= 2);
-}
-
-TEST_CASE("Newton's iteration says why it fails", "[methods]") {
-    Newton newton(1);
-    const Real size = 1;
-    const auto solve = [&](const Real& c, const Real& guess, Status answer = Status::ok) {
-        Squares equations(VecX::Constant(1, c));
-        equations.answer = answer;
-        Real x = guess;
-        newton.forget();
-        return newton.solve(equations, &size, &x);
-    };
-    CHECK(solve(4, 1) == Status::ok);
-    CHECK(solve(-1, Real(1) / 3) == Status::newton_failed);  // no real root
-    CHECK(solve(not_a_number, 1) == Status::non_finite);
-    CHECK(solve(4, not_a_number) == Status::non_finite);
-    CHECK(solve(4, infinite) == Status::non_finite);
-    CHECK(solve(4, 1, Status::singular_kkt) == Status::singular_kkt);
-}
 
 TEST_CASE("a step of the Lie midpoint method satisfies its equations", "[methods]") {
     for (const Named& named : all())

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The Newton iteration by itself: where it ends, and how it fails.
+#include "methods/newton.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace kreisel;
+
+namespace {
+
+const Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
+const Real infinite = std::numeric_limits<Real>::infinity();
+
+/// r(x) = x^2 - c in each unknown, counted.
+class Squares final : public Equations {
+  public:
+    explicit Squares(VecX c) : c_(std::move(c)) {}
+    Status residual(const Real* x, Real* r) override {
+        ++calls;
+        for (Eigen::Index i = 0; i < c_.size(); ++i) r[i] = x[i] * x[i] - c_[i];
+        return answer;
+    }
+    Status answer = Status::ok;
+    int calls = 0;
+
+  private:
+    VecX c_;
+};
+
+}  // namespace
+
+TEST_CASE("Newton's iteration ends at round-off, and keeps its Jacobian", "[methods]") {
+    Squares equations(VecX::Constant(2, 2));
+    Newton newton(2);
+    const Real size[2] = {1, 1};
+    Real x[2] = {Real(3) / 2, Real(5) / 4};
+    REQUIRE(newton.solve(equations, size, x) == Status::ok);
+    for (const Real& root : x) CHECK(abs(root - sqrt(Real(2))) <= 2 * epsilon);
+    equations.calls = 0;
+    REQUIRE(newton.solve(equations, size, x) == Status::ok);
+    CHECK(equations.calls <= 2);
+}
+
+TEST_CASE("Newton's iteration says why it fails", "[methods]") {
+    Newton newton(1);
+    const Real size = 1;
+    const auto solve = [&](const Real& c, const Real& guess, Status answer = Status::ok) {
+        Squares equations(VecX::Constant(1, c));
+        equations.answer = answer;
+        Real x = guess;
+        newton.forget();
+        return newton.solve(equations, &size, &x);
+    };
+    CHECK(solve(4, 1) == Status::ok);
+    CHECK(solve(-1, Real(1) / 3) == Status::newton_failed);  // no real root
+    CHECK(solve(not_a_number, 1) == Status::non_finite);
+    CHECK(solve(4, not_a_number) == Status::non_finite);
+    CHECK(solve(4, infinite) == Status::non_finite);
+    CHECK(solve(4, 1, Status::singular_kkt) == Status::singular_kkt);
+}
