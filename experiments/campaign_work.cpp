@@ -76,24 +76,25 @@ void Campaign::work(const std::stop_token& token) {
         if (item->reference.empty()) {
             compute_cell(plan_.cells[item->cell], token);
         } else {
-            compute_reference(item->reference);
+            compute_reference(item->reference, token);
             queue_.reference_done(item->reference);
         }
     }
 }
 
-void Campaign::compute_reference(const std::string& hash) {
+void Campaign::compute_reference(const std::string& hash, const std::stop_token& token) {
     const PlannedReference& planned = plan_.references.at(hash);
     const auto file = reference_file(folder_, hash);
     auto stored = load_reference(file, planned, build_);
     if (!stored) {
         try {
-            stored = engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end);
+            stored = engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end, token);
         } catch (const std::exception& error) {
             const std::lock_guard lock(mutex_);
             reference_errors_[hash] = error.what();
             return;
         }
+        if (stored->interrupted) { return; }
         const std::lock_guard lock(mutex_);
         if (closed_) { return; }
         store_reference(file, planned, *stored, build_);
@@ -105,6 +106,7 @@ void Campaign::compute_reference(const std::string& hash) {
 void Campaign::compute_cell(const PlannedCell& planned, const std::stop_token& token) {
     const Reference* reference = nullptr;
     std::string reference_error;
+    if (token.stop_requested()) { return; }  // its reference may have been given up
     if (!planned.reference.empty()) {
         const std::lock_guard lock(mutex_);
         const auto found = references_.find(planned.reference);

@@ -56,7 +56,7 @@ class Campaign {
     std::atomic<unsigned> working = 0;
 
   private:
-    void compute_reference(const std::string& hash);
+    void compute_reference(const std::string& hash, const std::stop_token& token);
     void compute_cell(const PlannedCell& planned, const std::stop_token& token);
     void record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference);
     bool trajectory_is_whole(const FinishedCell& cell) const;

@@ -41,7 +41,7 @@ std::string recomputed(const PlannedCell& planned, const Plan& plan, const std::
     if (!planned.reference.empty()) {
         const PlannedReference& wanted = plan.references.at(planned.reference);
         reference = load_reference(reference_file(folder, planned.reference), wanted, build);
-        if (!reference) { reference = engines.binary128.reference(wanted.problem, wanted.parameters, wanted.t_end); }
+        if (!reference) { reference = engines.binary128.reference(wanted.problem, wanted.parameters, wanted.t_end, {}); }
     }
     const Reference* known = reference ? &*reference : nullptr;
     return finished_cell(planned, run_cell(planned, engines.of(planned.precision), known, {}), known).line;

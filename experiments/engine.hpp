@@ -47,6 +47,7 @@ struct Reference {
     std::map<std::string, Number> error;  ///< keys: error.position, error.rotation, error.velocity, error.omega, error.multipliers
     double horizon = 0;                   ///< s; past it no error is measured
     std::string route;                    ///< how it was computed, for the manifest
+    bool interrupted = false;             ///< it was asked to stop, and nothing else is filled in
 };
 
 /// One cell of an experiment: everything that decides its numbers.
@@ -120,7 +121,8 @@ class Engine {
     /// Runs one cell. `reference` may be null: then no error.* is measured.
     virtual Outcome run(const Cell&, const Reference* reference, const std::stop_token&) const = 0;
     /// The reference solution of a problem at `t_end`; only the quad engine is asked for it.
-    virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end) const = 0;
+    virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end,
+                                const std::stop_token&) const = 0;
 };
 
 const Engine& engine_binary64();

@@ -58,9 +58,11 @@ class RealEngine final : public Engine {
         return run_cell(cell, reference, stop);
     }
 
-    Reference reference(const std::string& name, const ParameterValues& values, double t_end) const override {
+    Reference reference(const std::string& name, const ParameterValues& values, double t_end,
+                        const std::stop_token& stop) const override {
         const Model model = problem(name).build(Parameters(values));
-        const ReferenceSolution solution = reference_solution(model, decimal(t_end));
+        const ReferenceSolution solution = reference_solution(model, decimal(t_end), stop);
+        if (solution.interrupted) return {.state = {}, .error = {}, .interrupted = true};
         if (!solution.stopped.empty())
             return {.state = {}, .error = {}, .horizon = 0, .route = solution.route + ", stopped: " + solution.stopped};
         std::vector<std::string> bodies;

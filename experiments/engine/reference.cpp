@@ -63,6 +63,7 @@ struct Run {
     std::vector<std::vector<Real>> states;
     Sizes sizes{};  ///< largest of all steps
     Status status = Status::ok;
+    bool interrupted = false;
 };
 
 /// Integrates one model; not copied, since the extrapolation refers to its form.
@@ -76,9 +77,9 @@ class Integration {
     Integration& operator=(const Integration&) = delete;
 
     /// Big steps as large as the tolerance allows, from the guess H.
-    Run adaptive(const Real& t_end, Real H);
+    Run adaptive(const Real& t_end, Real H, const std::stop_token& stop);
     /// Every big step of another run in two halves.
-    Run halved(const Run& coarse);
+    Run halved(const Run& coarse, const std::stop_token& stop);
 
     QuaternionForm form;
 
@@ -111,12 +112,13 @@ bool Integration::append(Run& run, const Real& t, const Real& allowed) {
 
 /// The local error is that of H^{2k-1}. Steps shrink no further than to 2^-40 of the whole: what fails there has met a
 /// singularity, and what is inaccurate there is taken as it is; the halved run tells the error.
-Run Integration::adaptive(const Real& t_end, Real H) {
+Run Integration::adaptive(const Real& t_end, Real H, const std::stop_token& stop) {
     using std::pow;
     Run run = begin();
     const Real smallest = abs(t_end) / 1099511627776;
     const Real infinity = std::numeric_limits<Real>::infinity();
     while (run.times.back() != t_end) {
+        if ((run.interrupted = stop.stop_requested())) return run;
         const Real t = run.times.back(), left = t_end - t;
         const bool last = abs(H) >= abs(left), minimal = abs(H) <= smallest;
         const bool done = append(run, last ? t_end : Real(t + H), minimal ? infinity : tolerance());
@@ -132,9 +134,10 @@ Run Integration::adaptive(const Real& t_end, Real H) {
     return run;
 }
 
-Run Integration::halved(const Run& coarse) {
+Run Integration::halved(const Run& coarse, const std::stop_token& stop) {
     Run run = begin();
     for (std::size_t n = 1; n < coarse.times.size(); ++n) {
+        if ((run.interrupted = stop.stop_requested())) return run;
         const Real middle = (coarse.times[n - 1] + coarse.times[n]) / 2;
         for (const Real& t : {middle, coarse.times[n]})
             if (!append(run, t, std::numeric_limits<Real>::infinity())) return run;
@@ -187,13 +190,15 @@ void compare_ends(QuaternionForm& form, const Real& t_end, const Run& coarse, co
 
 }  // namespace
 
-ReferenceSolution reference_solution(const Model& model, const Real& t_end) {
+ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop) {
     if (!isfinite(t_end)) throw std::invalid_argument("a reference solution needs a finite end time");
     Integration integration(model);
-    const Run coarse = integration.adaptive(t_end, first_step(model, t_end));
-    const Run fine = integration.halved(coarse);
+    const Run coarse = integration.adaptive(t_end, first_step(model, t_end), stop);
+    const Run fine = integration.halved(coarse, stop);
 
     ReferenceSolution out;
+    out.interrupted = coarse.interrupted || fine.interrupted;
+    if (out.interrupted) return out;
     const std::size_t steps = coarse.states.size() - 1;
     out.horizon = coarse.times[agreed_steps(coarse, fine, integration.form.dimension())];
     out.route = "extrapolation of order " + std::to_string(2 * columns) + " on quaternion coordinates, " +

@@ -4,6 +4,7 @@
 // description of the motion than any method under test.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,13 @@ struct ReferenceSolution {
     Real horizon = 0;     ///< s; last big step up to which both runs agree to 1e-12 of each quantity's largest size
     std::string route;    ///< how it was computed
     std::string stopped;  ///< empty, or the name of the Status that ended the integration
+    bool interrupted = false;  ///< it was asked to stop, and nothing else is filled in
 };
 
 /// Integrates from t = 0 to t_end (s), which may be negative: once with big steps chosen by their local error, and once
-/// with each of these halved. Throws std::invalid_argument if t_end is not finite.
-ReferenceSolution reference_solution(const Model& model, const Real& t_end);
+/// with each of these halved. A stop request is heard after each big step. Throws std::invalid_argument if t_end is not
+/// finite.
+ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop = {});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

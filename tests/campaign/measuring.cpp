@@ -39,7 +39,7 @@ TEST_CASE("an R that has left SO(3) far behind has no rotation error", "[campaig
     Cell cell = cell_of("free_top", "baseline/rk4_matrix", 40, 80);
     cell.parameters["inertia"] = Matrix3{1, 0, 0, 0, 1.1, 0, 0, 0, 1.2};
     cell.parameters["omega"] = Vector3{30, 20, 10};
-    const Reference reference = engine_binary128().reference("free_top", cell.parameters, 40);
+    const Reference reference = engine_binary128().reference("free_top", cell.parameters, 40, {});
     const Outcome outcome = engine_binary64().run(cell, &reference, {});
     CHECK_FALSE(names(outcome).contains("error.rotation"));
 }

@@ -25,7 +25,7 @@ ParameterValues defaults(const std::string& problem) {
 
 const Reference& reference(const std::string& problem) {
     static std::map<std::string, Reference> known;
-    if (!known.contains(problem)) known[problem] = engine_binary128().reference(problem, defaults(problem), 1.0);
+    if (!known.contains(problem)) known[problem] = engine_binary128().reference(problem, defaults(problem), 1.0, {});
     return known.at(problem);
 }
 

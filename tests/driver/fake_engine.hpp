@@ -23,7 +23,9 @@ class FakeEngine final : public Engine {
     Order declared_order(const std::string& method, const OptionValues&) const override;
     std::string skip_reason(const Cell&) const override;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&) const override;
-    Reference reference(const std::string& problem, const ParameterValues&, double t_end) const override;
+    /// Ends after t_end ms where t_end is above 1000 and no stop is asked for.
+    Reference reference(const std::string& problem, const ParameterValues&, double t_end,
+                        const std::stop_token&) const override;
 
     mutable std::atomic<int> runs = 0, references = 0;
 };

@@ -29,7 +29,7 @@ Plan small_plan(const std::string& precision) {
 }
 
 FinishedCell finished(const PlannedCell& planned) {
-    const Reference reference = engine.reference(planned.cell.problem, planned.cell.parameters, planned.cell.t_end);
+    const Reference reference = engine.reference(planned.cell.problem, planned.cell.parameters, planned.cell.t_end, {});
     return finished_cell(planned, engine.run(planned.cell, &reference, {}), &reference);
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("references are read back as they were stored, and only for the same c
     const ScratchFolder scratch;
     const Plan plan = small_plan("double");
     PlannedReference planned = plan.references.begin()->second;
-    const Reference reference = engine.reference("heavy_top", planned.parameters, planned.t_end);
+    const Reference reference = engine.reference("heavy_top", planned.parameters, planned.t_end, {});
     const auto file = scratch / "r.json";
     store_reference(file, planned, reference, "b");
     const auto again = load_reference(file, planned, "b");

@@ -249,6 +249,20 @@ TEST_CASE("interrupted: the results so far are valid and a resume completes them
     require_same_results(scratch / std::to_string(SIGINT), scratch / std::to_string(SIGTERM));
 }
 
+TEST_CASE("an interrupted reference fails no cell, and a resume computes it") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("long.json", one_method("rkmk/rk4", 2, "heavy_top", 1200));
+    const auto folder = scratch / "out";
+    CHECK(run_and_signal(config, folder, SIGTERM, 300) == 130);
+    const auto manifest = nlohmann::json::parse(contents(folder / "manifest.json"));
+    CHECK(manifest["cells"]["missing"] == 1);
+    CHECK(manifest["ended"].is_string());
+    CHECK(lines_of(folder / "journal.jsonl") == 0);
+    CHECK(std::filesystem::is_empty(folder / "references"));
+    CHECK(run(config, folder, {"--resume"}).code == 0);
+    CHECK(nlohmann::json::parse(contents(folder / "results.jsonl"))["status"] == "ok");
+}
+
 TEST_CASE("a method that does not listen is left behind") {
     const ScratchFolder scratch;
     const std::string config = scratch.file("deaf.json", one_method("fake/deaf", 60'000));

@@ -107,3 +107,11 @@ TEST_CASE("where the equations fail there is no state, but the reason") {
     CHECK((solution.stopped.empty() || solution.horizon == 0));
     CHECK_THROWS_AS(reference_solution(model, std::numeric_limits<Real>::infinity()), std::invalid_argument);
 }
+
+TEST_CASE("a reference that is asked to stop is given up") {
+    std::stop_source source;
+    source.request_stop();
+    const ReferenceSolution solution = reference_solution(standard_model("heavy_top"), Real(1000), source.get_token());
+    CHECK(solution.interrupted);
+    CHECK(solution.states.empty());
+}
