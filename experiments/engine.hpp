@@ -40,14 +40,20 @@ struct ReportedState {
     std::vector<Number> multipliers;
 };
 
-/// A reference solution at one time, its error bound (largest difference between two step sizes, in the unit of each
-/// `error.*` metric) and the horizon T* up to which the two step sizes agree.
+/// A reference solution at one time, its error bound (the larger of the differences between two step sizes and between
+/// two routes, in the unit of each `error.*` metric) and the horizon T* up to which all of them agree.
 struct Reference {
     ReportedState state;
     std::map<std::string, Number> error;  ///< keys: error.position, error.rotation, error.velocity, error.omega, error.multipliers
     double horizon = 0;                   ///< s; past it no error is measured
     std::string route;                    ///< how it was computed, for the manifest
     bool interrupted = false;             ///< it was asked to stop, and nothing else is filled in
+};
+
+/// What a second look at a reference came to.
+struct ReferenceCheck {
+    std::map<std::string, Number> difference;  ///< the keys of Reference::error
+    std::string failure;                       ///< not empty: why there is nothing to compare
 };
 
 /// One cell of an experiment: everything that decides its numbers.
@@ -123,6 +129,10 @@ class Engine {
     /// The reference solution of a problem at `t_end`; only the quad engine is asked for it.
     virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end,
                                 const std::stop_token&) const = 0;
+    /// Holds a reference against a computation of its state by the second route alone.
+    virtual ReferenceCheck check_reference(const std::string& name, const ParameterValues&, const Reference&) const = 0;
+    /// Identifies all code that decides a reference; methods are no part of it.
+    virtual std::string reference_digest() const = 0;
 };
 
 const Engine& engine_binary64();

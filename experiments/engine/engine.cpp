@@ -4,6 +4,7 @@
 #include "experiments/engine/reference.hpp"
 #include "experiments/engine/report.hpp"
 #include "experiments/engine/run.hpp"
+#include "experiments/engine/taylor_route.hpp"
 #include "mechanics/formulation.hpp"
 #include "methods/method.hpp"
 #include "methods/projection.hpp"
@@ -61,7 +62,7 @@ class RealEngine final : public Engine {
     Reference reference(const std::string& name, const ParameterValues& values, double t_end,
                         const std::stop_token& stop) const override {
         const Model model = problem(name).build(Parameters(values));
-        const ReferenceSolution solution = reference_solution(model, decimal(t_end), stop);
+        const ReferenceSolution solution = confirmed_reference(model, decimal(t_end), stop);
         if (solution.interrupted) return {.state = {}, .error = {}, .interrupted = true};
         if (!solution.stopped.empty())
             return {.state = {}, .error = {}, .horizon = 0, .route = solution.route + ", stopped: " + solution.stopped};
@@ -78,6 +79,31 @@ class RealEngine final : public Engine {
         reference.route = solution.route;
         return reference;
     }
+
+    ReferenceCheck check_reference(const std::string& name, const ParameterValues& values,
+                                   const Reference& reference) const override {
+        if (reference.state.bodies.empty()) return {.difference = {}, .failure = "it has no state: " + reference.route};
+        if (reference.state.t.value > reference.horizon)
+            return {.difference = {}, .failure = "it lies past its horizon"};
+        TaylorRoute route(problem(name).build(Parameters(values)));
+        std::vector<Real> lambda, exact;
+        Status status = route.advance(from_number(reference.state.t), {});
+        if (status == Status::ok) status = route.multipliers(lambda);
+        if (status != Status::ok)
+            return {.difference = {}, .failure = std::string("Taylor series: ") + kreisel::name(status)};
+        for (const Number& row : reference.state.multipliers) exact.push_back(from_number(row));
+        const Distance d = distance(route.states(), from_report(reference.state));
+        ReferenceCheck check;
+        const auto add = [&](const char* metric, const Real& value) {
+            if (isfinite(value)) check.difference[metric] = to_number(value);
+        };
+        add("error.position", d.position), add("error.rotation", d.rotation);
+        add("error.velocity", d.velocity), add("error.omega", d.omega);
+        if (exact.size() == lambda.size()) add("error.multipliers", norm_of_difference(lambda, exact));
+        return check;
+    }
+
+    std::string reference_digest() const override { return KREISEL_REFERENCE_DIGEST; }
 };
 
 }  // namespace

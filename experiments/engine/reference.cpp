@@ -200,7 +200,10 @@ ReferenceSolution reference_solution(const Model& model, const Real& t_end, cons
     out.interrupted = coarse.interrupted || fine.interrupted;
     if (out.interrupted) return out;
     const std::size_t steps = coarse.states.size() - 1;
-    out.horizon = coarse.times[agreed_steps(coarse, fine, integration.form.dimension())];
+    const std::size_t agreed = agreed_steps(coarse, fine, integration.form.dimension());
+    out.horizon = coarse.times[agreed];
+    for (std::size_t n = 0; n <= agreed && 2 * n < fine.states.size(); ++n)
+        out.path.push_back({coarse.times[n], integration.form.states(fine.states[2 * n].data())});
     out.route = "extrapolation of order " + std::to_string(2 * columns) + " on quaternion coordinates, " +
                 std::to_string(steps) + " and " + std::to_string(2 * steps) + " big steps";
     for (const Run* run : {&coarse, &fine})

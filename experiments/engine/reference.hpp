@@ -13,6 +13,11 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
+struct ReferencePoint {
+    Real t = 0;
+    std::vector<BodyState> states;
+};
+
 /// The state at t_end and what is known of its error. Errors are the differences between big steps H and H/2, each in
 /// the unit and norm of its metric (Euclidean over all bodies, rotation by the norm of the logarithm: m, rad, m/s,
 /// rad/s; multipliers in N over all rows); position and velocity at least the constraint residuals |Phi|, |C v + b|.
@@ -23,6 +28,7 @@ struct ReferenceSolution {
     std::vector<Real> multipliers;  ///< rows in space axes, joints in the order of the model
     Real position_error = 0, rotation_error = 0, velocity_error = 0, omega_error = 0, multiplier_error = 0;
     Real horizon = 0;     ///< s; last big step up to which both runs agree to 1e-12 of each quantity's largest size
+    std::vector<ReferencePoint> path;  ///< the big steps up to the horizon, the start included
     std::string route;    ///< how it was computed
     std::string stopped;  ///< empty, or the name of the Status that ended the integration
     bool interrupted = false;  ///< it was asked to stop, and nothing else is filled in

@@ -54,5 +54,11 @@ Distance distance(const std::vector<BodyState>& a, const std::vector<BodyState>&
     return {sqrt(sum.position), sqrt(sum.rotation), sqrt(sum.velocity), sqrt(sum.omega)};
 }
 
+Real norm_of_difference(const std::vector<Real>& a, const std::vector<Real>& b) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sqrt(sum);
+}
+
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

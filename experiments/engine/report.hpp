@@ -25,5 +25,8 @@ struct Distance {
 };
 Distance distance(const std::vector<BodyState>& a, const std::vector<BodyState>& b);
 
+/// |a - b| of two vectors of one size.
+Real norm_of_difference(const std::vector<Real>& a, const std::vector<Real>& b);
+
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -188,9 +188,19 @@ Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std:
 Reference FakeEngine::reference(const std::string& problem, const ParameterValues& parameters, double t_end,
                                 const std::stop_token& stop) const {
     ++references;
-    if (t_end > 1000 && !work_slowly(std::lround(t_end), stop)) { return {.state = {}, .error = {}, .interrupted = true}; }
+    if (t_end > 1000 && !work_slowly(std::lround(t_end), stop)) {
+        return {.state = {}, .error = {}, .interrupted = true};
+    }
     if (problem == "double_pendulum" && t_end > 100) { throw std::runtime_error("the two step sizes do not agree"); }
     return {state_at(t_end, mass_of(parameters)), {{"error.position", number(1e-20)}}, 50, "fake"};
+}
+
+ReferenceCheck FakeEngine::check_reference(const std::string&, const ParameterValues& parameters,
+                                           const Reference& reference) const {
+    const double t = reference.state.t.value;
+    if (t > reference.horizon) { return {{}, "it lies past its horizon"}; }
+    const double x = state_at(t, mass_of(parameters)).bodies[0].x[0].value;
+    return {{{"error.position", number(std::abs(x - reference.state.bodies[0].x[0].value))}}, ""};
 }
 
 }  // namespace kreisel

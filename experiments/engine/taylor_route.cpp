@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/engine/taylor_route.hpp"
+
+#include "experiments/engine/report.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+/// Sizes of x, v and omega over all bodies; a rotation is of size 1.
+void enlarge(Distance& sizes, const std::vector<BodyState>& states) {
+    Distance squares;
+    for (const BodyState& s : states)
+        squares.position += s.x.squaredNorm(), squares.velocity += s.v.squaredNorm(),
+            squares.omega += s.omega.squaredNorm();
+    sizes.position = max(sizes.position, Real(sqrt(squares.position)));
+    sizes.velocity = max(sizes.velocity, Real(sqrt(squares.velocity)));
+    sizes.omega = max(sizes.omega, Real(sqrt(squares.omega)));
+}
+
+bool agree(const Distance& d, const Distance& sizes) {
+    const Real limit = Real(1) / 1000000000000;
+    return d.position <= limit * sizes.position && d.rotation <= limit && d.velocity <= limit * sizes.velocity &&
+           d.omega <= limit * sizes.omega;
+}
+
+/// The last of the first route's big steps up to which the second one agrees, and the distance there.
+struct Agreement {
+    Real horizon = 0;
+    Distance distance;
+    Status status = Status::ok;
+};
+
+Agreement follow(TaylorRoute& route, const ReferenceSolution& first, const std::stop_token& stop) {
+    Agreement agreement;
+    Distance sizes{0, 1, 0, 0};
+    for (const ReferencePoint& point : first.path) enlarge(sizes, point.states);
+    for (const ReferencePoint& point : first.path) {
+        agreement.status = route.advance(point.t, stop);
+        if (agreement.status != Status::ok || route.interrupted()) break;
+        const Distance d = distance(route.states(), point.states);
+        if (!agree(d, sizes)) break;
+        agreement.horizon = point.t, agreement.distance = d;
+    }
+    return agreement;
+}
+
+}  // namespace
+
+TaylorRoute::TaylorRoute(const Model& model) : series_(model, taylor_order) {
+    for (const Body& body : model.bodies) states_.push_back(body.start);
+}
+
+Status TaylorRoute::expand() {
+    base_t_ = t_;
+    ++steps_;
+    return series_.expand(t_, states_);
+}
+
+Status TaylorRoute::advance(const Real& t, const std::stop_token& stop) {
+    const Real smallest = abs(t - t_) / 1099511627776;
+    while (t_ != t) {
+        if ((interrupted_ = stop.stop_requested())) return Status::ok;
+        if (!holds_) {
+            if (const Status s = expand(); s != Status::ok) return s;
+            reach_ = series_.reach(reach_ == 0 ? Real(t - t_) : Real(4 * reach_));
+            if (abs(reach_) <= smallest) return Status::singular_kkt;
+        }
+        holds_ = abs(t - base_t_) <= abs(reach_);
+        t_ = holds_ ? t : Real(base_t_ + reach_);
+        states_ = series_.states(t_ - base_t_);
+    }
+    return Status::ok;
+}
+
+Status TaylorRoute::multipliers(std::vector<Real>& lambda) {
+    holds_ = false;
+    const Status status = expand();
+    if (status == Status::ok) lambda = series_.multipliers();
+    return status;
+}
+
+ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop) {
+    ReferenceSolution out = reference_solution(model, t_end, stop);
+    if (out.interrupted || !out.stopped.empty()) return out;
+    TaylorRoute route(model);
+    const Agreement agreement = follow(route, out, stop);
+    if (route.interrupted()) return {.interrupted = true};
+    out.horizon = agreement.horizon;
+    out.route += "; Taylor series of order " + std::to_string(taylor_order) + " in rotation matrices, " +
+                 std::to_string(route.steps()) + " steps";
+    if (agreement.status != Status::ok) out.route += std::string(", ended by ") + name(agreement.status);
+    std::vector<Real> lambda;
+    if (out.horizon != t_end || route.multipliers(lambda) != Status::ok) return out;
+    const Distance& d = agreement.distance;
+    out.position_error = max(out.position_error, d.position), out.rotation_error = max(out.rotation_error, d.rotation);
+    out.velocity_error = max(out.velocity_error, d.velocity), out.omega_error = max(out.omega_error, d.omega);
+    out.multiplier_error = max(out.multiplier_error, norm_of_difference(lambda, out.multipliers));
+    return out;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
