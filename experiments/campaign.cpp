@@ -135,6 +135,9 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
     report.workers_left_behind = run_workers(campaign, settings, progress);
     if (const auto error = campaign->error()) { std::rethrow_exception(error); }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (const std::string complaint = campaign->cache_complaint(); !complaint.empty()) {
+        messages << "note: references are kept in the results only: " << complaint << "\n";
+    }
     const Finished finished = campaign->finished();
     if (shard.empty()) { write_results(plan, finished, folder); }
     times.ended = utc_now();

@@ -19,6 +19,7 @@ struct RunSettings {
     bool overwrite = false;
     std::size_t shard = 1, shards = 1;  ///< run every cell whose index i has i mod shards = shard - 1
     std::string build;                  ///< identifies the code; results of another build are never reused
+    std::filesystem::path cache;        ///< where references are kept for all results; empty: nowhere
     bool terminal = false;              ///< progress as one line that rewrites itself
     double grace = 1.5;                 ///< s that interrupted workers have before they are left behind
 };

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "experiments/hash.hpp"
-#include "experiments/reference_store.hpp"
 
 namespace kreisel {
 
@@ -84,23 +83,24 @@ void Campaign::work(const std::stop_token& token) {
 
 void Campaign::compute_reference(const std::string& hash, const std::stop_token& token) {
     const PlannedReference& planned = plan_.references.at(hash);
-    const auto file = reference_file(folder_, hash);
-    auto stored = load_reference(file, planned, build_);
+    auto stored = store_.find(planned);
     if (!stored) {
         try {
-            stored = engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end, token);
+            const Reference reference =
+                engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end, token);
+            if (reference.interrupted) { return; }
+            stored = store_.make(planned, reference);
         } catch (const std::exception& error) {
             const std::lock_guard lock(mutex_);
             reference_errors_[hash] = error.what();
             return;
         }
-        if (stored->interrupted) { return; }
-        const std::lock_guard lock(mutex_);
-        if (closed_) { return; }
-        store_reference(file, planned, *stored, build_);
     }
     const std::lock_guard lock(mutex_);
-    references_.insert_or_assign(hash, std::move(*stored));
+    if (closed_) { return; }
+    const std::string complaint = store_.keep(planned, *stored);
+    if (cache_complaint_.empty()) { cache_complaint_ = complaint; }
+    references_.insert_or_assign(hash, std::move(stored->reference));
 }
 
 void Campaign::compute_cell(const PlannedCell& planned, const std::stop_token& token) {

@@ -15,6 +15,7 @@
 #include "experiments/files.hpp"
 #include "experiments/journal.hpp"
 #include "experiments/progress.hpp"
+#include "experiments/reference_store.hpp"
 #include "experiments/work_queue.hpp"
 
 namespace kreisel {
@@ -29,6 +30,7 @@ class Campaign {
           engines_(engines),
           folder_(std::move(folder)),
           build_(settings.build),
+          store_(folder_, settings.cache, engines.binary128.reference_digest()),
           journal_(journal_file(folder_, shard_name(settings))) {}
 
     /// Takes over what an earlier run left, if it is whole.
@@ -45,6 +47,11 @@ class Campaign {
     std::exception_ptr error() const {
         const std::lock_guard lock(mutex_);
         return error_;
+    }
+    /// Why references could not be kept in the cache; empty if they could.
+    std::string cache_complaint() const {
+        const std::lock_guard lock(mutex_);
+        return cache_complaint_;
     }
     /// From now on nothing is written: the results are being closed.
     void close() {
@@ -65,6 +72,7 @@ class Campaign {
     const Engines engines_;
     const std::filesystem::path folder_;
     const std::string build_;
+    const ReferenceStore store_;
     std::vector<std::size_t> mine_;  // the cells of this shard, by index
     WorkQueue queue_;
     mutable std::mutex mutex_;  // guards what follows
@@ -72,6 +80,7 @@ class Campaign {
     Finished finished_;
     std::map<std::string, Reference> references_;
     std::map<std::string, std::string> reference_errors_;
+    std::string cache_complaint_;
     std::exception_ptr error_;
     std::size_t total_ = 0, references_total_ = 0;
     double weight_done_ = 0, weight_total_ = 0;

@@ -9,6 +9,7 @@
 #include "experiments/json_strict.hpp"
 #include "experiments/plan_text.hpp"
 #include "experiments/progress.hpp"
+#include "experiments/reference_store.hpp"
 
 namespace kreisel {
 
@@ -88,8 +89,10 @@ Exit plan_command(const std::filesystem::path& config, bool json, const Engines&
     return Exit::ok;
 }
 
-Exit run_command(const Paths& configs, const std::filesystem::path& output, const RunSettings& settings,
+Exit run_command(const Paths& configs, const std::filesystem::path& output, const RunSettings& given,
                  const Engines& engines, const Terminal& terminal) {
+    RunSettings settings = given;
+    if (settings.cache.empty()) { settings.cache = default_cache_folder(); }
     const auto all = with_folders(read_all(configs, engines, terminal.messages), output);
     for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, settings); }
     Exit result = Exit::ok;

@@ -32,7 +32,8 @@ Exit run_command(const Paths& configs, const std::filesystem::path& output, cons
 Exit merge_command(const Paths& folders, const std::filesystem::path& output, const std::string& build,
                    const Engines& engines, const Terminal& terminal);
 
-/// Computes `count` randomly chosen cells of a folder again and compares their result lines byte for byte.
+/// Computes `count` randomly chosen cells of a folder again and compares their result lines byte for byte;
+/// holds every stored reference against the second route.
 Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsigned seed, const std::string& build,
                     const Engines& engines, const Terminal& terminal);
 

@@ -36,15 +36,59 @@ std::vector<std::size_t> chosen(const Plan& plan, std::size_t count, unsigned se
 }
 
 std::string recomputed(const PlannedCell& planned, const Plan& plan, const std::filesystem::path& folder,
-                       const std::string& build, const Engines& engines) {
+                       const Engines& engines) {
     std::optional<Reference> reference;
     if (!planned.reference.empty()) {
         const PlannedReference& wanted = plan.references.at(planned.reference);
-        reference = load_reference(reference_file(folder, planned.reference), wanted, build);
-        if (!reference) { reference = engines.binary128.reference(wanted.problem, wanted.parameters, wanted.t_end, {}); }
+        const auto stored =
+            load_reference(reference_file(folder, planned.reference), wanted, engines.binary128.reference_digest());
+        reference = stored ? stored->reference
+                           : engines.binary128.reference(wanted.problem, wanted.parameters, wanted.t_end, {});
     }
     const Reference* known = reference ? &*reference : nullptr;
     return finished_cell(planned, run_cell(planned, engines.of(planned.precision), known, {}), known).line;
+}
+
+/// What is wrong with a reference: the first quantity further from the second route than its bound says. Other
+/// compilers and machines round differently, which a factor of ten allows for.
+std::string fault(const Reference& reference, const ReferenceCheck& check) {
+    constexpr double slack = 10;
+    for (const auto& [metric, bound] : reference.error) {
+        const auto found = check.difference.find(metric);
+        if (found == check.difference.end()) { return fmt::format("{} cannot be compared", metric); }
+        if (!(found->second.value <= slack * bound.value)) {
+            return fmt::format("{} is off by {:.1e}, its bound is {:.1e}", metric, found->second.value, bound.value);
+        }
+    }
+    return "";
+}
+
+enum class Verdict { confirmed, not_compared, wrong };
+
+/// Prints what there is to say of one reference.
+Verdict verify_reference(const std::string& hash, const PlannedReference& planned, const std::filesystem::path& folder,
+                         const Engine& engine, std::ostream& out) {
+    const auto say = [&](const std::string& what) {
+        fmt::print(out, "reference {}: {} at t = {} s: {}\n", hash, planned.problem, planned.t_end, what);
+    };
+    const auto stored = load_reference(reference_file(folder, hash), planned, "");
+    if (!stored) { return say("missing or damaged"), Verdict::wrong; }
+    const ReferenceCheck check = engine.check_reference(planned.problem, planned.parameters, stored->reference);
+    if (!check.failure.empty()) { return say("not compared: " + check.failure), Verdict::not_compared; }
+    const std::string what = fault(stored->reference, check);
+    return what.empty() ? Verdict::confirmed : (say(what), Verdict::wrong);
+}
+
+/// Holds every stored reference against the second route; answers how many are missing, damaged or wrong.
+std::size_t verify_references(const Plan& plan, const std::filesystem::path& folder, const Engines& engines,
+                              std::ostream& out) {
+    std::map<Verdict, std::size_t> count;
+    for (const auto& [hash, planned] : plan.references) {
+        ++count[verify_reference(hash, planned, folder, engines.binary128, out)];
+    }
+    fmt::print(out, "{} of {} references confirmed by the second route, {} wrong or missing\n",
+               count[Verdict::confirmed], plan.references.size(), count[Verdict::wrong]);
+    return count[Verdict::wrong];
 }
 
 }  // namespace
@@ -63,9 +107,9 @@ Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsi
     for (const std::size_t index : indices) {
         const PlannedCell& planned = plan.cells[index];
         const auto stored = lines.find(planned.hash);
-        const std::string what = stored == lines.end()                                                 ? "missing"
-                                 : stored->second == recomputed(planned, plan, folder, build, engines) ? ""
-                                                                                                       : "different";
+        const std::string what = stored == lines.end()                                          ? "missing"
+                                 : stored->second == recomputed(planned, plan, folder, engines) ? ""
+                                                                                                : "different";
         if (!what.empty()) {
             ++different;
             fmt::print(terminal.out, "{}: {} {} on {}, {} steps: {}\n", planned.hash, planned.cell.formulation,
@@ -74,7 +118,8 @@ Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsi
     }
     fmt::print(terminal.out, "{} of {} cells computed again (seed {}), {} differ or are missing\n", indices.size(),
                plan.cells.size(), seed, different);
-    return different > 0 ? Exit::cells_failed : Exit::ok;
+    const std::size_t wrong = plan.references.empty() ? 0 : verify_references(plan, folder, engines, terminal.out);
+    return different + wrong > 0 ? Exit::cells_failed : Exit::ok;
 }
 
 }  // namespace kreisel

@@ -3,9 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
+#include "experiments/errors.hpp"
 #include "experiments/files.hpp"
 #include "experiments/hash.hpp"
 #include "experiments/json_writer.hpp"
+#include "experiments/provenance.hpp"
+#include "kreisel_build.hpp"
 
 namespace kreisel {
 
@@ -39,7 +44,7 @@ ReportedBody read_body(const nlohmann::json& json) {
     return body;
 }
 
-Reference read_reference(const nlohmann::json& json) {
+Reference reference_of(const nlohmann::json& json) {
     Reference reference;
     const auto& state = json.at("state");
     reference.state.t = read_number(state.at("t"));
@@ -53,37 +58,97 @@ Reference read_reference(const nlohmann::json& json) {
     return reference;
 }
 
+/// The text up to its check sum; nothing if that is wrong.
+std::optional<std::string_view> checked(std::string_view text) {
+    const auto end = text.rfind(sum_key);
+    if (end == std::string_view::npos) { return std::nullopt; }
+    const std::string sum = fmt::format("{}{}\"}}\n", sum_key, hash_text(text.substr(0, end)));
+    return text.substr(end) == sum ? std::optional(text.substr(0, end)) : std::nullopt;
+}
+
+void write_if_different(const std::filesystem::path& file, const std::string& text) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error) && read_text(file) == text) { return; }
+    make_folder(file.parent_path());
+    write_atomically(file, text);
+}
+
 }  // namespace
 
 std::filesystem::path reference_file(const std::filesystem::path& folder, const std::string& hash) {
     return folder / "references" / (hash + ".json");
 }
 
-std::optional<Reference> load_reference(const std::filesystem::path& file, const PlannedReference& planned,
-                                        const std::string& build) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) { return std::nullopt; }
-    const std::string text = read_text(file);
-    const auto sum_at = text.rfind(sum_key);
-    if (sum_at == std::string::npos ||
-        text.substr(sum_at) !=
-            fmt::format("{}{}\"}}\n", sum_key, hash_text(std::string_view(text).substr(0, sum_at)))) {
-        return std::nullopt;
-    }
-    const auto json = nlohmann::json::parse(text);
-    if (json.at("build") != build || json.at("of") != nlohmann::json::parse(planned.content)) { return std::nullopt; }
-    return read_reference(json);
-}
-
-void store_reference(const std::filesystem::path& file, const PlannedReference& planned, const Reference& reference,
-                     const std::string& build) {
+StoredReference stored_reference(const PlannedReference& planned, const Reference& reference,
+                                 const std::string& digest) {
     ObjectWriter error;
     for (const auto& [name, number] : reference.error) { error.member(name, json_value(number, true)); }
+    ObjectWriter program;
+    program.member("version", json_text(build::version)).member("commit", json_text(build::commit));
+    program.member("compiler", json_text(build::compiler)).member("computed", json_text(utc_now()));
     ObjectWriter object;
-    object.member("of", planned.content).member("build", json_text(build)).member("route", json_text(reference.route));
-    object.member("horizon", json_number(reference.horizon)).member("error", error.text());
-    const std::string text = object.member("state", json_value(reference.state, true)).open_text();
-    write_atomically(file, fmt::format("{}{}{}\"}}\n", text, sum_key, hash_text(text)));
+    object.member("of", planned.content).member("by", json_text(digest)).member("program", program.text());
+    object.member("route", json_text(reference.route)).member("horizon", json_number(reference.horizon));
+    const std::string text =
+        object.member("error", error.text()).member("state", json_value(reference.state, true)).open_text();
+    return {reference, fmt::format("{}{}{}\"}}\n", text, sum_key, hash_text(text))};
+}
+
+std::optional<StoredReference> read_reference(const std::string& text, const PlannedReference& planned,
+                                              const std::string& digest) {
+    const auto whole = checked(text);
+    if (!whole) { return std::nullopt; }
+    try {
+        const auto json = nlohmann::json::parse(std::string(*whole) + "}");
+        const bool same_code = digest.empty() || json.at("by") == digest;
+        if (!same_code || json.at("of") != nlohmann::json::parse(planned.content)) { return std::nullopt; }
+        return StoredReference{reference_of(json), text};
+    } catch (const nlohmann::json::exception&) { return std::nullopt; }  // intact, but of another format
+}
+
+std::optional<StoredReference> load_reference(const std::filesystem::path& file, const PlannedReference& planned,
+                                              const std::string& digest) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) { return std::nullopt; }
+    try {
+        return read_reference(read_text(file), planned, digest);
+    } catch (const FileError&) { return std::nullopt; }
+}
+
+std::filesystem::path default_cache_folder() {
+    // The program starts threads only later, and changes no environment.
+    const auto variable = [](const char* name) { return std::getenv(name); };  // NOLINT(concurrency-mt-unsafe)
+    if (const char* own = variable("KREISEL_CACHE")) { return own; }
+    for (const auto& [name, below] : {std::pair("XDG_CACHE_HOME", "kreisel"), std::pair("HOME", ".cache/kreisel")}) {
+        const char* folder = variable(name);
+        // The base directory specification: a relative path counts as none.
+        if (folder != nullptr && std::filesystem::path(folder).is_absolute()) {
+            return std::filesystem::path(folder) / below;
+        }
+    }
+    return {};
+}
+
+std::filesystem::path ReferenceStore::in_results(const PlannedReference& planned) const {
+    return reference_file(results_, hash_text(planned.content));
+}
+
+std::filesystem::path ReferenceStore::in_cache(const PlannedReference& planned) const {
+    return reference_file(cache_, hash_text(planned.content + "\n" + digest_));
+}
+
+std::optional<StoredReference> ReferenceStore::find(const PlannedReference& planned) const {
+    if (auto stored = load_reference(in_results(planned), planned, digest_)) { return stored; }
+    return cache_.empty() ? std::nullopt : load_reference(in_cache(planned), planned, digest_);
+}
+
+std::string ReferenceStore::keep(const PlannedReference& planned, const StoredReference& stored) const {
+    write_if_different(in_results(planned), stored.text);
+    if (cache_.empty()) { return ""; }
+    try {
+        write_if_different(in_cache(planned), stored.text);
+    } catch (const FileError& error) { return error.what(); }
+    return "";
 }
 
 }  // namespace kreisel

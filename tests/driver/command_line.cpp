@@ -15,6 +15,9 @@ namespace kreisel {
 
 namespace {
 
+// No test may leave the references of an invented engine in the cache of whoever runs it.
+const int no_cache = ::setenv("KREISEL_CACHE", "", 1);
+
 // Diverts a stream into a string for as long as it lives.
 class Capture {
   public:

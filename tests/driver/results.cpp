@@ -8,6 +8,7 @@
 #include "experiments/cell_line.hpp"
 #include "experiments/errors.hpp"
 #include "experiments/files.hpp"
+#include "experiments/hash.hpp"
 #include "experiments/journal.hpp"
 #include "experiments/json_strict.hpp"
 #include "experiments/reference_store.hpp"
@@ -130,36 +131,51 @@ TEST_CASE("the table has one column for each option and metric, and quotes what 
           "30000000000000000000001\n");
 }
 
-TEST_CASE("references are read back as they were stored, and only for the same content and build") {
+TEST_CASE("references are read back as they were stored, and only for the same content and code") {
     const ScratchFolder scratch;
     const Plan plan = small_plan("double");
     PlannedReference planned = plan.references.begin()->second;
     const Reference reference = engine.reference("heavy_top", planned.parameters, planned.t_end, {});
     const auto file = scratch / "r.json";
-    store_reference(file, planned, reference, "b");
-    const auto again = load_reference(file, planned, "b");
-    REQUIRE(again);
-    CHECK(again->state.bodies[0].x[1].text == reference.state.bodies[0].x[1].text);
-    CHECK(again->state.bodies[0].x[1].value == reference.state.bodies[0].x[1].value);
-    CHECK(again->state.multipliers.size() == 3);
-    CHECK(again->error.at("error.position").text == "1e-20");
-    CHECK(again->horizon == 50);
+    const std::string text = stored_reference(planned, reference, "b").text;
+    scratch.file("r.json", text);
+    const auto stored = load_reference(file, planned, "b");
+    REQUIRE(stored);
+    CHECK(stored->text == text);
+    const Reference& again = stored->reference;
+    CHECK(again.state.bodies[0].x[1].text == reference.state.bodies[0].x[1].text);
+    CHECK(again.state.bodies[0].x[1].value == reference.state.bodies[0].x[1].value);
+    CHECK(again.state.multipliers.size() == 3);
+    CHECK(again.error.at("error.position").text == "1e-20");
+    CHECK(again.horizon == 50);
+    CHECK(again.route == "fake");
+    const auto json = nlohmann::json::parse(text);
+    for (const char* key : {"version", "commit", "compiler", "computed"}) { CHECK(json["program"][key].is_string()); }
     CHECK_FALSE(load_reference(file, planned, "c"));
+    CHECK(load_reference(file, planned, ""));
     CHECK_FALSE(load_reference(scratch / "absent", planned, "b"));
     planned.content = "{}";
     CHECK_FALSE(load_reference(file, planned, "b"));
-    const std::string text = contents(file);
     for (std::size_t i = 0; i < text.size(); i += 7) {
         scratch.file("r.json", text.substr(0, i));
         CHECK_FALSE(load_reference(file, plan.references.begin()->second, "b"));
+        std::string flipped = text;
+        flipped[i] = static_cast<char>(flipped[i] ^ 1);
+        scratch.file("r.json", flipped);
+        CHECK_FALSE(load_reference(file, plan.references.begin()->second, ""));
     }
+    const std::string other = R"({"of":{},"format":7)";
+    scratch.file("r.json", other + R"(,"sum":")" + hash_text(other) + "\"}\n");
+    CHECK_FALSE(load_reference(file, plan.references.begin()->second, ""));
 }
 
 TEST_CASE("files are whole or absent, and a folder has one writer") {
     const ScratchFolder scratch;
     write_atomically(scratch / "f", "text");
     CHECK(contents(scratch / "f") == "text");
-    CHECK_FALSE(std::filesystem::exists(scratch / "f.part"));
+    for (const auto& entry : std::filesystem::directory_iterator(scratch / "")) {
+        CHECK(entry.path().filename() == "f");
+    }
     CHECK_THROWS_AS(write_atomically(scratch / "no" / "f", "text"), FileError);
     CHECK_THROWS_AS(LineAppender("/dev/full").append("line"), FileError);
     const FolderLock shard(scratch / "", "1-of-2");
