@@ -33,7 +33,9 @@ if(KREISEL_BINARY128)
   kreisel_suite(mechanics binary128 LIBRARIES kreisel_lie_binary128 kreisel_mechanics_binary128 kreisel_problems_binary128)
   kreisel_suite(methods binary128 LIBRARIES kreisel_binary128 SOURCES ${controls})
   kreisel_suite(orders binary128 LIBRARIES kreisel_binary128 SOURCES ${controls})
-  kreisel_suite(reference binary128 LIBRARIES kreisel_binary128 GSL::gsl)
+  find_package(SUNDIALS 6 REQUIRED)  # an oracle of the tests alone
+  kreisel_suite(reference binary128 LIBRARIES kreisel_binary128 GSL::gsl SUNDIALS::ida_shared SUNDIALS::nvecserial_shared
+                SUNDIALS::sunmatrixdense_shared SUNDIALS::sunlinsoldense_shared)
   kreisel_suite(tables plain LIBRARIES kreisel_driver)
   kreisel_suite(driver plain LIBRARIES kreisel_driver)
   kreisel_suite(campaign plain LIBRARIES kreisel_driver quadmath
