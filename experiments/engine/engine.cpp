@@ -61,11 +61,16 @@ class RealEngine final : public Engine {
 
     Reference reference(const std::string& name, const ParameterValues& values, double t_end,
                         const std::stop_token& stop) const override {
-        const Model model = problem(name).build(Parameters(values));
-        const ReferenceSolution solution = confirmed_reference(model, decimal(t_end), stop);
+        const Problem& entry = problem(name);
+        const Model model = entry.build(Parameters(values));
+        ReferenceSolution solution = confirmed_reference(model, decimal(t_end), stop);
         if (solution.interrupted) return {.state = {}, .error = {}, .interrupted = true};
         if (!solution.stopped.empty())
             return {.state = {}, .error = {}, .horizon = 0, .route = solution.route + ", stopped: " + solution.stopped};
+        if (entry.closed_form) {
+            allow_for(solution, distance(solution.states, entry.closed_form(Parameters(values), decimal(t_end))));
+            solution.route += "; closed form";
+        }
         std::vector<std::string> bodies;
         for (const Body& body : model.bodies) bodies.push_back(body.name);
         Reference reference;

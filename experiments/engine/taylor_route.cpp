@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/engine/taylor_route.hpp"
 
-#include "experiments/engine/report.hpp"
-
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
@@ -81,6 +79,13 @@ Status TaylorRoute::multipliers(std::vector<Real>& lambda) {
     return status;
 }
 
+void allow_for(ReferenceSolution& reference, const Distance& distance) {
+    reference.position_error = max(reference.position_error, distance.position);
+    reference.rotation_error = max(reference.rotation_error, distance.rotation);
+    reference.velocity_error = max(reference.velocity_error, distance.velocity);
+    reference.omega_error = max(reference.omega_error, distance.omega);
+}
+
 ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop) {
     ReferenceSolution out = reference_solution(model, t_end, stop);
     if (out.interrupted || !out.stopped.empty()) return out;
@@ -93,9 +98,7 @@ ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, con
     if (agreement.status != Status::ok) out.route += std::string(", ended by ") + name(agreement.status);
     std::vector<Real> lambda;
     if (out.horizon != t_end || route.multipliers(lambda) != Status::ok) return out;
-    const Distance& d = agreement.distance;
-    out.position_error = max(out.position_error, d.position), out.rotation_error = max(out.rotation_error, d.rotation);
-    out.velocity_error = max(out.velocity_error, d.velocity), out.omega_error = max(out.omega_error, d.omega);
+    allow_for(out, agreement.distance);
     out.multiplier_error = max(out.multiplier_error, norm_of_difference(lambda, out.multipliers));
     return out;
 }

@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "experiments/engine/reference.hpp"
+#include "experiments/engine/report.hpp"
 #include "experiments/engine/taylor_series.hpp"
 
 namespace kreisel {
@@ -49,6 +50,9 @@ class TaylorRoute {
 /// sizes and that between the routes, and the horizon the last big step up to which these agree to 1e-12 as well. Where
 /// the second route fails, the horizon ends, and `route` says so.
 ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop = {});
+
+/// Makes the errors of a reference at least as large as its distance from another solution at t_end.
+void allow_for(ReferenceSolution& reference, const Distance& distance);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel
