@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace architecture;
 
-const fs::path project_root = build::source_dir;
+const fs::path project_root = kreisel::build::source_dir;
 
 std::string print(const std::vector<Finding>& findings) {
     std::string lines;
