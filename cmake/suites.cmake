@@ -46,3 +46,9 @@ if(KREISEL_BINARY128)
            COMMAND_EXPAND_LISTS)
   set_tests_properties(architecture.symbols PROPERTIES LABELS architecture ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 endif()
+
+# A few mutants of the tableaus, so that the tools that make them stay alive; they build a copy of the sources.
+if(NOT KREISEL_SANITIZE)
+  add_test(NAME mutation.sample COMMAND ${CMAKE_SOURCE_DIR}/tools/mutate-coefficients --sample 6 --only methods/)
+  set_tests_properties(mutation.sample PROPERTIES LABELS mutation RUN_SERIAL ON TIMEOUT 1800)
+endif()

@@ -3,7 +3,7 @@
 
 #include "experiments/campaign.hpp"
 #include "experiments/files.hpp"
-#include "experiments/json_writer.hpp"
+#include "experiments/plan_text.hpp"
 #include "experiments/results_table.hpp"
 
 namespace kreisel {
@@ -42,11 +42,13 @@ CellCounts count_cells(const Plan& plan, const std::map<std::string, FinishedCel
 
 std::string failure_text(const PlannedCell& planned, const FinishedCell& finished) {
     const Cell& cell = planned.cell;
-    std::string options;
-    for (const auto& [name, value] : cell.options) { options += fmt::format(" {}={}", name, json_value(value)); }
-    return fmt::format("{} at t = {}: {}{} on {} {}, projection {}, {}, {} steps: {}", finished.status,
-                       finished.t_reached, cell.method, options, planned.label, cell.formulation, cell.projection,
-                       planned.precision, cell.steps, finished.detail.empty() ? "no details" : finished.detail);
+    const auto with_options = [](const std::string& name, const OptionValues& options) {
+        return options.empty() ? name : name + " " + options_text(options);
+    };
+    return fmt::format("{} at t = {:.10g}: {} on {} {}, projection {}, {}, {} steps: {}", finished.status,
+                       finished.t_reached, with_options(cell.method, cell.options), planned.label, cell.formulation,
+                       with_options(cell.projection, cell.projection_options), planned.precision, cell.steps,
+                       finished.detail.empty() ? "no details" : finished.detail);
 }
 
 }  // namespace kreisel

@@ -12,15 +12,6 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::string options_text(const OptionValues& options) {
-    std::string text;
-    for (const auto& [name, value] : options) {
-        const auto* word = std::get_if<std::string>(&value);
-        text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, word != nullptr ? *word : json_value(value));
-    }
-    return text;
-}
-
 Row row_of(const PlannedCell& planned) {
     const Cell& cell = planned.cell;
     return {planned.hash,
@@ -35,6 +26,15 @@ Row row_of(const PlannedCell& planned) {
 }
 
 }  // namespace
+
+std::string options_text(const OptionValues& options) {
+    std::string text;
+    for (const auto& [name, value] : options) {
+        const auto* word = std::get_if<std::string>(&value);
+        text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, word != nullptr ? *word : json_value(value));
+    }
+    return text;
+}
 
 std::string plan_summary(const Plan& plan) {
     const std::size_t skipped = plan.skipped();

@@ -10,6 +10,9 @@
 
 namespace kreisel {
 
+/// "coordinates=exp dexpinv=exact".
+std::string options_text(const OptionValues& options);
+
 /// "24 cells: 20 to run, 4 skipped; 2 reference solutions".
 std::string plan_summary(const Plan& plan);
 

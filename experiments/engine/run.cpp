@@ -2,6 +2,7 @@
 #include "experiments/engine/run.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <ctime>
 
 #include "experiments/engine/metrics.hpp"
@@ -20,6 +21,13 @@ double thread_seconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) / 1000000000;
+}
+
+/// For a sentence: ten digits say where, whatever the precision.
+std::string brief(const Real& x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.10g", to_double(x));
+    return text;
 }
 
 bool applies(const std::vector<std::string>& formulations, const std::string& name) {
@@ -106,7 +114,7 @@ class Run {
     void fail(Status status, long step, const std::string& where) {
         outcome_.status = name(status);
         outcome_.detail = where + " failed in step " + std::to_string(step + 1) + " of " + std::to_string(cell_.steps) +
-                          ", from t = " + to_text(time(step)) + " s";
+                          ", from t = " + brief(time(step)) + " s";
     }
 
     /// Names the first quantity that is not finite.
