@@ -8,7 +8,8 @@
 set -euo pipefail
 
 shared=(
-    Cell Column Cost Engine Number Outcome Reference ReportedBody ReportedState SystemSummary Trajectory # engine.hpp
+    Cell Column Cost Engine Number Outcome Reference ReferenceCheck ReportedBody ReportedState           # engine.hpp
+    SystemSummary Trajectory
     BodyData ParameterError                                                                    # mechanics/data.hpp
     Elimination eliminate                                       # mechanics/elimination.hpp: the joint graph, integers
     MethodDescription OptionDescription OptionError Order ProjectionDescription             # methods/description.hpp
