@@ -82,12 +82,15 @@ def is_red(suite):
     return run.returncode != 0
 
 
-def must_be_green(suites, jobs):
-    for suite in suites:
-        if not build(suite, jobs):
-            sys.exit(f"the suite {suite} does not build without any mutation")
-        if is_red(suite):
-            sys.exit(f"the suite {suite} is red without any mutation")
+def must_be_green(suite, jobs, known=set()):
+    """Ends the program unless the suite is green without any mutation; asked once per suite."""
+    if suite in known:
+        return
+    if not build(suite, jobs):
+        sys.exit(f"the suite {suite} does not build without any mutation")
+    if is_red(suite):
+        sys.exit(f"the suite {suite} is red without any mutation")
+    known.add(suite)
 
 
 def verdict(mutant, jobs):
@@ -97,16 +100,17 @@ def verdict(mutant, jobs):
     lines = original.split("\n")
     assert lines[mutant.line - 1] == mutant.before, f"{mutant}: the line has changed"
     lines[mutant.line - 1] = mutant.after
-    target.write_text("\n".join(lines))
-    try:
-        for suite in mutant.suites:
+    for suite in mutant.suites:
+        must_be_green(suite, jobs)
+        target.write_text("\n".join(lines))
+        try:
             if not build(suite, jobs):
                 return "not compiled"
             if is_red(suite):
                 return suite
-        return "survived"
-    finally:
-        target.write_text(original)
+        finally:
+            target.write_text(original)
+    return "survived"
 
 
 def judge(mutants, jobs, reasons=None):
@@ -114,7 +118,6 @@ def judge(mutants, jobs, reasons=None):
     reasons = reasons or {}
     copy_tree()
     configure()
-    must_be_green(sorted({suite for mutant in mutants for suite in mutant.suites}), jobs)
     verdicts, begin = {}, time.monotonic()
     for count, mutant in enumerate(mutants, start=1):
         verdicts[mutant] = verdict(mutant, jobs)
