@@ -4,6 +4,12 @@ find_package(Catch2 2.13 REQUIRED)
 add_library(kreisel_test_main OBJECT ${CMAKE_SOURCE_DIR}/tests/main.cpp)
 target_link_libraries(kreisel_test_main PUBLIC Catch2::Catch2)
 
+# rapidcheck's headers are heavy: one translation unit, and no suite sees them.
+find_package(rapidcheck REQUIRED)
+add_library(kreisel_rapid OBJECT ${CMAKE_SOURCE_DIR}/tests/rapid/rapid.cpp)
+target_include_directories(kreisel_rapid PRIVATE ${CMAKE_SOURCE_DIR})
+target_link_libraries(kreisel_rapid PUBLIC rapidcheck)
+
 # kreisel_suite(name variant LIBRARIES ... SOURCES ...): tests/<name>/*.cpp and further sources or objects.
 function(kreisel_suite suite variant)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LIBRARIES;SOURCES")
@@ -20,7 +26,7 @@ function(kreisel_suite suite variant)
 endfunction()
 
 file(GLOB controls CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/controls/*.cpp)
-kreisel_suite(lie binary64 LIBRARIES kreisel_lie_binary64)
+kreisel_suite(lie binary64 LIBRARIES kreisel_lie_binary64 kreisel_rapid)
 kreisel_suite(mechanics binary64 LIBRARIES kreisel_lie_binary64 kreisel_mechanics_binary64 kreisel_problems_binary64)
 kreisel_suite(methods binary64 LIBRARIES kreisel_binary64 SOURCES ${controls})
 kreisel_suite(architecture plain)
@@ -29,7 +35,7 @@ if(NOT KREISEL_SANITIZE)  # exact rationals compile slowly there
   kreisel_suite(orders binary64 LIBRARIES kreisel_binary64 SOURCES ${controls})
 endif()
 if(KREISEL_BINARY128)
-  kreisel_suite(lie binary128 LIBRARIES kreisel_lie_binary128)
+  kreisel_suite(lie binary128 LIBRARIES kreisel_lie_binary128 kreisel_rapid)
   kreisel_suite(mechanics binary128 LIBRARIES kreisel_lie_binary128 kreisel_mechanics_binary128 kreisel_problems_binary128)
   kreisel_suite(methods binary128 LIBRARIES kreisel_binary128 SOURCES ${controls})
   kreisel_suite(orders binary128 LIBRARIES kreisel_binary128 SOURCES ${controls})
@@ -40,6 +46,13 @@ if(KREISEL_BINARY128)
   kreisel_suite(driver plain LIBRARIES kreisel_driver)
   kreisel_suite(campaign plain LIBRARIES kreisel_driver quadmath
                 SOURCES ${KREISEL_OBJECTS_binary64} ${KREISEL_OBJECTS_binary128})
+  foreach(precision binary64 binary128)
+    add_library(kreisel_values_${precision} OBJECT ${CMAKE_SOURCE_DIR}/tests/precisions/values/values.cpp)
+    target_link_libraries(kreisel_values_${precision} PRIVATE kreisel_lie_${precision})
+  endforeach()
+  kreisel_suite(precisions plain LIBRARIES quadmath
+                SOURCES $<TARGET_OBJECTS:kreisel_values_binary64> $<TARGET_OBJECTS:kreisel_values_binary128>
+                        $<TARGET_OBJECTS:kreisel_lie_binary64> $<TARGET_OBJECTS:kreisel_lie_binary128>)
   add_test(NAME architecture.symbols
            COMMAND ${CMAKE_SOURCE_DIR}/tests/architecture/symbols.sh ${KREISEL_OBJECTS_binary64} --
                    ${KREISEL_OBJECTS_binary128}
