@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The parameters of every registered problem survive the way through a config: written, read, written again.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "experiments/config.hpp"
+#include "experiments/engine.hpp"
+#include "experiments/json_strict.hpp"
+#include "experiments/json_writer.hpp"
+
+using namespace kreisel;
+
+namespace {
+
+/// A number with all 53 bits in use, close to x.
+double awkward(double x) { return x * (1 + 1 / (3 * 1024.0)) + std::nextafter(1.0 / 3, 0); }
+
+Vector3 awkward(const Vector3& v) { return {awkward(v[0]), awkward(v[1]), awkward(v[2])}; }
+
+/// Symmetric to the last bit; a rotation by a cyclic exchange of the axes stays one.
+Matrix3 awkward(const Matrix3& m, ParameterKind kind) {
+    if (kind == ParameterKind::rotation) return {m[3], m[4], m[5], m[6], m[7], m[8], m[0], m[1], m[2]};
+    const double a = awkward(m[1]) / 7, b = awkward(m[2]) / 7, c = awkward(m[5]) / 7;
+    return {awkward(m[0]), a, b, a, awkward(m[4]), c, b, c, awkward(m[8])};
+}
+
+ParameterValue other_than_standard(const ParameterDescription& parameter) {
+    switch (parameter.kind) {
+        case ParameterKind::scalar:
+        case ParameterKind::positive:
+            return awkward(std::get<double>(parameter.standard));
+        case ParameterKind::vector:
+            return awkward(std::get<Vector3>(parameter.standard));
+        case ParameterKind::inertia:
+        case ParameterKind::rotation:
+            return awkward(std::get<Matrix3>(parameter.standard), parameter.kind);
+        case ParameterKind::bodies:
+            break;
+    }
+    auto bodies = std::get<std::vector<BodyData>>(parameter.standard);
+    for (BodyData& body : bodies) {
+        body.mass = awkward(body.mass);
+        body.inertia = awkward(body.inertia, ParameterKind::inertia);
+        body.R = awkward(body.R, ParameterKind::rotation);
+        body.x = awkward(body.x), body.omega = awkward(body.omega), body.v = awkward(body.x);
+    }
+    bodies.back().v.reset();  // absent stays absent
+    return bodies;
+}
+
+ParameterValues read_back(const std::string& problem, const std::string& parameters, const Registry& registry) {
+    const std::string text =
+        ObjectWriter()
+            .member("name", json_text("round_trip"))
+            .member("kind", json_text("convergence"))
+            .member(
+                "problems",
+                "[" + ObjectWriter().member("name", json_text(problem)).member("parameters", parameters).text() + "]")
+            .member("formulations", R"(["SO3xR3"])")
+            .member("methods", R"(["rkmk/rk4"])")
+            .member("time", R"({"end": 1, "steps": [8, 16]})")
+            .text();
+    return read_config(parse_document("round_trip.json", text), registry).problems.at(0).parameters;
+}
+
+}  // namespace
+
+TEST_CASE("parameters of every problem round-trip through JSON", "[campaign]") {
+    const Registry registry(engine_binary64());
+    for (const ProblemDescription& problem : registry.problems) {
+        INFO(problem.name);
+        ParameterValues standard, other;
+        for (const ParameterDescription& parameter : problem.parameters) {
+            standard[parameter.name] = parameter.standard;
+            other[parameter.name] = other_than_standard(parameter);
+            INFO(parameter.name);
+            CHECK_FALSE(other[parameter.name] == parameter.standard);
+        }
+        CHECK(read_back(problem.name, json_value(standard), registry) == standard);
+        CHECK(read_back(problem.name, json_value(other), registry) == other);
+        CHECK(read_back(problem.name, "{}", registry) == standard);
+    }
+}
+
+TEST_CASE("a round trip that loses a bit is noticed", "[campaign][control]") {
+    const Registry registry(engine_binary64());
+    const ProblemDescription& problem = registry.problems.at(0);
+    ParameterValues values;
+    for (const ParameterDescription& parameter : problem.parameters)
+        values[parameter.name] = other_than_standard(parameter);
+    const ParameterValues back = read_back(problem.name, json_value(values), registry);
+    for (auto& [name, value] : values)
+        if (auto* vector = std::get_if<Vector3>(&value)) (*vector)[2] = std::nextafter((*vector)[2], 1e9);
+    CHECK_FALSE(back == values);
+}

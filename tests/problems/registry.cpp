@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every registered problem in every formulation, with no line written for a new one.
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "methods/method.hpp"
+#include "methods/projection.hpp"
+#include "tests/problems/states.hpp"
+
+using namespace kreisel;
+using namespace checks;
+
+namespace {
+
+void holds(std::string (*check)(System&, const At&)) {
+    states::for_each_state([&](System& system, const At& at) { CHECK(check(system, at) == ""); });
+}
+
+std::string text_of(const std::string& path) {
+    std::ifstream in(path);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+bool in_bibliography(const std::string& key) {
+    static const std::string bibliography = text_of(std::string(KREISEL_SOURCE_DIR) + "/paper/references.bib");
+    REQUIRE_FALSE(bibliography.empty());
+    return bibliography.find("{" + key + ",") != std::string::npos;
+}
+
+void cites_known_works(const std::string& name, const std::vector<std::string>& cites) {
+    for (const std::string& key : cites) {
+        INFO(name << " cites " << key);
+        CHECK(in_bibliography(key));
+    }
+}
+
+/// Masses, inertias and all loads but gravity times `factor`.
+Model scaled(Model model, const Real& factor) {
+    for (Body& body : model.bodies) body.mass *= factor, body.J *= factor;
+    return model;
+}
+
+}  // namespace
+
+TEST_CASE("M is symmetric and positive definite", "[problems]") { holds(mass_is_positive); }
+TEST_CASE("C is the derivative of Phi", "[problems]") { holds(jacobian_is_derivative); }
+TEST_CASE("the velocity rows are C v + b with b = dPhi/dt", "[problems]") { holds(velocity_rows_are_consistent); }
+TEST_CASE("C v' - xi is the derivative of C v + b", "[problems]") { holds(bias_is_derivative); }
+TEST_CASE("accelerations and multipliers solve the index-1 system", "[problems]") { holds(accelerations_solve_kkt); }
+TEST_CASE("the applied force is minus the gradient of the potential", "[problems]") { holds(force_is_gradient); }
+TEST_CASE("first integrals are constant along the exact field", "[problems]") { holds(integrals_are_constant); }
+
+TEST_CASE("every problem starts on its joints", "[problems]") {
+    for (const Problem& problem : problems()) {
+        INFO(problem.description.name);
+        const Model model = states::standard(problem);
+        CHECK_NOTHROW(check_start(model));
+        for (const std::string& name : states::applicable(model)) {
+            const auto s = make_system(model, name);
+            const At at = states::in_coordinates(*s, states::poses(model, 0)[0]);
+            VecX phi(s->constraints()), rate(s->constraints());
+            s->position_residual(0, at.y.data(), phi.data());
+            s->velocity_residual(0, at.y.data(), at.y.data() + s->group().size(), rate.data());
+            Real fastest = 1;
+            for (const Body& body : model.bodies)
+                fastest = max(fastest, Real(body.start.v.norm() + body.start.omega.norm()));
+            CHECK(phi.norm() <= 40 * epsilon);
+            CHECK(rate.norm() <= 40 * epsilon * fastest);
+        }
+    }
+}
+
+TEST_CASE("the bodies survive the coordinates of every formulation", "[problems]") {
+    for (const Problem& problem : problems()) {
+        const Model model = states::standard(problem);
+        for (const std::string& name : states::applicable(model)) {
+            INFO(problem.description.name << " as " << name);
+            const auto s = make_system(model, name);
+            for (const states::Pose& pose : states::poses(model, 4)) {
+                std::vector<BodyState> back(pose.bodies.size());
+                s->read(states::in_coordinates(*s, pose).y.data(), back.data());
+                for (std::size_t i = 0; i < back.size(); ++i) {
+                    const BodyState &a = back[i], &b = pose.bodies[i];
+                    CHECK((a.x - b.x).norm() + (a.R - b.R).norm() <= 100 * epsilon);
+                    CHECK((a.v - b.v).norm() + (a.omega - b.omega).norm() <=
+                          100 * epsilon * (1 + b.v.norm() + b.omega.norm()));
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("all formulations agree on accelerations and multipliers", "[problems]") {
+    for (const Problem& problem : problems()) {
+        const Model model = states::standard(problem);
+        for (const states::Pose& pose : states::poses(model, 4)) {
+            const auto at = [&](const std::string& name) {
+                const auto s = make_system(model, name);
+                return dynamics(*s, states::in_coordinates(*s, pose));
+            };
+            const Dynamics mixed = at("SO3xR3");
+            for (const std::string& name : states::applicable(model)) {
+                INFO(problem.description.name << " as " << name << " at t = " << to_double(pose.t));
+                Dynamics other = at(name);
+                if (other.multipliers.size() == 0) other.multipliers = mixed.multipliers;  // SO3 has none
+                CHECK(same_dynamics(mixed, other) == "");
+            }
+        }
+    }
+}
+
+TEST_CASE("scaling masses, inertias and loads keeps the accelerations and scales the multipliers", "[problems]") {
+    const Real factor = 8;
+    for (const Problem& problem : problems()) {
+        const Model model = states::standard(problem), heavy = scaled(model, factor);
+        for (const states::Pose& pose : states::poses(model, 4))
+            for (const std::string& name : states::applicable(model)) {
+                INFO(problem.description.name << " as " << name);
+                const auto light_system = make_system(model, name), heavy_system = make_system(heavy, name);
+                Dynamics light = dynamics(*light_system, states::in_coordinates(*light_system, pose));
+                light.multipliers *= factor;
+                CHECK(same_dynamics(light, dynamics(*heavy_system, states::in_coordinates(*heavy_system, pose))) == "");
+            }
+    }
+}
+
+TEST_CASE("every problem says what its numbers are and where they come from", "[problems]") {
+    for (const Problem& problem : problems()) {
+        const ProblemDescription& about = problem.description;
+        INFO(about.name);
+        CHECK_FALSE(about.summary.empty());
+        for (const ParameterDescription& parameter : about.parameters) {
+            INFO(parameter.name);
+            CHECK_FALSE(parameter.summary.empty());
+            // Bodies are lists whose entries carry their own units.
+            CHECK(parameter.unit.empty() == (parameter.kind == ParameterKind::bodies));
+        }
+        cites_known_works(about.name, about.cites);
+        const std::string file = text_of(std::string(KREISEL_SOURCE_DIR) + "/problems/" + about.name + ".cpp");
+        REQUIRE_FALSE(file.empty());
+        const bool own_data = file.find("data are our own") != std::string::npos;
+        CHECK(own_data == about.cites.empty());
+    }
+}
+
+TEST_CASE("every method and projection cites works of the bibliography", "[problems]") {
+    for (const Method& entry : methods()) {
+        INFO(entry.description.name);
+        CHECK_FALSE(entry.description.cites.empty());
+        cites_known_works(entry.description.name, entry.description.cites);
+    }
+    for (const ProjectionMethod& entry : projections())
+        cites_known_works(entry.description.name, entry.description.cites);
+    CHECK_FALSE(in_bibliography("nobody1900"));
+}

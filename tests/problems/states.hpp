@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The registered problems as models, and states at which they are judged: their own start, and random poses and
+// velocities brought onto the joints.
+#pragma once
+
+#include <catch2/catch.hpp>
+
+#include "problems/problem.hpp"
+#include "tests/problems/checks.hpp"
+
+namespace states {
+
+using namespace kreisel;
+
+Model standard(const Problem& problem);
+std::vector<std::string> applicable(const Model& model);
+
+/// Bodies at a time, satisfying every joint at position and velocity level to round-off.
+struct Pose {
+    Real t;
+    std::vector<BodyState> bodies;
+};
+
+/// The model's own start at t = 0 first, then `count` random ones at other times, always the same.
+std::vector<Pose> poses(const Model& model, int count);
+
+checks::At in_coordinates(const System& system, const Pose& pose);
+
+/// f(model, system, state) for each problem, formulation and pose, named in Catch's messages.
+template <class F>
+void for_each_state(F f) {
+    for (const Problem& problem : problems()) {
+        const Model model = standard(problem);
+        const auto all = poses(model, 4);
+        for (const std::string& name : applicable(model)) {
+            const auto system = make_system(model, name);
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                INFO(problem.description.name << " as " << name << ", state " << i);
+                f(*system, in_coordinates(*system, all[i]));
+            }
+        }
+    }
+}
+
+}  // namespace states
