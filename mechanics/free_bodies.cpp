@@ -27,6 +27,7 @@ FreeBodies<Coordinates>::FreeBodies(Model model)
 
 template <class Coordinates>
 void FreeBodies<Coordinates>::find_anchored() {
+    if (!model_.loads.empty()) return;
     std::vector<const Link*> anchor(nodes_.size(), nullptr);
     for (const Link& link : links_) {
         const Link*& mine = anchor[static_cast<std::size_t>(link.second - nodes_.data())];
@@ -100,6 +101,8 @@ KREISEL_HOT Status FreeBodies<Coordinates>::accelerations(const Real& t, const R
         node.dw = node.J_inverse * Jw.cross(w);
         R += Factor::size, omega += 6;
     }
+    for (const Load& load : model_.loads)
+        nodes_[static_cast<std::size_t>(load.body)].push(load.in_body_axes(t, rotation(q, load.body)));
     if (const Status status = prepare_joints(q); status != Status::ok) return status;
     Vec3* rho = mu_.data();
     const Mat3* E = relative_.data();
@@ -171,9 +174,17 @@ void FreeBodies<Coordinates>::mass(const Real*, Real* blocks) const {
 template <class Coordinates>
 void FreeBodies<Coordinates>::applied_force(const Real& t, const Real* q, const Real*, Real* f) const {
     const Vec3 g = model_.gravity.at(t);
-    for (int i = 0; i < bodies(); ++i, f += 6) {
-        store(Vec3(model_.bodies[static_cast<std::size_t>(i)].mass * Coordinates::from_space(rotation(q, i), g)), f);
-        store(Vec3(Vec3::Zero()), f + 3);
+    for (int i = 0; i < bodies(); ++i) {
+        const Real& mass = model_.bodies[static_cast<std::size_t>(i)].mass;
+        store(Vec3(mass * Coordinates::from_space(rotation(q, i), g)), f + 6 * i);
+        store(Vec3(Vec3::Zero()), f + 6 * i + 3);
+    }
+    for (const Load& load : model_.loads) {
+        const Rotation R = rotation(q, load.body);
+        const auto [force, torque] = load.in_body_axes(t, R);
+        Real* mine = f + 6 * load.body;
+        store(Vec3(vec3(mine) + Coordinates::from_body(R, force)), mine);
+        store(Vec3(vec3(mine + 3) + torque), mine + 3);
     }
 }
 

@@ -3,12 +3,12 @@
 // Bodies of six degrees of freedom each, with spherical joints as constraints, in the coordinates of a formulation.
 // Everything is solved in body axes: per body A = R^T x'' and omega', per joint the force mu = R_second^T lambda on
 // the second body. The linear algebra of one evaluation is
-//   free motion      A = R^T f/m,  omega' = J^{-1} (torque - omega x J omega)
+//   free motion      A = R^T f/m,  omega' = J^{-1} (torque - omega x J omega)      (gravity and loads)
 //   joint residual   rho = E (A + omega' x r + omega x (omega x r))_first - (the same)_second
 //   complement       S mu = rho
 //   reaction         A -+ E^T mu / m,  omega' -+ J^{-1} (r x E^T mu)      (- first, + second)
 // with E = R_second^T R_first for the first body and the identity for the second. Where every body hangs on the ground
-// by at most one joint, S is block diagonal and each body is solved on its own, in registers.
+// by at most one joint and carries no load, S is block diagonal and each body is solved on its own, in registers.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +41,7 @@ class FreeBodies final : public System {
     bool ambient_jacobian(const Real& t, const Real* q, const Real* v, Real* G) const override;
     void acceleration_bias(const Real& t, const Real* q, const Real* v, Real* xi) const override;
     void row_scale(Real* scale) const override;
-    bool has_potential() const override { return model_.gravity.is_constant(); }
+    bool has_potential() const override { return model_.gravity.is_constant() && model_.loads.empty(); }
     Real potential(const Real& t, const Real* q) const override;
 
     int bodies() const override { return static_cast<int>(model_.bodies.size()); }
@@ -58,6 +58,11 @@ class FreeBodies final : public System {
         /// Body-axis acceleration of a point fixed in the body, turning with angular velocity w.
         Vec3 point_acceleration(const Vec3& r, const Vec3& w) const { return A + dw.cross(r) + w.cross(w.cross(r)); }
         Vec3 point_acceleration(const Vec3& r) const { return A + dw.cross(r); }
+        /// A force through the mass centre and a torque, in body axes.
+        void push(const Load::Wrench& load) {
+            A += inverse_mass * load.force;
+            dw += J_inverse * load.torque;
+        }
         /// A force at r, both in body axes.
         void apply(const Vec3& force, const Vec3& r) {
             A += inverse_mass * force;
@@ -88,9 +93,7 @@ class FreeBodies final : public System {
         return body == ground ? r : Vec3(position(q, body) + rotation(q, body) * r);
     }
     /// Relative rotations and the factors of the complement at q.
-    Status prepare_joints(const Real* q) {
-        return complement_.is_constant() ? complement_.status() : refactor(q);
-    }
+    Status prepare_joints(const Real* q) { return complement_.is_constant() ? complement_.status() : refactor(q); }
     Status refactor(const Real* q);
     void find_anchored();
     Status anchored_accelerations(const Real& t, const Real* q, const Real* v, Real* dv) const;

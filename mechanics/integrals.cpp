@@ -146,6 +146,7 @@ void add_body_momenta(const Model& model, std::vector<FirstIntegral>& integrals)
 
 std::vector<FirstIntegral> first_integrals(const Model& model) {
     std::vector<FirstIntegral> integrals;
+    if (!model.loads.empty()) return integrals;  // a load does work, and has a moment about every axis
     if (model.gravity.is_constant())
         integrals.push_back({"energy", "J", "gravity is constant and the joints do no work",
                              [model](States states) { return energy(model, states); },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A mechanical model: rigid bodies, spherical joints and gravity, with the initial state. SI units.
+// A mechanical model: rigid bodies, spherical joints, gravity and loads, with the initial state. SI units.
 #pragma once
 
 #include <string>
@@ -50,10 +50,30 @@ struct Gravity {
     Vec3 at(const Real& t) const { return is_constant() ? g : Vec3(g * (1 + amplitude * sin(frequency * t))); }
 };
 
+/// A force (N) through the mass centre of a body and a torque (N m), both times 1 + amplitude sin(frequency t), given in
+/// space axes or in axes that turn with the body; frequency in rad/s.
+struct Load {
+    enum class Axes { space, body };
+    struct Wrench {
+        Vec3 force, torque;
+    };
+    int body = 0;
+    Axes axes = Axes::space;
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+    Real amplitude = 0, frequency = 0;
+    /// At time t in body axes; R is the body's rotation.
+    Wrench in_body_axes(const Real& t, const Eigen::Map<const Mat3>& R) const {
+        const Real factor = 1 + amplitude * sin(frequency * t);
+        if (axes == Axes::body) return {factor * force, factor * torque};
+        return {factor * (R.transpose() * force), factor * (R.transpose() * torque)};
+    }
+};
+
 struct Model {
     std::vector<Body> bodies;
     std::vector<SphericalJoint> joints;
     Gravity gravity;
+    std::vector<Load> loads;
     std::vector<std::string> warnings;
 
     /// Joint whose two points coincide at `point` (space coordinates) in the initial configuration.

@@ -16,8 +16,10 @@ std::vector<const SphericalJoint*> joints_of(const Model& model, int body) {
     return joints;
 }
 
-bool rests_unloaded(const Model& model, const Body& body) {
-    return body.start.v.isZero(0) && model.gravity.g.isZero(0);
+bool rests_unloaded(const Model& model, int index) {
+    for (const Load& load : model.loads)
+        if (load.body == index && !load.force.isZero(0)) return false;
+    return model.bodies[static_cast<std::size_t>(index)].start.v.isZero(0) && model.gravity.g.isZero(0);
 }
 
 }  // namespace
@@ -26,7 +28,7 @@ std::string PivotedBodies::why_not(const Model& model) {
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
         const Body& body = model.bodies[i];
         const auto joints = joints_of(model, static_cast<int>(i));
-        if (joints.empty() && !rests_unloaded(model, body))
+        if (joints.empty() && !rests_unloaded(model, static_cast<int>(i)))
             return "body \"" + body.name + "\" has no fixed point: no spherical joint to the ground holds it";
         if (joints.size() > 1) return "body \"" + body.name + "\" has more than one joint, so SO3 cannot remove them";
         if (joints.size() == 1 && joints[0]->first != ground)
@@ -36,7 +38,7 @@ std::string PivotedBodies::why_not(const Model& model) {
 }
 
 PivotedBodies::PivotedBodies(Model model)
-    : System(std::make_shared<Power<SO3>>(static_cast<int>(model.bodies.size()))), gravity_(model.gravity) {
+    : System(std::make_shared<Power<SO3>>(static_cast<int>(model.bodies.size()))), gravity_(model.gravity), loads_(model.loads) {
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
         const Body& body = model.bodies[i];
         const auto joints = joints_of(model, static_cast<int>(i));
@@ -50,12 +52,20 @@ PivotedBodies::PivotedBodies(Model model)
 KREISEL_HOT Status PivotedBodies::accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real*) {
     const Vec3 g = gravity_.at(t);
     Real sum = 0;
+    const Real* const configuration = q;
+    Real* const rates = dv;
     for (const Pivoted& body : bodies_) {
         const Vec3 w = vec3(v), Jw = body.J_O * w;
         const Vec3 dw = body.J_O_inverse * (gravity_torque(body, mat3(q), g) + Jw.cross(w));
         sum += dw.sum();
         store(dw, dv);
         q += SO3::size, v += 3, dv += 3;
+    }
+    for (const Load& load : loads_) {
+        Real* mine = rates + 3 * load.body;
+        const Mat3& J_O_inverse = bodies_[static_cast<std::size_t>(load.body)].J_O_inverse;
+        store(Vec3(vec3(mine) + J_O_inverse * moment(load, t, configuration)), mine);
+        sum += vec3(mine).sum();
     }
     return isfinite(sum) ? Status::ok : Status::non_finite;
 }
@@ -78,6 +88,10 @@ void PivotedBodies::applied_force(const Real& t, const Real* q, const Real*, Rea
     const Vec3 g = gravity_.at(t);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         store(gravity_torque(bodies_[i], mat3(q + i * SO3::size), g), f + 3 * i);
+    for (const Load& load : loads_) {
+        Real* mine = f + 3 * load.body;
+        store(Vec3(vec3(mine) + moment(load, t, q)), mine);
+    }
 }
 
 void PivotedBodies::gyroscopic_force(const Real*, const Real* v, Real* f) const {

@@ -2,7 +2,8 @@
 //
 // Bodies that each turn about a fixed point: q = R, v = omega, no constraint left. With the lever c from the point to
 // the mass centre (body axes) and J_O = J + m (|c|^2 I - c c^T),
-//   J_O omega' = c x m R^T g - omega x J_O omega,   x = P + R c,   x' = R (omega x c).
+//   J_O omega' = c x (m R^T g + force) + torque - omega x J_O omega,   x = P + R c,   x' = R (omega x c),
+// force and torque being those of the loads in body axes.
 #pragma once
 
 #include <memory>
@@ -27,7 +28,7 @@ class PivotedBodies final : public System {
     void mass(const Real* q, Real* blocks) const override;
     void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override;
     void gyroscopic_force(const Real* q, const Real* v, Real* f) const override;
-    bool has_potential() const override { return gravity_.is_constant(); }
+    bool has_potential() const override { return gravity_.is_constant() && loads_.empty(); }
     Real potential(const Real& t, const Real* q) const override;
     int bodies() const override { return static_cast<int>(bodies_.size()); }
     void read(const Real* y, BodyState* states) const override;
@@ -42,7 +43,13 @@ class PivotedBodies final : public System {
     Vec3 gravity_torque(const Pivoted& body, const Eigen::Map<const Mat3>& R, const Vec3& g) const {
         return body.lever.cross(body.mass * (R.transpose() * g));
     }
+    /// Moment of a load about the fixed point, in body axes.
+    Vec3 moment(const Load& load, const Real& t, const Real* q) const {
+        const auto [force, torque] = load.in_body_axes(t, mat3(q + load.body * SO3::size));
+        return bodies_[static_cast<std::size_t>(load.body)].lever.cross(force) + torque;
+    }
     Gravity gravity_;
+    std::vector<Load> loads_;
     std::vector<Pivoted> bodies_;
 };
 

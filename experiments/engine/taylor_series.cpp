@@ -13,13 +13,22 @@ Eigen::Index row(std::size_t joint) { return 3 * static_cast<Eigen::Index>(joint
 
 Real real(std::size_t k) { return static_cast<int>(k); }
 
+/// d^k/dt^k (1 + A sin(W t)) / k!.
+Real modulation(const Real& amplitude, const Real& frequency, const Real& t, std::size_t k) {
+    Real factor = amplitude;
+    for (std::size_t i = 1; i <= k; ++i) factor *= frequency / real(i);
+    const Real phase = frequency * t;
+    const std::array<Real, 4> derivatives = {sin(phase), cos(phase), -sin(phase), -cos(phase)};
+    return (k == 0 ? 1 : 0) + factor * derivatives[k % 4];
+}
+
 }  // namespace
 
 TaylorSeries::TaylorSeries(const Model& model, int order) : model_(model), order_(static_cast<std::size_t>(order)) {
     if (order < 2) throw std::invalid_argument("a Taylor series of motion needs an order of at least 2");
     const std::vector<Vec3> zeros(order_ + 1, Vec3::Zero());
     for (const Body& body : model_.bodies)
-        bodies_.push_back({zeros, zeros, zeros, zeros, std::vector<Mat3>(order_ + 1), body.J.inverse(), Vec3::Zero()});
+        bodies_.push_back({zeros, zeros, zeros, zeros, std::vector<Mat3>(order_ + 1), body.J.inverse(), Vec3::Zero(), Vec3::Zero()});
     lambda_.assign(model_.joints.size(), zeros);
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
         const SphericalJoint& joint = model_.joints[j];
@@ -51,13 +60,19 @@ bool TaylorSeries::factor() {
 
 /// d^k/dt^k g(t) / k!.
 Vec3 TaylorSeries::gravity(const Real& t, std::size_t k) const {
-    const Gravity& field = model_.gravity;
-    if (k == 0) return field.at(t);
-    Real factor = field.amplitude;
-    for (std::size_t i = 1; i <= k; ++i) factor *= field.frequency / real(i);
-    const Real phase = field.frequency * t;
-    const std::array<Real, 4> derivatives = {sin(phase), cos(phase), -sin(phase), -cos(phase)};
-    return field.g * (factor * derivatives[k % 4]);
+    return model_.gravity.g * modulation(model_.gravity.amplitude, model_.gravity.frequency, t, k);
+}
+
+/// Coefficients k of a load: the product of its modulation with R for what has to change axes.
+void TaylorSeries::add_load(const Load& load, const Real& t, std::size_t k) {
+    BodySeries& body = bodies_[static_cast<std::size_t>(load.body)];
+    Mat3 R = Mat3::Zero();
+    for (std::size_t j = 0; j <= k; ++j) R += body.R[j] * modulation(load.amplitude, load.frequency, t, k - j);
+    const Real factor = modulation(load.amplitude, load.frequency, t, k);
+    const bool turns = load.axes == Load::Axes::body;
+    const Vec3 force = turns ? Vec3(R * load.force) : Vec3(factor * load.force);
+    body.free += force / model_.bodies[static_cast<std::size_t>(load.body)].mass;
+    body.torque += turns ? Vec3(factor * load.torque) : Vec3(R.transpose() * load.torque);
 }
 
 /// -(omega x J omega)_k.
@@ -83,15 +98,15 @@ void TaylorSeries::prepare_end(End& end, std::size_t k) {
 }
 
 /// Coefficients k of lambda, v' and omega'.
-void TaylorSeries::solve(std::size_t k, const Vec3& gravity) {
+void TaylorSeries::solve(std::size_t k) {
     rhs_.setZero();
     for (const End& end : ends_) {
         const BodySeries& body = bodies_[end.body];
         const Vec3 alpha = body.inverse_inertia * body.torque;
-        rhs_.segment<3>(row(end.joint)) += end.sign * (gravity + body.R[0] * alpha.cross(end.r) + end.known);
+        rhs_.segment<3>(row(end.joint)) += end.sign * (body.free + body.R[0] * alpha.cross(end.r) + end.known);
     }
     if (!lambda_.empty()) solution_ = factors_.solve(rhs_);
-    for (BodySeries& body : bodies_) body.v[k + 1] = gravity;
+    for (BodySeries& body : bodies_) body.v[k + 1] = body.free;
     for (const End& end : ends_) {
         BodySeries& body = bodies_[end.body];
         const Vec3 lambda = solution_.segment<3>(row(end.joint));
@@ -131,9 +146,11 @@ Status TaylorSeries::expand(const Real& t, const std::vector<BodyState>& states)
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             bodies_[i].momentum[k] = model_.bodies[i].J * bodies_[i].omega[k];
             prepare_body(bodies_[i], k);
+            bodies_[i].free = gravity(t, k);
         }
+        for (const Load& load : model_.loads) add_load(load, t, k);
         for (End& end : ends_) prepare_end(end, k);
-        solve(k, gravity(t, k));
+        solve(k);
         for (BodySeries& body : bodies_) raise(body, k);
     }
     for (const BodySeries& body : bodies_)

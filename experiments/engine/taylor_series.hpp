@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The Taylor series in time of a model's motion, straight from its bodies, joints and gravity. For each body, with
+// The Taylor series in time of a model's motion, straight from its bodies, joints, gravity and loads. For each body, with
 // R in R^{3x3} (nothing orthonormalises it) and the sum over the joint ends e on it (sign s = 1 at the first body of
 // a joint, -1 at the second; point r in body axes),
-//   x' = v,   R' = R hat(omega),   m v' = m g(t) - sum s lambda,   J omega' = -omega x J omega - sum s r x R^T lambda,
+//   x' = v,   R' = R hat(omega),   m v' = m g(t) + f - sum s lambda,   J omega' = tau - omega x J omega - sum s r x R^T lambda,
+// with the loads' force f in space axes and torque tau in body axes, and
 //   sum over the two ends of a joint of s (v' + R (omega' x r + omega x (omega x r))) = 0.
 // Products of series are Cauchy products, so coefficient k of (v', omega', lambda) solves a linear system whose matrix,
 // S = C M^{-1} C^T at the expansion point, is the same for every k: it is factored once [hairer1993, Sec. I.8]. Steps end
@@ -43,6 +44,7 @@ class TaylorSeries {
         std::vector<Mat3> R;
         Mat3 inverse_inertia;
         Vec3 torque;  // coefficient k of J omega', without that of lambda
+        Vec3 free;    // coefficient k of v', without that of lambda
     };
     /// Where a joint holds a moving body: its body-axis acceleration p = omega' x r + omega x (omega x r).
     struct End {
@@ -56,7 +58,8 @@ class TaylorSeries {
     bool factor();
     void prepare_body(BodySeries& body, std::size_t k) const;
     void prepare_end(End& end, std::size_t k);
-    void solve(std::size_t k, const Vec3& gravity);
+    void add_load(const Load& load, const Real& t, std::size_t k);
+    void solve(std::size_t k);
     void raise(BodySeries& body, std::size_t k) const;
     Vec3 gravity(const Real& t, std::size_t k) const;
 

@@ -65,11 +65,21 @@ inline Model loop() {
     return model;
 }
 
+/// One load in each kind of axes on the last body.
+inline Model loaded(Model model) {
+    const int last = static_cast<int>(model.bodies.size()) - 1;
+    model.loads.push_back({last, Load::Axes::space, Vec3(3, -1, 2), Vec3(1, 2, -1), Real(1) / 2, 3});
+    model.loads.push_back({last, Load::Axes::body, Vec3(-1, 2, 1), Vec3(2, -1, 3), Real(1) / 4, 2});
+    return model;
+}
+
 inline std::vector<Named> all() {
     return {{"heavy_top", standard("heavy_top")},
             {"forced_heavy_top", standard("forced_heavy_top")},
             {"double_pendulum", standard("double_pendulum")},
             {"free_top", standard("free_top")},
+            {"loaded top", loaded(standard("heavy_top"))},
+            {"loaded chain", loaded(linked(3, {{ground, 0}, {0, 1}, {1, 2}}))},
             {"chain", linked(5, {{ground, 0}, {0, 1}, {1, 2}, {2, 3}, {3, 4}})},
             {"star", linked(4, {{ground, 0}, {0, 1}, {0, 2}, {0, 3}})},
             {"loop", loop()},

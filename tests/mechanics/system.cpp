@@ -214,6 +214,7 @@ TEST_CASE("scaling masses and inertias leaves the motion and scales the multipli
         VecX lambda, scaled_lambda;
         const VecX dv = rates(lambda);
         for (Body& body : named.model.bodies) body.mass *= 8, body.J *= 8;
+        for (Load& load : named.model.loads) load.force *= 8, load.torque *= 8;
         const VecX scaled = rates(scaled_lambda);
         CHECK((scaled - dv).norm() <= tolerance * max(Real(1), Real(dv.norm())));
         CHECK((scaled_lambda - 8 * lambda).norm() <= tolerance * max(Real(1), Real(scaled_lambda.norm())));

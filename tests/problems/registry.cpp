@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "kreisel_build.hpp"
 #include "methods/method.hpp"
 #include "methods/projection.hpp"
 #include "tests/problems/states.hpp"
@@ -26,7 +27,7 @@ std::string text_of(const std::string& path) {
 }
 
 bool in_bibliography(const std::string& key) {
-    static const std::string bibliography = text_of(std::string(KREISEL_SOURCE_DIR) + "/paper/references.bib");
+    static const std::string bibliography = text_of(std::string(build::source_dir) + "/paper/references.bib");
     REQUIRE_FALSE(bibliography.empty());
     return bibliography.find("{" + key + ",") != std::string::npos;
 }
@@ -41,6 +42,7 @@ void cites_known_works(const std::string& name, const std::vector<std::string>& 
 /// Masses, inertias and all loads but gravity times `factor`.
 Model scaled(Model model, const Real& factor) {
     for (Body& body : model.bodies) body.mass *= factor, body.J *= factor;
+    for (Load& load : model.loads) load.force *= factor, load.torque *= factor;
     return model;
 }
 
@@ -140,7 +142,7 @@ TEST_CASE("every problem says what its numbers are and where they come from", "[
             CHECK(parameter.unit.empty() == (parameter.kind == ParameterKind::bodies));
         }
         cites_known_works(about.name, about.cites);
-        const std::string file = text_of(std::string(KREISEL_SOURCE_DIR) + "/problems/" + about.name + ".cpp");
+        const std::string file = text_of(std::string(build::source_dir) + "/problems/" + about.name + ".cpp");
         REQUIRE_FALSE(file.empty());
         const bool own_data = file.find("data are our own") != std::string::npos;
         CHECK(own_data == about.cites.empty());
