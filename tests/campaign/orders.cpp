@@ -110,6 +110,8 @@ void certify(const std::string& problem, bool sharp, long from) {
 
 TEST_CASE("declared orders are observed on the forced heavy top", "[campaign]") { certify("forced_heavy_top", true, 64); }
 
+TEST_CASE("declared orders are observed on the forced free body", "[campaign]") { certify("forced_free_body", true, 64); }
+
 TEST_CASE("no method falls below its order on the double pendulum", "[campaign]") { certify("double_pendulum", false, 128); }
 
 TEST_CASE("the certification rejects a method that claims one order more", "[campaign][control]") {
