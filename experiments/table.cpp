@@ -9,6 +9,7 @@
 #include "experiments/table_certification.hpp"
 #include "experiments/table_drift.hpp"
 #include "experiments/table_orders.hpp"
+#include "experiments/table_references.hpp"
 
 namespace kreisel {
 
@@ -59,6 +60,7 @@ Exit table_command(const std::filesystem::path& folder) {
     const bool convergence = !error_metrics(results.rows).empty();
     if (convergence) {
         for (const TextTable& table : certification_tables(results)) { writer.write(table, table, false); }
+        writer.write(references_table(results), false);
         writer.write(orders_in_full(results), orders_in_brief(results), true);
         writer.write(errors_in_full(results), errors_in_brief(results), true);
     }

@@ -147,7 +147,10 @@ ResultRow read_result_line(const std::string& text) {
     row.detail = line.value("detail", "");
     row.metrics = numbers(line, "metrics");
     row.cost = numbers(line, "cost");
-    if (line.contains("reference")) { row.reference_error = numbers(line.at("reference"), "error"); }
+    if (line.contains("reference")) {
+        row.reference_error = numbers(line.at("reference"), "error");
+        row.reference_horizon = number(line.at("reference").at("horizon"));
+    }
     if (line.contains("final")) { row.scale = scales(line.at("final")); }
     if (line.contains("order")) { row.declared_order = declared_orders(line.at("order")); }
     row.has_trajectory = line.contains("trajectory");

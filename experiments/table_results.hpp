@@ -21,6 +21,7 @@ struct ResultRow {
     double h = 0, t_end = 0;
     std::map<std::string, double> metrics;
     std::map<std::string, double> reference_error;  ///< by error.* metric; empty without a reference
+    double reference_horizon = 0;                   ///< s; 0 without a reference
     std::map<std::string, double> scale;            ///< by error.* metric: size of the final state, same unit
     std::map<std::string, double> cost;
     std::map<std::string, int> declared_order;      ///< by error.* metric; empty where the method declares none

@@ -78,7 +78,7 @@ inline std::vector<Named> all() {
             {"forced_heavy_top", standard("forced_heavy_top")},
             {"double_pendulum", standard("double_pendulum")},
             {"free_top", standard("free_top")},
-            {"loaded top", loaded(standard("heavy_top"))},
+            {"loaded top", loaded(standard("forced_heavy_top"))},
             {"loaded chain", loaded(linked(3, {{ground, 0}, {0, 1}, {1, 2}}))},
             {"chain", linked(5, {{ground, 0}, {0, 1}, {1, 2}, {2, 3}, {3, 4}})},
             {"star", linked(4, {{ground, 0}, {0, 1}, {0, 2}, {0, 3}})},

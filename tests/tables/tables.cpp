@@ -32,6 +32,8 @@ TEST_CASE("a convergence study becomes a table of orders with windows") {
     CHECK(folder.read("tables/orders.tex").find("4.00 $\\pm$ 0.00 [64--1024]") != std::string::npos);
     CHECK(folder.read("tables/errors.csv").find("2048,0.00048828125,5.684341886080802e-14") != std::string::npos);
     CHECK(folder.has("tables/cost.md"));
+    // |x| = 1 and a bound of 1e-25; the other quantities have no bound.
+    CHECK(folder.read("tables/references.csv").find("heavy_top,1,10,25.0,-,-,-,-") != std::string::npos);
 }
 
 TEST_CASE("declared and observed orders stand side by side, and a shortfall is marked") {
