@@ -27,6 +27,8 @@ class GlobalRk4 final : public Integrator {
     }
 
     Status step(const Real& t, const Real& h, Real* y) override {
+        // Coordinates may not depend on every entry of R: one that is no number would be repaired in silence.
+        if (!Eigen::Map<const VecX>(y, system_.state_group().size()).allFinite()) return Status::non_finite;
         read(y);
         status_ = Status::ok;
         stepper_.do_step([this](const Flat& w, Flat& dw, const Real& s) { derivative(w, dw, s); }, w_, t, h);
