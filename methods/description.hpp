@@ -48,6 +48,9 @@ struct MethodDescription {
     /// Multipliers are unknowns of a step, which meets positions and velocities of the constraints by itself: nothing
     /// is left to project, and its memory would not survive it.
     bool own_multipliers = false;
+    /// Commutes with rigid motions of space, to round-off, as every method formulated on the group does. Not so where
+    /// coordinates prefer directions of space.
+    bool equivariant = true;
     std::vector<OptionDescription> options = {};
     std::vector<std::string> formulations = {};  ///< where it applies; empty: everywhere
 };
@@ -58,6 +61,8 @@ struct ProjectionDescription {
     std::vector<std::string> cites;
     std::vector<OptionDescription> options = {};
     std::vector<std::string> formulations = {};  ///< where it applies; empty: everywhere
+    /// The levels of the constraints that hold after it, Phi = 0 and C v + b = 0.
+    bool positions = false, velocities = false;
 };
 
 /// An option with a value it cannot take.

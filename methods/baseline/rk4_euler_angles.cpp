@@ -46,6 +46,7 @@ KREISEL_METHOD(global_rk4([](const OptionValues&) { return std::make_shared<Eule
                 .order = 4,
                 .cites = {"kutta1901", "ahnert2011"},
                 .summary = "classical fourth-order method on Euler angles z-x-y; their singularity ends the run",
+                .equivariant = false,
                 .formulations = {"SO3", "SO3xR3"}});
 
 }  // namespace KREISEL_PRECISION

@@ -142,7 +142,9 @@ KREISEL_PROJECTION({.name = "terze",
                                  .summary = "norm of the minimisation",
                                  .standard = "identity",
                                  .choices = {"identity", "mass"}}},
-                    .formulations = {"SO3xR3"}},
+                    .formulations = {"SO3xR3"},
+                    .positions = true,
+                    .velocities = true},
                    [](System& system, const OptionValues& options) {
                        return std::make_unique<TerzeProjection>(system, std::get<std::string>(options.at("weight")) == "mass");
                    });
