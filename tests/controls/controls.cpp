@@ -11,34 +11,42 @@ namespace {
 const Tableau& tableau_of(const std::string& name) { return method(name).factory.scheme->tableau; }
 
 /// A control that claims to be the registered method `original`.
-Control control(const std::string& original, const std::string& fault, Factory factory, int true_order) {
+Control control(const std::string& original, const std::string& fault, Factory factory, int true_order,
+                std::vector<Check> caught_by) {
     MethodDescription claim = method(original).description;
     claim.name = "control/" + original.substr(original.find('/') + 1) + "_" + fault;
     claim.summary = "broken on purpose: " + original + ", " + fault;
     claim.options = {};
     return {.method = {.description = claim, .factory = std::move(factory), .file = __FILE__},
             .true_order = true_order,
-            .seen_by_one_step = true};
+            .caught_by = std::move(caught_by)};
 }
 
-Control rkmk_control(const std::string& original, const std::string& fault, MuntheKaasFault broken, int true_order) {
-    return control(original, fault, broken_rkmk(tableau_of(original), broken), true_order);
+Control rkmk_control(const std::string& original, const std::string& fault, MuntheKaasFault broken, int true_order,
+                     std::vector<Check> caught_by = {Check::one_step}) {
+    return control(original, fault, broken_rkmk(tableau_of(original), broken), true_order, std::move(caught_by));
 }
 
 Control crouch_grossman_control(const std::string& original, const std::string& fault, CrouchGrossmanFault broken,
                                 int true_order) {
-    return control(original, fault, broken_crouch_grossman(tableau_of(original), broken), true_order);
+    return control(original, fault, broken_crouch_grossman(tableau_of(original), broken), true_order,
+                   {Check::one_step});
 }
 
-std::vector<Control> make_controls() {
+std::vector<Control> faults_of_dexpinv_and_nodes() {
     using enum MuntheKaasFault::Dexpinv;
+    using Nodes = MuntheKaasFault::Nodes;
+    return {rkmk_control("rkmk/rk4", "without_dexpinv", {.dexpinv = absent}, 2),
+            rkmk_control("rkmk/rk4", "wrong_sign_of_dexpinv", {.dexpinv = wrong_sign}, 2),
+            rkmk_control("rkmk/rk4", "stages_at_old_time", {.nodes = Nodes::start}, 1),
+            rkmk_control("rkmk/rk4", "stages_at_mid_time", {.nodes = Nodes::middle}, 2),
+            rkmk_control("rkmk/kutta3", "without_dexpinv", {.dexpinv = absent}, 2),
+            // Order 2 needs no dexpinv: only the comparison of one step can tell.
+            rkmk_control("rkmk/midpoint", "without_dexpinv", {.dexpinv = absent}, 2)};
+}
+
+std::vector<Control> faults_of_products() {
     return {
-        rkmk_control("rkmk/rk4", "without_dexpinv", {.dexpinv = absent}, 2),
-        rkmk_control("rkmk/rk4", "wrong_sign_of_dexpinv", {.dexpinv = wrong_sign}, 2),
-        rkmk_control("rkmk/rk4", "stages_at_old_time", {.frozen_time = true}, 1),
-        rkmk_control("rkmk/kutta3", "without_dexpinv", {.dexpinv = absent}, 2),
-        // Order 2 needs no dexpinv: only the comparison of one step can tell.
-        rkmk_control("rkmk/midpoint", "without_dexpinv", {.dexpinv = absent}, 2),
         crouch_grossman_control("crouch_grossman/cg3a", "reversed_final_factors", {.reversed_final_factors = true}, 2),
         // Two different branches at one node take four nodes: order 3 cannot see the stage products.
         crouch_grossman_control("crouch_grossman/cg3a", "reversed_stage_factors", {.reversed_stage_factors = true}, 3),
@@ -46,7 +54,56 @@ std::vector<Control> make_controls() {
         crouch_grossman_control("crouch_grossman/cg4a", "reversed_rows", {.reversed_rows = true}, 2)};
 }
 
+std::vector<Control> faults_of_coefficients() {
+    // Heun's a_21 = 1 off by 1e-6. At any h in use h^2 is larger than 1e-6 h, so that no slope can tell.
+    Tableau off = tableau_of("rkmk/heun");
+    off.a[1][0] = {1000001, 1000000};
+    // The weights of rk4 from the inside to the outside: sum b = 1 and sum b c = 1/2 hold, sum b c^2 = 1/3 does not.
+    Tableau exchanged = tableau_of("rkmk/rk4");
+    exchanged.b = {{1, 3}, {1, 6}, {1, 6}, {1, 3}};
+    return {
+        control("rkmk/heun", "declares_coefficient_off", broken_rkmk(off, {}), 2, {Check::order_conditions}),
+        control("rkmk/heun", "uses_coefficient_off", broken_rkmk(tableau_of("rkmk/heun"), {}, off), 2,
+                {Check::one_step}),
+        control("rkmk/rk4", "wrong_weights", broken_rkmk(tableau_of("rkmk/rk4"), {}, exchanged), 2, {Check::one_step})};
+}
+
+std::vector<Control> faults_of_conduct() {
+    Control asymmetric =
+        control("rkmk/heun", "claims_symmetry", broken_rkmk(tableau_of("rkmk/heun"), {}), 2, {Check::reversal});
+    asymmetric.method.description.symmetric = true;
+    return {// First same as last, which is right as long as nobody starts elsewhere or projects.
+            rkmk_control("rkmk/rk4", "keeps_stale_slope", {.stale_slope = true}, 4, {Check::history}),
+            rkmk_control("rkmk/rk4", "solves_twice", {.repeated_solve = true}, 4, {Check::solves}),
+            rkmk_control("rkmk/rk4", "swallows_nan", {.deaf = true}, 4, {Check::injection}),
+            rkmk_control("rkmk/heun", "turns_space", {.turns_space = true}, 2, {Check::equivariance}),
+            control("rkmk/implicit_midpoint", "unconverged", unconverged_midpoint(), 2,
+                    {Check::convergence, Check::reversal}),
+            asymmetric};
+}
+
+std::vector<Control> make_controls() {
+    std::vector<Control> all;
+    for (const auto make : {faults_of_dexpinv_and_nodes, faults_of_products, faults_of_coefficients, faults_of_conduct})
+        for (const Control& one : make()) all.push_back(one);
+    return all;
+}
+
+/// Does what `actual` does, and claims to be `claimed`.
+ProjectionMethod impostor(const std::string& claimed, const std::string& actual) {
+    ProjectionMethod entry = projection(claimed);
+    entry.description.name = "control/" + claimed + "_that_is_" + actual;
+    entry.make = projection(actual).make;
+    return entry;
+}
+
 }  // namespace
+
+const std::vector<ProjectionMethod>& projection_controls() {
+    static const std::vector<ProjectionMethod> all = {impostor("position_velocity", "position"),
+                                                      impostor("position_velocity", "velocity")};
+    return all;
+}
 
 const std::vector<Control>& controls() {
     static const std::vector<Control> all = make_controls();

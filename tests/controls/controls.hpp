@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Methods that are broken on purpose, as public codes have been found broken: every one keeps its state on the group to
-// round-off and converges. They are not registered; the suites that judge methods must turn them down.
+// Methods and projections that are broken on purpose, as public codes have been found broken: every method keeps its
+// state on the group to round-off and converges. They are not registered; the judgements of checks.hpp must turn them
+// down.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
-#include "methods/method.hpp"
+#include "tests/controls/checks.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -17,14 +19,20 @@ struct Control {
     /// Order that it has on a field that does not commute, depends on the state and depends on time; where this is less
     /// than the declared order, a judgement of observed orders must turn it down.
     int true_order;
-    /// A judgement by one step with scripted slopes must turn it down.
-    bool seen_by_one_step;
+    /// What must turn it down, besides the observed order; others may.
+    std::vector<Check> caught_by;
 
     bool seen_by_order() const { return true_order < method.description.order.configuration; }
+    bool must_be_caught_by(Check check) const {
+        if (check == Check::order) return seen_by_order();
+        return std::find(caught_by.begin(), caught_by.end(), check) != caught_by.end();
+    }
 };
 
 /// All controls, by names "control/<method>_<fault>".
 const std::vector<Control>& controls();
+/// Projections that Check::projection must turn down.
+const std::vector<ProjectionMethod>& projection_controls();
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -30,18 +30,6 @@ Real difference(const std::vector<Real>& a, const std::vector<Real>& b) {
     return worst;
 }
 
-/// Distance from the start after ten steps and the same ten backwards, relative to the largest entry of the start.
-Real return_defect(const Model& model, const std::string& formulation, const Method& entry) {
-    Trip trip(model, formulation, entry);
-    const auto before = trip.y;
-    const Real h = Real(1) / 512;
-    for (int i = 0; i < 10; ++i) REQUIRE(trip.integrator->step(h * i, h, trip.y.data()) == Status::ok);
-    for (int i = 10; i > 0; --i) REQUIRE(trip.integrator->step(h * i, -h, trip.y.data()) == Status::ok);
-    Real size = 1;
-    for (const Real& entry_of_y : before) size = max(size, Real(abs(entry_of_y)));
-    return difference(before, trip.y) / size;
-}
-
 }  // namespace
 
 TEST_CASE("a step of length zero leaves the state", "[methods]") {
@@ -70,40 +58,6 @@ TEST_CASE("a step back returns near the start", "[methods]") {
         const Real h = Real(1) / 256;
         for (const Real& defect : defects)
             CHECK(defect <= 1000000 * pow(h, entry.description.order.configuration + 1) + 1000 * epsilon);
-    });
-}
-
-TEST_CASE("symmetric methods return to the start, to round-off", "[methods]") {
-    for_each_run([](const Method& entry, const Named& named, const std::string& formulation) {
-        if (entry.description.symmetric) CHECK(return_defect(named.model, formulation, entry) <= 10000 * epsilon);
-    });
-}
-
-TEST_CASE("the return above sees a method that is not symmetric", "[methods][control]") {
-    for (const char* name : {"rkmk/midpoint", "rkmk/heun"})
-        CHECK(return_defect(standard("forced_heavy_top"), "SO3", method(name)) > 1000000 * epsilon);
-}
-
-TEST_CASE("solves of the dynamics per step are as declared", "[methods]") {
-    for_each_run([](const Method& entry, const Named& named, const std::string& formulation) {
-        if (entry.description.implicit) return;  // as many as the Newton iteration takes
-        Trip trip(named.model, formulation, entry);
-        REQUIRE(trip.run(Real(1) / 10, 100) == Status::ok);
-        CHECK(trip.system->evaluations() == 100 * entry.description.stages);
-    });
-}
-
-TEST_CASE("after start, a step does not depend on the steps before it", "[methods]") {
-    for_each_run([](const Method& entry, const Named& named, const std::string& formulation) {
-        const Real h = Real(1) / 1000;
-        Trip fresh(named.model, formulation, entry), used(named.model, formulation, entry);
-        REQUIRE(used.run(Real(1) / 100, 10) == Status::ok);
-        used.y = fresh.y;
-        REQUIRE(used.integrator->start(0, used.y.data()) == Status::ok);
-        REQUIRE(fresh.integrator->start(0, fresh.y.data()) == Status::ok);
-        REQUIRE(fresh.integrator->step(0, h, fresh.y.data()) == Status::ok);
-        REQUIRE(used.integrator->step(0, h, used.y.data()) == Status::ok);
-        CHECK(fresh.y == used.y);
     });
 }
 
@@ -138,32 +92,6 @@ TEST_CASE("quaternions renormalised stay on the sphere; without, R drifts off SO
     };
     CHECK(defect(true) <= 100 * epsilon);
     CHECK(defect(false) >= 1000000 * epsilon);
-}
-
-TEST_CASE("a projection moves nothing on the constraints and repairs what is off them", "[methods]") {
-    for (const ProjectionMethod& entry : projections())
-        for (const Named& named : all())
-            for (const std::string& formulation : applicable(named.model)) {
-                const auto& only = entry.description.formulations;
-                if (!only.empty() && std::find(only.begin(), only.end(), formulation) == only.end()) continue;
-                INFO(entry.description.name << " on " << named.name << " as " << formulation);
-                Trip trip(named.model, formulation, method("rkmk/rk4"), entry.description.name);
-                const auto before = trip.y;
-                REQUIRE(trip.project->project(0, trip.y.data()) == Status::ok);
-                CHECK(difference(before, trip.y) <= 100000 * epsilon);
-                if (entry.description.name == "none") continue;
-                for (std::size_t i = 0; i < trip.y.size(); ++i) {
-                    const bool rotation = static_cast<int>(i) < trip.system->group().size() && i % 12 >= 3;
-                    if (!rotation || trip.system->constraints() == 0)
-                        trip.y[i] += Real(static_cast<int>(i % 5) - 2) / 1000;
-                }
-                if (trip.system->constraints() == 0) continue;
-                REQUIRE(trip.position_defect() > Real(1) / 10000);
-                REQUIRE(trip.project->project(0, trip.y.data()) == Status::ok);
-                const std::string& name = entry.description.name;
-                if (name != "velocity") CHECK(trip.position_defect() <= 1000 * epsilon);
-                if (name != "position") CHECK(trip.velocity_defect() <= 10000 * epsilon);
-            }
 }
 
 TEST_CASE("the mass-weighted projection is the nearest point in the mass metric", "[methods]") {

@@ -34,4 +34,11 @@ class RootedTrees {
 /// Elementary weight minus 1/gamma for the trees with exactly `order` nodes.
 std::vector<Rational> butcher_conditions(const NumericTableau<Rational>& tableau, int order);
 
+/// Largest p up to 6 such that the conditions of the orders 1 to p hold within `slack`.
+inline int butcher_order(const NumericTableau<Rational>& tableau, const Rational& slack) {
+    int order = 0;
+    while (order < 6 && all_within(butcher_conditions(tableau, order + 1), slack)) ++order;
+    return order;
+}
+
 }  // namespace kreisel::orders

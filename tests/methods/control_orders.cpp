@@ -34,8 +34,6 @@ TEST_CASE("controls show the order they have, not the one they claim", "[methods
         const double slope = observed_slope(control.method, {}, 512);
         INFO(control.method.description.name);
         CHECK(slope == Approx(control.true_order).margin(0.15));
-        const bool passes = slope >= control.method.description.order.configuration - 0.15;
-        CHECK(passes != control.seen_by_order());
     }
 }
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One of two systems on the same group, exchanged between steps or in the middle of one.
+#pragma once
+
+#include "mechanics/system.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+class SwitchedSystem final : public System {
+  public:
+    /// Both outlive this object.
+    SwitchedSystem(System& first, System& second)
+        : System(std::shared_ptr<const Group>(std::shared_ptr<void>(), &first.group())),
+          first_(first),
+          second_(second) {}
+
+    /// The second system answers once the first has answered this many more solves of the dynamics; negative: never.
+    int solves_until_switch = -1;
+
+    int constraints() const override { return now().constraints(); }
+    int mass_block() const override { return now().mass_block(); }
+    int bodies() const override { return now().bodies(); }
+    void row_scale(Real* scale) const override { now().row_scale(scale); }
+    Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
+        System& answering = now();
+        if (solves_until_switch > 0) --solves_until_switch;
+        return answering.accelerations(t, q, v, dv, lambda);
+    }
+    void mass(const Real* q, Real* blocks) const override { now().mass(q, blocks); }
+    void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override {
+        now().applied_force(t, q, v, f);
+    }
+    void gyroscopic_force(const Real* q, const Real* v, Real* f) const override { now().gyroscopic_force(q, v, f); }
+    void position_residual(const Real& t, const Real* q, Real* phi) const override {
+        now().position_residual(t, q, phi);
+    }
+    void velocity_residual(const Real& t, const Real* q, const Real* v, Real* residual) const override {
+        now().velocity_residual(t, q, v, residual);
+    }
+    void jacobian(const Real& t, const Real* q, Real* C) const override { now().jacobian(t, q, C); }
+
+  private:
+    System& now() const { return solves_until_switch == 0 ? second_ : first_; }
+
+    System &first_, &second_;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every registered method and projection passes the judgements that turn the controls down. Conditions and steps of
+// declared schemes are judged in tests/orders.
+#include <catch2/catch.hpp>
+
+#include "tests/controls/controls.hpp"
+
+using namespace kreisel;
+
+namespace {
+
+/// Observing orders needs runs to the end, of which quad has its own (tests/campaign).
+bool too_slow(Check check) { return KREISEL_QUAD && check == Check::order; }
+
+}  // namespace
+
+TEST_CASE("every registered method passes every judgement", "[methods]") {
+    for (const Judgement& judgement : running_checks()) {
+        if (too_slow(judgement.check)) continue;
+        for (const Method& entry : methods()) {
+            INFO(entry.description.name << ", " << name(judgement.check));
+            CHECK(judgement.objection(entry) == "");
+        }
+    }
+}
+
+TEST_CASE("every control is turned down by the judgements it names", "[methods][control]") {
+    for (const Judgement& judgement : running_checks()) {
+        if (too_slow(judgement.check)) continue;
+        for (const Control& control : controls()) {
+            if (!control.must_be_caught_by(judgement.check)) continue;
+            INFO(control.method.description.name << ", " << name(judgement.check));
+            CHECK(judgement.objection(control.method) != "");
+        }
+    }
+}
+
+TEST_CASE("every registered projection does what it claims, and no control does", "[methods][control]") {
+    for (const ProjectionMethod& entry : projections()) {
+        INFO(entry.description.name);
+        CHECK(projection_objection(entry) == "");
+    }
+    for (const ProjectionMethod& entry : projection_controls()) {
+        INFO(entry.description.name);
+        CHECK(projection_objection(entry) != "");
+    }
+}

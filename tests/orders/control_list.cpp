@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every control is turned down by the judgements of schemes that it names; tests/methods asks the same of the others.
+// On request (tag [list], hidden) prints for each control what turns it down, and why, as a table in Markdown.
+#include <catch2/catch.hpp>
+#include <iostream>
+
+#include "tests/controls/controls.hpp"
+#include "tests/orders/scheme_checks.hpp"
+
+using namespace kreisel;
+
+namespace {
+
+const std::vector<Judgement>& scheme_checks() {
+    static const std::vector<Judgement> all = {{Check::order_conditions, order_conditions_objection},
+                                               {Check::one_step, one_step_objection}};
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("controls are turned down by the judgements of schemes that they name", "[one_step]") {
+    int named = 0;
+    for (const Judgement& judgement : scheme_checks())
+        for (const Control& control : controls()) {
+            if (!control.must_be_caught_by(judgement.check)) continue;
+            ++named;
+            INFO(control.method.description.name << ", " << name(judgement.check));
+            CHECK(judgement.objection(control.method) != "");
+        }
+    CHECK(named >= 12);
+}
+
+TEST_CASE("every control names what must turn it down, and they are at least twelve", "[one_step]") {
+    CHECK(controls().size() >= 12);
+    for (const Control& control : controls()) {
+        INFO(control.method.description.name);
+        CHECK((!control.caught_by.empty() || control.seen_by_order()));
+    }
+}
+
+#if !KREISEL_QUAD
+
+TEST_CASE("control -> what catches it", "[.][list]") {
+    std::vector<Judgement> all = scheme_checks();
+    all.insert(all.end(), running_checks().begin(), running_checks().end());
+    std::cout << "| control | caught by | because |\n|---|---|---|\n";
+    const auto print = [](const std::string& control, bool required, Check check, const Objection& objection) {
+        if (objection.empty()) return;
+        std::cout << "| `" << control << "` | " << name(check) << (required ? "" : " (also)") << " | " << objection
+                  << " |\n";
+    };
+    for (const Control& control : controls())
+        for (const Judgement& judgement : all)
+            print(control.method.description.name, control.must_be_caught_by(judgement.check), judgement.check,
+                  judgement.objection(control.method));
+    for (const ProjectionMethod& control : projection_controls())
+        print(control.description.name, true, Check::projection, projection_objection(control));
+}
+
+#endif

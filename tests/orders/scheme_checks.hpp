@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Judgements of methods that declare a scheme; the others are passed over. See tests/controls/checks.hpp.
+#pragma once
+
+#include "tests/controls/checks.hpp"
+#include "tests/orders/dense.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// The order conditions, classical or Crouch-Grossman's, hold up to the declared order and not beyond.
+Objection order_conditions_objection(const Method&);
+
+/// One step with scripted, non-commuting slopes equals an evaluation of the declared scheme by dense matrices, on SO(3)
+/// and SE(3), with every combination of options that changes the scheme.
+Objection one_step_objection(const Method&);
+
+/// Round-off of some ten matrix products.
+inline Real one_step_tolerance() { return KREISEL_QUAD ? from_text("1e-30") : from_text("1e-14"); }
+/// Options that change the scheme of a method, every combination; one without any for a method without.
+std::vector<OptionValues> scheme_variants(const Method&);
+/// Largest difference of the results of one step under two sets of options.
+Real one_step_difference(const Method&, const OptionValues&, const OptionValues&, const MatrixGroup&);
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
