@@ -83,7 +83,8 @@ class BrokenMuntheKaas final : public Broken {
             std::copy(kept_.begin(), kept_.end(), slope);
             return Status::ok;
         }
-        if (fault_.repeated_solve && stage == 0) system_.vector_field(t, point, slope);
+        if (fault_.uncounted_solve && stage == 0)
+            system_.accelerations(t, point, point + group_.base().size(), slope + group_.base().dim(), nullptr);
         const Status status = system_.vector_field(t, point, slope);
         if (!fault_.deaf) return status;
         for (std::size_t j = 0; j < kept_.size(); ++j)

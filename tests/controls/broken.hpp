@@ -13,9 +13,9 @@ struct MuntheKaasFault {
     enum class Dexpinv { right, absent, wrong_sign } dexpinv = Dexpinv::right;  ///< wrong sign: dexpinv_{+u}
     enum class Nodes { right, start, middle } nodes = Nodes::right;             ///< every stage at t_n, at t_n + h/2
     bool stale_slope = false;  ///< the slope at the end of a step is kept as the first one of whatever step comes next
-    bool repeated_solve = false;  ///< the first slope is computed twice
-    bool deaf = false;            ///< stages that fail are taken for good, entries that are no numbers for zero
-    bool turns_space = false;     ///< space is turned and moved by h^3 after each step
+    bool uncounted_solve = false;  ///< the first slope is computed twice, once where nobody counts
+    bool deaf = false;             ///< stages that fail are taken for good, entries that are no numbers for zero
+    bool turns_space = false;      ///< space is turned and moved by h^3 after each step
 };
 Factory broken_rkmk(const Tableau& declared, MuntheKaasFault fault);
 /// Declares one tableau and steps with another.

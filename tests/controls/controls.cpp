@@ -74,7 +74,7 @@ std::vector<Control> faults_of_conduct() {
     asymmetric.method.description.symmetric = true;
     return {// First same as last, which is right as long as nobody starts elsewhere or projects.
             rkmk_control("rkmk/rk4", "keeps_stale_slope", {.stale_slope = true}, 4, {Check::history}),
-            rkmk_control("rkmk/rk4", "solves_twice", {.repeated_solve = true}, 4, {Check::solves}),
+            rkmk_control("rkmk/rk4", "hides_a_solve", {.uncounted_solve = true}, 4, {Check::solves}),
             rkmk_control("rkmk/rk4", "swallows_nan", {.deaf = true}, 4, {Check::injection}),
             rkmk_control("rkmk/heun", "turns_space", {.turns_space = true}, 2, {Check::equivariance}),
             control("rkmk/implicit_midpoint", "unconverged", unconverged_midpoint(), 2,

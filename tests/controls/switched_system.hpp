@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One of two systems on the same group, exchanged between steps or in the middle of one.
+// One of two systems on the same group, exchanged between steps or in the middle of one, with its solves counted: those
+// that a method asks for behind the back of `evaluate`, too.
 #pragma once
 
 #include "mechanics/system.hpp"
@@ -18,6 +19,7 @@ class SwitchedSystem final : public System {
 
     /// The second system answers once the first has answered this many more solves of the dynamics; negative: never.
     int solves_until_switch = -1;
+    long solves = 0;  ///< of the dynamics since construction
 
     int constraints() const override { return now().constraints(); }
     int mass_block() const override { return now().mass_block(); }
@@ -25,6 +27,7 @@ class SwitchedSystem final : public System {
     void row_scale(Real* scale) const override { now().row_scale(scale); }
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
         System& answering = now();
+        ++solves;
         if (solves_until_switch > 0) --solves_until_switch;
         return answering.accelerations(t, q, v, dv, lambda);
     }
