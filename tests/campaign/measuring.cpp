@@ -4,26 +4,18 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "experiments/engine.hpp"
+#include "tests/campaign/acceptance.hpp"
 
 using namespace kreisel;
+using namespace kreisel::acceptance;
 
 namespace {
-
-ParameterValues defaults(const std::string& problem) {
-    ParameterValues values;
-    for (const ProblemDescription& description : engine_binary64().problems())
-        if (description.name == problem)
-            for (const ParameterDescription& parameter : description.parameters) values[parameter.name] = parameter.standard;
-    return values;
-}
 
 Cell cell_of(const std::string& problem, const std::string& method, double t_end, long steps) {
     Cell cell{.problem = problem, .parameters = defaults(problem), .formulation = "SO3", .method = method, .options = {},
               .projection = "none", .projection_options = {}, .t_end = t_end, .steps = steps, .samples = 0, .metrics = {"*"}};
     for (const MethodDescription& description : engine_binary64().methods())
-        if (description.name == method)
-            for (const OptionDescription& option : description.options) cell.options[option.name] = option.standard;
+        if (description.name == method) cell.options = standard_options(description);
     return cell;
 }
 

@@ -8,20 +8,14 @@
 
 #include "experiments/engine.hpp"
 #include "experiments/order.hpp"
+#include "tests/campaign/acceptance.hpp"
 
 using namespace kreisel;
+using namespace kreisel::acceptance;
 
 namespace {
 
 const Engine& engine() { return engine_binary64(); }
-
-ParameterValues defaults(const std::string& problem) {
-    ParameterValues values;
-    for (const ProblemDescription& description : engine().problems())
-        if (description.name == problem)
-            for (const ParameterDescription& parameter : description.parameters) values[parameter.name] = parameter.standard;
-    return values;
-}
 
 const Reference& reference(const std::string& problem) {
     static std::map<std::string, Reference> known;
@@ -31,8 +25,7 @@ const Reference& reference(const std::string& problem) {
 
 /// The default options, and each word and the least value of each real in turn; counts and flags stay at their default.
 std::vector<OptionValues> variants(const MethodDescription& method) {
-    OptionValues standard;
-    for (const OptionDescription& option : method.options) standard[option.name] = option.standard;
+    const OptionValues standard = standard_options(method);
     std::vector<OptionValues> all = {standard};
     const auto vary = [&](const std::string& option, const OptionValue& value) {
         if (value == standard.at(option)) return;
@@ -65,16 +58,6 @@ Curves measure(const std::string& problem, const std::string& formulation, const
     return curves;
 }
 
-int declared(const Order& order, const std::string& metric) {
-    if (metric == "error.multipliers") return order.multipliers;
-    return metric == "error.velocity" || metric == "error.omega" ? order.velocity : order.configuration;
-}
-
-/// Sizes of the quantities on these problems, for what counts as round-off and as pre-asymptotic.
-double scale_of(const std::string& metric) {
-    return metric == "error.multipliers" ? 100 : metric == "error.velocity" || metric == "error.omega" ? 5 : 1;
-}
-
 /// No quantity whose finest admissible slope lies below the declared order by more than 0.1; and an observed order within
 /// 0.1 of it on at least one quantity of configuration and of velocity level, where `sharp` (a method may converge faster on one problem than its
 /// order promises, so this is asked of one acceptance problem only).
@@ -96,7 +79,7 @@ void certify(const std::string& problem, bool sharp, long from) {
                     // The finest slope of the window: on the pendulum some curves approach their order from below, rk4's omega
                     // as 3.85, 3.88, 3.93, 3.99, and a mean over the window keeps the memory of the coarse steps.
                     CHECK(observed.slopes.at(observed.last - 1) >= declared(method.order, metric) - 0.1);
-                    double& best = nearest[metric == "error.velocity" || metric == "error.omega" ? 1 : 0];
+                    double& best = nearest[is_velocity(metric) ? 1 : 0];
                     if (metric != "error.multipliers") best = std::min(best, std::abs(excess));
                 }
                 if (!sharp || curves.empty()) continue;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Declared order = observed order where double has nothing but round-off: quad runs with errors down to some 1e-25, for
+// every registered method. The end time T follows from the order p such that T (T/N)^p is that small at the finest N,
+// so that a method of order 1 gets there with a thousand steps too. (How errors add up over a long way is seen in double,
+// by orders.cpp.)
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "experiments/order.hpp"
+#include "tests/campaign/acceptance.hpp"
+
+using namespace kreisel;
+using namespace kreisel::acceptance;
+
+namespace {
+
+constexpr long coarsest = 64;
+constexpr int levels = 5;
+
+/// T with T (T/N)^p = 2^-83 = 1e-25 for N = 1024.
+double end_time(int p) { return std::exp2(-(83.0 - 10 * p) / (p + 1)); }
+
+const Reference& reference(double t_end) {
+    static std::map<double, Reference> known;
+    if (!known.contains(t_end))
+        known[t_end] = engine_binary128().reference("forced_heavy_top", defaults("forced_heavy_top"), t_end, {});
+    return known.at(t_end);
+}
+
+using Curves = std::map<std::string, std::vector<ErrorPoint>>;
+
+/// Empty where the pair does not run.
+Curves measure(const MethodDescription& method, const std::string& formulation, double t_end) {
+    Curves curves;
+    for (int level = 0; level < levels; ++level) {
+        const Cell cell{.problem = "forced_heavy_top",
+                        .parameters = defaults("forced_heavy_top"),
+                        .formulation = formulation,
+                        .method = method.name,
+                        .options = standard_options(method),
+                        .projection = "none",
+                        .projection_options = {},
+                        .t_end = t_end,
+                        .steps = coarsest << level,
+                        .samples = 0,
+                        .metrics = {"error.*"}};
+        if (!engine_binary128().skip_reason(cell).empty()) return {};
+        const Outcome outcome = engine_binary128().run(cell, &reference(t_end), {});
+        INFO(outcome.detail);
+        REQUIRE(outcome.status == "ok");
+        for (const auto& [name, error] : outcome.metrics)
+            curves[name].push_back({cell.steps, t_end / static_cast<double>(cell.steps), error.value});
+    }
+    return curves;
+}
+
+/// What speaks against order `p` of a curve.
+std::string objection(const std::vector<ErrorPoint>& points, const std::string& metric, const Reference& reference,
+                      int p) {
+    const OrderLimits limits{
+        .epsilon = epsilon_of("quad"), .scale = scale_of(metric), .reference_error = reference.error.at(metric).value};
+    const ObservedOrder observed = observed_order(points, limits);
+    if (!observed.order) return observed.reason;
+    // Multipliers that are unknowns are wrong by h^p, without the factor T: they stay the largest errors here.
+    const double floor = 100 * epsilon_of("double") * std::sqrt(static_cast<double>(coarsest)) * limits.scale;
+    if (points.front().error > floor) return "double gets as far";
+    return std::abs(*observed.order - p) <= 0.1 ? "" : "observed order " + std::to_string(*observed.order);
+}
+
+}  // namespace
+
+TEST_CASE("declared orders are observed in quad, below the round-off of double", "[campaign]") {
+    int seen = 0;
+    for (const MethodDescription& method : engine_binary128().methods())
+        for (const char* formulation : {"SO3", "SO3xR3", "SE3"}) {
+            const double t_end = end_time(method.order.configuration);
+            for (const auto& [metric, points] : measure(method, formulation, t_end)) {
+                INFO(method.name << " as " << formulation << ", " << metric << ", finest error "
+                                 << points.back().error);
+                CHECK(objection(points, metric, reference(t_end), declared(method.order, metric)) == "");
+                ++seen;
+            }
+        }
+    CHECK(seen >= 180);
+}
+
+TEST_CASE("quad turns down a method that claims one order more", "[campaign][control]") {
+    for (const MethodDescription& method : engine_binary128().methods())
+        if (method.name == "rkmk/kutta3") {
+            const Curves curves = measure(method, "SO3xR3", end_time(3));
+            CHECK(objection(curves.at("error.rotation"), "error.rotation", reference(end_time(3)), 4) != "");
+        }
+}
