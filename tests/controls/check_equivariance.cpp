@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Left translation: gravity, anchors and start moved by one rigid motion of space move the result of a run by the same.
+// Left translation: gravity, anchors, loads fixed in space and start moved by one rigid motion of space move the result of a run by the same.
 #include "tests/controls/checks.hpp"
 #include "tests/controls/runs.hpp"
 
@@ -22,6 +22,8 @@ struct Motion {
         for (Body& body : model.bodies) body.start = (*this)(body.start);
         for (SphericalJoint& joint : model.joints)
             if (joint.first == ground) joint.r_first = point(joint.r_first);
+        for (Load& load : model.loads)
+            if (load.axes == Load::Axes::space) load.force = Q * load.force, load.torque = Q * load.torque;
         model.gravity.g = Q * model.gravity.g;
         return model;
     }

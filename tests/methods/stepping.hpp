@@ -27,6 +27,12 @@ inline bool runs_on(const MethodDescription& method, const std::string& formulat
     return only.empty() || std::find(only.begin(), only.end(), formulation) != only.end();
 }
 
+/// The literature's top turns by 150 rad/s, the other models by some 5: steps that are short for these are long for it.
+inline bool spins_fast(const Model& model) {
+    return std::any_of(model.bodies.begin(), model.bodies.end(),
+                       [](const Body& body) { return body.start.omega.norm() > 50; });
+}
+
 /// A method, a projection and a system, stepping.
 struct Trip {
     Trip(const Model& m, const std::string& formulation, const Method& method, const OptionValues& options,
