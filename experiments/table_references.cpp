@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <set>
+#include <map>
 
 namespace kreisel {
 
@@ -29,11 +29,19 @@ TextTable references_table(const Results& results) {
         "Digits up to which two step sizes and two independent routes agree at the end, relative to the size of the "
         "final state; \"exact\" where they are equal."};
     for (const std::string& metric : metrics) { table.columns.push_back(metric.substr(metric.find('.') + 1)); }
-    std::set<std::pair<std::string, double>> seen;
+    std::map<std::pair<std::string, double>, std::size_t> lines;
     for (const ResultRow& row : results.rows) {
-        if (!row.ok() || row.reference_error.empty() || !seen.insert({row.label, row.t_end}).second) { continue; }
-        table.rows.push_back({row.label, fmt::format("{}", row.t_end), fmt::format("{:.4g}", row.reference_horizon)});
-        for (const std::string& metric : metrics) { table.rows.back().push_back(digits(row, metric)); }
+        if (!row.ok() || row.reference_error.empty()) { continue; }
+        const auto [line, fresh] = lines.insert({{row.label, row.t_end}, table.rows.size()});
+        if (fresh) {
+            table.rows.push_back({row.label, fmt::format("{}", row.t_end), fmt::format("{:.4g}", row.reference_horizon)});
+            table.rows.back().resize(table.columns.size(), "-");
+        }
+        auto& cells = table.rows[line->second];
+        for (std::size_t i = 0; i < metrics.size(); ++i) {  // a formulation without constraints knows no multipliers
+            std::string& cell = cells[cells.size() - metrics.size() + i];
+            cell = cell == "-" ? digits(row, metrics[i]) : cell;
+        }
     }
     return table;
 }
