@@ -124,6 +124,13 @@ double top_margin_of(const PanelFigure& figure) {
     return titles ? 0.6 : 0.25;
 }
 
+// gnuplot breaks a legend into more columns than asked for where it is higher than the axes.
+double axes_height_of(const PanelFigure& figure, double panel_width) {
+    std::size_t rows = 0;
+    for (const Panel& panel : figure.panels) { rows = std::max(rows, legend_of(panel, panel_width).rows); }
+    return std::max(figure.axes_height, legend_row * static_cast<double>(rows + 1));
+}
+
 // Where the panels lie: rows of panels, each row as high as its longest legend asks for.
 struct Layout {
     double width = 0, height = 0;                              // cm
@@ -135,7 +142,7 @@ Layout layout_of(const PanelFigure& figure) {
     const std::size_t columns = std::min<std::size_t>(n, static_cast<std::size_t>(figure.columns));
     Layout layout;
     const double panel_width = panel_width_of(figure);
-    const double axes_height = figure.axes_height;
+    const double axes_height = axes_height_of(figure, panel_width);
     layout.width = panel_width * static_cast<double>(columns);
     layout.height = figure.title.empty() ? 0 : title_height;
     std::vector<double> row_top;
