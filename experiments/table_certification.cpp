@@ -18,22 +18,24 @@ const std::vector<Metrics> levels = {
 
 // The claim is about h -> 0: where the slopes of the window still rise, its finest one speaks.
 bool falls_short(const ObservedOrder& order, int declared) {
+    if (order.why == NoOrder::not_convergent) { return true; }
     const double least = declared - order_tolerance(declared);
-    return *order.order < least && order.slopes[order.last - 1] < least;
+    return order.order && *order.order < least && order.slopes[order.last - 1] < least;
 }
 
-// The least observed order over the metrics of a level.
+// The least observed order over the metrics of a level, "?" if one of them has not settled, "!" if one falls short.
 std::string level_text(const CellGroup& group, const Metrics& metrics) {
     std::optional<double> least;
-    bool low = false;
+    bool low = false, settled = true;
     for (const std::string& metric : metrics) {
         const ObservedOrder order = order_of(group, metric);
-        if (!order.order) { continue; }
-        least = least ? std::min(*least, *order.order) : *order.order;
+        if (order.points.empty()) { continue; }
+        if (order.order) { least = least ? std::min(*least, *order.order) : *order.order; }
+        settled = settled && order.why != NoOrder::not_settled;
         const auto declared = group.front().declared_order.find(metric);
         low = low || (declared != group.front().declared_order.end() && falls_short(order, declared->second));
     }
-    return least ? fmt::format("{:.2f}{}", *least, low ? "!" : "") : "-";
+    return (least ? fmt::format("{:.2f}", *least) : "-") + (settled ? "" : "?") + (low ? "!" : "");
 }
 
 std::string cell_text(const CellGroup& group) {
@@ -77,9 +79,10 @@ TextTable table_of(const std::string& label, bool single, const std::vector<Cell
                    const CellNames& names) {
     TextTable table{file_name(label, single), "Declared and observed orders: " + label, {"method", "declared"}, {}};
     table.notes = {
-        "Orders of configuration / velocity / multipliers, each the least over its metrics; \"-\" where none can be "
-        "stated; \"!\" where both it and the finest local slope of its window fall short of the declared one by more "
-        "than 0.1 (0.2 from order 6)."};
+        "Orders of configuration / velocity / multipliers, each the least over its metrics (position and rotation, "
+        "velocity and omega) of which an order can be stated, \"-\" if there is none; \"?\" where the slopes of one have "
+        "not settled; \"!\" where one does not converge, or its order and the finest slope of its window fall short of "
+        "the declared one by more than 0.1 (0.2 from order 6)."};
     const auto axes = names.varying_axes({});
     for (const CellGroup& group : groups) {
         const ResultRow& row = group.front();

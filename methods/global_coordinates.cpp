@@ -30,7 +30,7 @@ class GlobalRk4 final : public Integrator {
         // Coordinates may not depend on every entry of R: one that is no number would be repaired in silence.
         if (!Eigen::Map<const VecX>(y, system_.state_group().size()).allFinite()) return Status::non_finite;
         read(y);
-        status_ = Status::ok;
+        status_ = Status::ok, h_ = h;
         stepper_.do_step([this](const Flat& w, Flat& dw, const Real& s) { derivative(w, dw, s); }, w_, t, h);
         if (status_ != Status::ok) return status_;
         Real* w = w_.data();
@@ -69,7 +69,7 @@ class GlobalRk4 final : public Integrator {
         Real* dw = dflat.data();
         for (int i = 0; i < bodies_; ++i, w += stride(), dw += stride(), z += translations_ + 3) {
             std::copy_n(z, translations_, dw);
-            const bool regular = coordinates_->derivative(w + translations_, z + translations_, dw + translations_);
+            const bool regular = coordinates_->derivative(w + translations_, z + translations_, h_, dw + translations_);
             if (!regular && status_ == Status::ok) status_ = Status::chart_singularity;
         }
         std::copy_n(z, system_.velocities(), dw);
@@ -80,6 +80,7 @@ class GlobalRk4 final : public Integrator {
     int bodies_, translations_;
     Flat w_, y_, z_;
     Status status_ = Status::ok;
+    Real h_ = 0;
     boost::numeric::odeint::runge_kutta4<Flat, Real> stepper_;
 };
 

@@ -16,8 +16,8 @@ class RotationCoordinates {
     virtual int size() const = 0;
     virtual void from_matrix(const Real* R, Real* z) const = 0;
     virtual void to_matrix(const Real* z, Real* R) const = 0;
-    /// z' for R' = R hat(omega). False at a singularity of the coordinates.
-    virtual bool derivative(const Real* z, const Real* omega, Real* dz) const = 0;
+    /// z' for R' = R hat(omega). False at a singularity of the coordinates, or so near that a step h could reach it.
+    virtual bool derivative(const Real* z, const Real* omega, const Real& h, Real* dz) const = 0;
     /// Applied to the coordinates after each step.
     virtual void finish(Real* /*z*/) const {}
 };

@@ -2,7 +2,8 @@
 //
 // Baseline: the classical fourth-order method on Euler angles, R = R_z(psi) R_x(theta) R_y(phi). The last axis is the
 // spin axis of the heavy top, so a fast spin is harmless; the angles are singular at theta = +-pi/2, body y vertical.
-// A stage within 1/1000 of the singularity, or past it, ends the step with the status chart_singularity.
+// A stage within 1/1000 of the singularity, past it, or so near that body y could reach it within the step, ends the step
+// with the status chart_singularity: a long step would jump over it unnoticed, and be wrong from there on.
 #include "methods/global_coordinates.hpp"
 
 namespace kreisel {
@@ -30,12 +31,13 @@ class EulerAngles final : public RotationCoordinates {
     }
 
     /// theta' = w_x cos phi + w_z sin phi, psi' = (w_z cos phi - w_x sin phi) / cos theta, phi' = w_y - psi' sin theta.
-    bool derivative(const Real* z, const Real* w, Real* dz) const override {
+    bool derivative(const Real* z, const Real* w, const Real& h, Real* dz) const override {
         const Real ct = cos(z[1]), cf = cos(z[2]), sf = sin(z[2]);
         dz[0] = (w[2] * cf - w[0] * sf) / ct;
         dz[1] = w[0] * cf + w[2] * sf;
         dz[2] = w[1] - dz[0] * sin(z[1]);
-        return ct > Real(1) / 1000;
+        const Real swing = sqrt(w[0] * w[0] + w[2] * w[2]) * abs(h);  // of body y, which is vertical at the singularity
+        return ct > max(Real(Real(1) / 1000), swing);
     }
 };
 

@@ -16,7 +16,7 @@ class MatrixEntries final : public RotationCoordinates {
     void from_matrix(const Real* R, Real* z) const override { std::copy_n(R, 9, z); }
     void to_matrix(const Real* z, Real* R) const override { std::copy_n(z, 9, R); }
     /// Columns of R hat(omega): (w_z R_2 - w_y R_3, w_x R_3 - w_z R_1, w_y R_1 - w_x R_2).
-    bool derivative(const Real* R, const Real* w, Real* dR) const override {
+    bool derivative(const Real* R, const Real* w, const Real& /*h*/, Real* dR) const override {
         for (int i = 0; i < 3; ++i) {
             dR[i] = w[2] * R[3 + i] - w[1] * R[6 + i];
             dR[3 + i] = w[0] * R[6 + i] - w[2] * R[i];

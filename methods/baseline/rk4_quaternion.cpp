@@ -38,7 +38,7 @@ class Quaternion final : public RotationCoordinates {
         R[6] = 2 * (x * z + w * y), R[7] = 2 * (y * z - w * x), R[8] = w * w - x * x - y * y + z * z;
     }
 
-    bool derivative(const Real* q, const Real* o, Real* dq) const override {
+    bool derivative(const Real* q, const Real* o, const Real& /*h*/, Real* dq) const override {
         dq[0] = -(q[1] * o[0] + q[2] * o[1] + q[3] * o[2]) / 2;
         dq[1] = (q[0] * o[0] + q[2] * o[2] - q[3] * o[1]) / 2;
         dq[2] = (q[0] * o[1] + q[3] * o[0] - q[1] * o[2]) / 2;

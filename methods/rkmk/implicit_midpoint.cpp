@@ -46,6 +46,9 @@ class ImplicitMidpoint final : public Integrator, private Equations {
         scale_.measure(t, h, y);
         const Real* size = scale_.velocities().data();
         if (const Status status = newton_.solve(*this, size, w_.data()); status != Status::ok) return status;
+        // The last iterate fulfils C w = 0 as well as Newton's correction is known, h f to the round-off of one solve.
+        if (const Status status = residual(w_.data(), u_.data()); status != Status::ok) return status;
+        for (std::size_t i = 0; i < n_; ++i) w_[i] = h * f_[i];
         Real* v = y + middle_q_.size();
         for (std::size_t i = 0; i < n_; ++i) {
             u_[i] = h * (v[i] + w_[i] / 2);
