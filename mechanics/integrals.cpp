@@ -148,7 +148,9 @@ std::vector<FirstIntegral> first_integrals(const Model& model) {
     std::vector<FirstIntegral> integrals;
     if (!model.loads.empty()) return integrals;  // a load does work, and has a moment about every axis
     if (model.gravity.is_constant())
-        integrals.push_back({"energy", "J", "gravity is constant and the joints do no work",
+        integrals.push_back({"energy", "J",
+                             model.joints.empty() ? "no force but constant gravity acts"
+                                                  : "gravity is constant and the joints do no work",
                              [model](States states) { return energy(model, states); },
                              [model](States states) { return energy_size(model, states); }});
     add_momenta(model, integrals);

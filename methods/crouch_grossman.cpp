@@ -25,7 +25,7 @@ class CrouchGrossman final : public Integrator {
         for (std::size_t i = 0; i < tableau_.a.size(); ++i) {
             std::copy_n(y, stage_.size(), stage_.begin());
             append_product(tableau_.a[i], h, stage_.data());
-            const Status status = system_.vector_field(t + tableau_.c[i] * h, stage_.data(), &slopes_[i * factor_.size()]);
+            const Status status = system_.vector_field(t + tableau_.c[i] * h, stage_.data(), slopes_.data() + i * factor_.size());
             if (status != Status::ok) return status;
         }
         append_product(tableau_.b, h, y);
@@ -36,7 +36,7 @@ class CrouchGrossman final : public Integrator {
     /// y <- y exp(h w_1 K_1) ... exp(h w_s K_s).
     void append_product(const Combination& weights, const Real& h, Real* y) {
         for (const Term& term : weights) {
-            const Real* K = &slopes_[term.offset];
+            const Real* K = slopes_.data() + term.offset;
             const Real w = h * term.coefficient;
             for (std::size_t j = 0; j < factor_.size(); ++j) factor_[j] = w * K[j];
             system_.state_group().append_exp(y, factor_.data(), y);

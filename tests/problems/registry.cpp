@@ -6,8 +6,7 @@
 #include <sstream>
 
 #include "kreisel_build.hpp"
-#include "methods/method.hpp"
-#include "methods/projection.hpp"
+#include "tests/bibliography.hpp"
 #include "tests/problems/states.hpp"
 
 using namespace kreisel;
@@ -24,19 +23,6 @@ std::string text_of(const std::string& path) {
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();
-}
-
-bool in_bibliography(const std::string& key) {
-    static const std::string bibliography = text_of(std::string(build::source_dir) + "/paper/references.bib");
-    REQUIRE_FALSE(bibliography.empty());
-    return bibliography.find("{" + key + ",") != std::string::npos;
-}
-
-void cites_known_works(const std::string& name, const std::vector<std::string>& cites) {
-    for (const std::string& key : cites) {
-        INFO(name << " cites " << key);
-        CHECK(in_bibliography(key));
-    }
 }
 
 /// Masses, inertias and all loads but gravity times `factor`.
@@ -141,21 +127,10 @@ TEST_CASE("every problem says what its numbers are and where they come from", "[
             // Bodies are lists whose entries carry their own units.
             CHECK(parameter.unit.empty() == (parameter.kind == ParameterKind::bodies));
         }
-        cites_known_works(about.name, about.cites);
+        check_cites(about.name, about.cites);
         const std::string file = text_of(std::string(build::source_dir) + "/problems/" + about.name + ".cpp");
         REQUIRE_FALSE(file.empty());
         const bool own_data = file.find("data are our own") != std::string::npos;
         CHECK(own_data == about.cites.empty());
     }
-}
-
-TEST_CASE("every method and projection cites works of the bibliography", "[problems]") {
-    for (const Method& entry : methods()) {
-        INFO(entry.description.name);
-        CHECK_FALSE(entry.description.cites.empty());
-        cites_known_works(entry.description.name, entry.description.cites);
-    }
-    for (const ProjectionMethod& entry : projections())
-        cites_known_works(entry.description.name, entry.description.cites);
-    CHECK_FALSE(in_bibliography("nobody1900"));
 }
