@@ -16,7 +16,7 @@ inline namespace KREISEL_PRECISION {
 
 enum class Check {
     order_conditions,  ///< the declared tableau satisfies the conditions of the declared order, and of no higher one
-    one_step,          ///< a step with scripted slopes is that of the declared scheme
+    one_step,          ///< a step is that of the declared scheme, or of the published equations
     order,             ///< the observed order is not below the declared one
     solves,            ///< as many solves of the dynamics per step as declared
     history,           ///< after `start`, a step depends on (t, h, y) alone

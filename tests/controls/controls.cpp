@@ -78,7 +78,7 @@ std::vector<Control> faults_of_conduct() {
             rkmk_control("rkmk/rk4", "swallows_nan", {.deaf = true}, 4, {Check::injection}),
             rkmk_control("rkmk/heun", "turns_space", {.turns_space = true}, 2, {Check::equivariance}),
             control("rkmk/implicit_midpoint", "unconverged", unconverged_midpoint(), 2,
-                    {Check::convergence, Check::reversal}),
+                    {Check::one_step, Check::convergence, Check::reversal}),
             asymmetric};
 }
 

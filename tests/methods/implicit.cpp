@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Implicit methods against their own equations, which the steps must satisfy to round-off, and the ways in which a step
-// fails.
+// Implicit methods on R, where they are classical ones, and the ways in which a step fails. Their equations on groups are
+// checked in tests/orders/step_checks.hpp.
 #include <array>
 #include <cmath>
 
@@ -72,33 +72,6 @@ std::vector<std::array<Real, 2>> march(const Method& entry, const OptionValues& 
 }
 
 }  // namespace
-
-TEST_CASE("a step of the Lie midpoint method satisfies its equations", "[methods]") {
-    for (const Named& named : all())
-        for (const std::string& formulation : applicable(named.model)) {
-            INFO(named.name << " as " << formulation);
-            Trip trip(named.model, formulation, method("rkmk/implicit_midpoint"));
-            System& s = *trip.system;
-            const auto n = static_cast<std::size_t>(s.velocities()), size = static_cast<std::size_t>(s.group().size());
-            const Real t = Real(1) / 3, h = Real(1) / 512;
-            const std::vector<Real> before = trip.y;
-            REQUIRE(trip.integrator->step(t, h, trip.y.data()) == Status::ok);
-            std::vector<Real> V(n), u(n), f(n), middle(size), end(size);
-            Real speed = 1;
-            for (std::size_t i = 0; i < n; ++i) {
-                V[i] = (before[size + i] + trip.y[size + i]) / 2;
-                u[i] = h * V[i];
-                speed = max(speed, Real(abs(V[i])));
-            }
-            s.group().append_exp(before.data(), u.data(), end.data());
-            for (Real& x : u) x /= 2;
-            s.group().append_exp(before.data(), u.data(), middle.data());
-            REQUIRE(s.evaluate(t + h / 2, middle.data(), V.data(), f.data()) == Status::ok);
-            for (std::size_t i = 0; i < n; ++i)
-                CHECK(abs(trip.y[size + i] - before[size + i] - h * f[i]) <= 100 * epsilon * speed);
-            for (std::size_t i = 0; i < size; ++i) CHECK(abs(trip.y[i] - end[i]) <= 100 * epsilon);
-        }
-}
 
 TEST_CASE("on R the generalised-alpha method is the classical one", "[methods]") {
     const Method& entry = method("generalized_alpha/index2");

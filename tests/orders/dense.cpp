@@ -4,7 +4,9 @@
 #include <Eigen/LU>
 #include <vector>
 
+#include "lie/pair.hpp"
 #include "lie/power.hpp"
+#include "lie/rn.hpp"
 #include "lie/se3.hpp"
 
 namespace kreisel {
@@ -44,6 +46,31 @@ MatrixGroup matrix_so3() {
             .matrix = [](const Real* q) -> MatX { return Eigen::Map<const Mat3>(q); }};
 }
 
+MatrixGroup matrix_so3xr3() {
+    const auto hat = [](const VecX& u) {  // u = (p, w), hat(u) = (hat(w), [0 p; 0 0])
+        MatX U = MatX::Zero(7, 7);
+        U.topLeftCorner(3, 3) = skew(u.tail(3));
+        U.block(3, 6, 3, 1) = u.head(3);
+        return U;
+    };
+    const auto vee = [](const MatX& U) {
+        VecX u(6);
+        u << U(3, 6), U(4, 6), U(5, 6), U(2, 1), U(0, 2), U(1, 0);
+        return u;
+    };
+    const auto matrix = [](const Real* q) {  // stored x, then R column by column
+        MatX g = MatX::Identity(7, 7);
+        g.block(3, 6, 3, 1) = Eigen::Map<const Vec3>(q);
+        g.topLeftCorner(3, 3) = Eigen::Map<const Mat3>(q + 3);
+        return g;
+    };
+    return {.name = "SO3xR3",
+            .group = std::make_shared<Power<Pair<Rn<3>, SO3>>>(1),
+            .hat = hat,
+            .vee = vee,
+            .matrix = matrix};
+}
+
 MatrixGroup matrix_se3() {
     const auto hat = [](const VecX& u) {  // u = (p, w)
         MatX U = MatX::Zero(4, 4);
@@ -76,6 +103,15 @@ MatX dense_exp(const MatX& a) {
     }
     for (; squarings > 0; --squarings) sum = MatX(sum * sum);
     return sum;
+}
+
+MatX dense_log(const MatX& a) {
+    const MatX I = identity_like(a);
+    const auto first = [&](const MatX& b) { return MatX(MatX(b + I).partialPivLu().solve(MatX(b - I)) * 2); };
+    MatX u = first(a);
+    // u is a function of a and commutes with it, so exp(-u) a = exp(error); `first` leaves a twelfth of its cube.
+    for (int i = 0; i < 5; ++i) u += first(MatX(dense_exp(-u) * a));
+    return u;
 }
 
 MatX dense_cay(const MatX& a) {

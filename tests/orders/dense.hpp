@@ -25,9 +25,12 @@ struct MatrixGroup {
 };
 
 MatrixGroup matrix_so3();
+MatrixGroup matrix_so3xr3();
 MatrixGroup matrix_se3();
 
 MatX dense_exp(const MatX& a);
+/// u with exp(u) = a, for rotations by less than pi.
+MatX dense_log(const MatX& a);
 /// (I - a/2)^{-1} (I + a/2).
 MatX dense_cay(const MatX& a);
 

@@ -2,7 +2,7 @@
 //
 // One step of the running code against its declared scheme. With scripted accelerations the slopes of the stages do not
 // commute and do not depend on the state, so that stage points, stage times and result must equal an evaluation with
-// dense matrices to round-off.
+// dense matrices to round-off. Methods without a scheme are held to the checks of their own (step_checks.hpp).
 #include <algorithm>
 #include <random>
 #include <stdexcept>
@@ -11,6 +11,7 @@
 #include "tests/orders/declared_step.hpp"
 #include "tests/orders/scheme_checks.hpp"
 #include "tests/orders/scripted_system.hpp"
+#include "tests/orders/step_checks.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -121,14 +122,31 @@ Real one_step_difference(const Method& method, const OptionValues& a, const Opti
     return distance(running(method, a, s).result, running(method, b, s).result);
 }
 
-Objection one_step_objection(const Method& method) {
-    if (!method.factory.scheme) return "";
+namespace {
+
+Objection scheme_objection(const Method& method) {
     for (const MatrixGroup& group : {matrix_so3(), matrix_se3()})
         for (const OptionValues& options : scheme_variants(method)) {
             const Objection objection = one_step_objection(method, options, group);
             if (!objection.empty()) return objection;
         }
     return "";
+}
+
+Objection own_objection(const Method& method) {
+    for (const StepCheck& check : step_checks())
+        if (covers(check.knows, method.description.name)) {
+            try {
+                return check.objection(method);
+            } catch (const std::domain_error& failure) { return failure.what(); }
+        }
+    return "no one-step check knows this method: declare its scheme, or bring a check of its own";
+}
+
+}  // namespace
+
+Objection one_step_objection(const Method& method) {
+    return method.factory.scheme ? scheme_objection(method) : own_objection(method);
 }
 
 }  // namespace KREISEL_PRECISION

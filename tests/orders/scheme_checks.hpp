@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Judgements of methods that declare a scheme; the others are passed over. See tests/controls/checks.hpp.
+// Judgements of schemes and steps; no method is passed over in silence. See tests/controls/checks.hpp.
 #pragma once
 
 #include "tests/controls/checks.hpp"
@@ -9,11 +9,13 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// The order conditions, classical or Crouch-Grossman's, hold up to the declared order and not beyond.
+/// The order conditions, classical or Crouch-Grossman's, hold up to the declared order and not beyond. An explicit
+/// method must declare a scheme, or be exempted with a reason.
 Objection order_conditions_objection(const Method&);
 
 /// One step with scripted, non-commuting slopes equals an evaluation of the declared scheme by dense matrices, on SO(3)
-/// and SE(3), with every combination of options that changes the scheme.
+/// and SE(3), with every combination of options that changes the scheme. A method without a scheme must be known to a
+/// step check of its own (step_checks.hpp).
 Objection one_step_objection(const Method&);
 
 /// Round-off of some ten matrix products.

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// No method escapes the check of its steps: the table of step checks is complete and has no dead line, and each check
+// turns down steps that follow other equations.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "tests/orders/step_checks.hpp"
+
+using namespace kreisel;
+
+namespace {
+
+/// A method that is right in itself, of a family that no test has heard of.
+Method stranger() {
+    Method made_up = method("rkmk/rk4");
+    made_up.description.name = "commutator_free/cf3";
+    made_up.factory.scheme.reset();
+    return made_up;
+}
+
+}  // namespace
+
+TEST_CASE("a method that no one-step check knows is turned down", "[one_step]") {
+    CHECK(one_step_objection(stranger()) ==
+          "no one-step check knows this method: declare its scheme, or bring a check of its own");
+}
+
+TEST_CASE("an explicit method without a scheme is turned down", "[one_step]") {
+    CHECK(order_conditions_objection(stranger()) ==
+          "no order conditions for an explicit method without a scheme: declare it, or state why it has none");
+    Method implicit = stranger();
+    implicit.description.implicit = true;
+    CHECK(order_conditions_objection(implicit) == "");
+}
+
+TEST_CASE("every line of the table of step checks is of a registered method without a scheme", "[one_step]") {
+    for (const StepCheck& check : step_checks()) {
+        INFO(check.knows);
+        CHECK(std::any_of(methods().begin(), methods().end(), [&](const Method& method) {
+            return !method.factory.scheme && covers(check.knows, method.description.name);
+        }));
+    }
+}
+
+TEST_CASE("a step check covers its method, its family, and controls that claim to be it", "[one_step]") {
+    CHECK(covers("baseline/rk4_matrix", "baseline/rk4_matrix"));
+    CHECK(covers("baseline/", "baseline/rk4_matrix"));
+    CHECK(covers("multistep/bliedf2", "control/bliedf2_any_fault"));
+    CHECK_FALSE(covers("multistep/bliedf2", "multistep/bliedf22"));
+    CHECK_FALSE(covers("multistep/bliedf2", "other/bliedf2"));
+    CHECK_FALSE(covers("base/", "baseline/rk4_matrix"));
+}
+
+TEST_CASE("methods with multipliers take no steps but those of their equations", "[one_step]") {
+    const StabilisedForm left = {.side = DenseBodies::Side::left}, end = {.eta_from_end = true},
+                         bare = {.without_eta = true}, negated = {.multipliers_negated = true};
+    for (const StabilisedForm& wrong : {left, end, bare, negated}) {
+        CHECK(generalised_alpha_step_objection(method("generalized_alpha/index2"), wrong) != "");
+        CHECK(bliedf2_step_objection(method("multistep/bliedf2"), wrong) != "");
+    }
+    CHECK(generalised_alpha_step_objection(method("generalized_alpha/index2"), {.start_at_rate = true}) != "");
+    CHECK(bliedf2_step_objection(method("multistep/bliedf2"), {.sign_of_previous = -1}) != "");
+}
+
+TEST_CASE("baselines take no steps but those of their coordinates", "[one_step]") {
+    // Of the same order, so that only the comparison of one step can tell.
+    const Method& other = method("crouch_grossman/cg4a");
+    CHECK(quaternion_step_objection(other) != "");
+    CHECK(matrix_step_objection(other) != "");
+    CHECK(euler_angles_step_objection(other) != "");
+    CHECK(euler_angles_step_objection(method("baseline/rk4_matrix")) != "");
+    CHECK(matrix_step_objection(method("baseline/rk4_euler_angles")) != "");
+}
+
+TEST_CASE("the dense logarithm is the inverse of the dense exponential", "[one_step]") {
+    VecX u(6);
+    u << 3, -2, 1, 1, Real(-3) / 2, Real(1) / 2;
+    for (const MatrixGroup& group : {matrix_so3xr3(), matrix_se3()}) {
+        const MatX U = group.hat(u);
+        CHECK((dense_log(dense_exp(U)) - U).cwiseAbs().maxCoeff() < 1000 * epsilon);
+        CHECK((group.vee(U) - u).cwiseAbs().maxCoeff() == 0);
+    }
+}
