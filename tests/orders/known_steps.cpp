@@ -63,6 +63,14 @@ TEST_CASE("methods with multipliers take no steps but those of their equations",
     CHECK(bliedf2_step_objection(method("multistep/bliedf2"), {.sign_of_previous = -1}) != "");
 }
 
+TEST_CASE("steps are checked in every formulation, with and without constraints", "[one_step]") {
+    const auto top = models::applicable(models::standard("forced_heavy_top"));
+    CHECK(top == std::vector<std::string>{"SO3xR3", "SE3", "SO3"});  // on SO3 no constraint is left
+    CHECK(models::applicable(models::standard("forced_free_body")).size() == 2);
+    CHECK(make_system(models::standard("forced_free_body"), "SE3")->constraints() == 0);
+    CHECK(make_system(models::standard("double_pendulum"), "SE3")->constraints() == 6);
+}
+
 TEST_CASE("baselines take no steps but those of their coordinates", "[one_step]") {
     // Of the same order, so that only the comparison of one step can tell.
     const Method& other = method("crouch_grossman/cg4a");
