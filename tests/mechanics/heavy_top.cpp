@@ -97,8 +97,29 @@ TEST_CASE("redundant joints are named with their rank", "[mechanics]") {
     } catch (const ParameterError& error) {
         CHECK_THAT(error.what(), Catch::Contains("6 constraint rows have rank 3"));
     }
+    Model pair = linked(2, {{0, 1}});  // two points of two bodies: the distance of the points is constrained twice
+    pair.join(0, 1, pair.bodies[1].start.x);
+    for (Body& body : pair.bodies) body.start.v.setZero(), body.start.omega.setZero();
+    CHECK_THROWS_WITH(check_start(pair), Catch::Contains("6 constraint rows have rank 5"));
     auto system = make_system(model, "SE3");
     const auto y = initial_state(*system, model);
     std::vector<Real> z(12);
     CHECK(system->vector_field(0, y.data(), z.data()) == Status::singular_kkt);
+}
+
+TEST_CASE("the size of the energy is the sum of the sizes of its terms", "[mechanics]") {
+    const Model model = standard("double_pendulum");
+    std::vector<BodyState> states;
+    Real expected = 0;
+    for (const Body& body : model.bodies) {
+        states.push_back(body.start);
+        const Vec3 &v = body.start.v, &w = body.start.omega;
+        expected += body.mass * v.dot(v) / 2 + w.dot(body.J * w) / 2;
+        expected += body.mass * model.gravity.g.norm() * body.start.x.norm();
+    }
+    const auto system = make_system(model, "SE3");
+    const FirstIntegral& energy = system->integrals().front();
+    REQUIRE(energy.name == "energy");
+    CHECK(abs(energy.size(states) - expected) <= 100 * epsilon * expected);
+    CHECK(abs(energy.value(states)) <= expected);
 }

@@ -81,6 +81,7 @@ inline std::vector<Named> all() {
             {"loaded top", loaded(standard("forced_heavy_top"))},
             {"loaded chain", loaded(linked(3, {{ground, 0}, {0, 1}, {1, 2}}))},
             {"chain", linked(5, {{ground, 0}, {0, 1}, {1, 2}, {2, 3}, {3, 4}})},
+            {"mixed chain", linked(4, {{ground, 0}, {1, 0}, {1, 2}, {3, 2}})},
             {"star", linked(4, {{ground, 0}, {0, 1}, {0, 2}, {0, 3}})},
             {"loop", loop()},
             {"two anchors", linked(2, {{ground, 0}, {ground, 1}})},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What every registered method and projection must do, whatever its order.
+#include <cmath>
 #include <fstream>
 #include <set>
 
@@ -82,6 +83,22 @@ TEST_CASE("Euler angles report their singularity", "[methods]") {
     values["gravity"] = Vector3{0, 0, 0};
     Trip trip(problem("heavy_top").build(Parameters(values)), "SO3", method("baseline/rk4_euler_angles"));
     CHECK(trip.run(1, 1000) == Status::chart_singularity);
+}
+
+TEST_CASE("Euler angles end a step that could jump their singularity, and no other", "[methods]") {
+    const double theta = std::acos(0.03);  // body y is so far from the vertical, and swings by 0.1 rad/s
+    ParameterValues values = defaults(problem("heavy_top"));
+    values["gravity"] = Vector3{0, 0, 0};
+    values["R"] = Matrix3{1, 0, 0, 0, std::cos(theta), -std::sin(theta), 0, std::sin(theta), std::cos(theta)};
+    values["omega"] = Vector3{0.1, 150, 0};
+    const Model model = problem("heavy_top").build(Parameters(values));
+    const auto step = [&](const Real& h) {
+        Trip trip(model, "SO3", method("baseline/rk4_euler_angles"));
+        return trip.integrator->step(0, h, trip.y.data());
+    };
+    CHECK(step(Real(1) / 100) == Status::ok);
+    CHECK(step(-Real(1) / 100) == Status::ok);
+    CHECK(step(Real(1) / 2) == Status::chart_singularity);
 }
 
 TEST_CASE("quaternions renormalised stay on the sphere; without, R drifts off SO(3)", "[methods]") {
