@@ -43,8 +43,13 @@ class Mutant:
 
 
 def tracked_files():
-    listing = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT,
-                             check=True, capture_output=True)
+    """The sources: what git knows or would add; without git, all files but those of builds and results."""
+    try:
+        listing = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT,
+                                 check=True, capture_output=True)
+    except (OSError, subprocess.CalledProcessError):
+        names = (str(path.relative_to(ROOT)) for path in sorted(ROOT.rglob("*")) if path.is_file())
+        return [name for name in names if name.split("/")[0] not in ("build", "results", ".git")]
     return [name for name in listing.stdout.decode().split("\0") if name and (ROOT / name).is_file()]
 
 
