@@ -20,7 +20,8 @@ using Matrix3 = std::array<double, 9>;  ///< row by row
 inline constexpr Matrix3 identity3 = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 /// A rigid body: inertia about its mass centre in body axes (kg m^2), x and v in space axes (m, m/s), R body to
-/// space, omega in body axes (rad/s). Without v, the velocity follows from the joints.
+/// space, omega in body axes (rad/s). Without v, the velocity follows from the joints. A point mass has no inertia, and
+/// neither R nor omega of it means anything.
 struct BodyData {
     std::string name;
     double mass = 1;
@@ -29,10 +30,45 @@ struct BodyData {
     Matrix3 R = identity3;
     std::optional<Vector3> v = {};
     Vector3 omega = {0, 0, 0};
+    bool point = false;
     bool operator==(const BodyData&) const = default;
 };
 
-using ParameterValue = std::variant<double, Vector3, Matrix3, std::vector<BodyData>>;
+/// How two bodies are joined; mechanics/joint_rows.hpp has the rows of each.
+enum class JointType { spherical, revolute, universal, prismatic, cylindrical, planar, fixed, distance, rolling };
+
+/// A joint between two named bodies, or a body and "ground". Points (m) and axes in space coordinates of the initial
+/// configuration, one for each body. `length` (m): of a distance joint, by default the initial one; of a rolling joint,
+/// the radius. The length of a distance joint is length (1 + amplitude sin(frequency t)), frequency in rad/s.
+struct JointData {
+    JointType type = JointType::spherical;
+    std::array<std::string, 2> between = {};
+    std::array<Vector3, 2> points = {};
+    std::array<Vector3, 2> axes = {};
+    std::optional<double> length = {};
+    double amplitude = 0, frequency = 0;
+    bool operator==(const JointData&) const = default;
+};
+
+/// What acts on bodies besides gravity; mechanics/model.hpp has the equations. Points (m) and the axis in space
+/// coordinates of the initial configuration. Springs: stiffness (N/m or N m/rad), damping (N s/m or N m s/rad), free
+/// length (m) or angle (rad). Loads: force (N) at a point, or torque (N m), times 1 + amplitude sin(frequency t).
+struct ForceData {
+    enum class Type { spring, torsion_spring, force, torque };
+    Type type = Type::spring;
+    std::array<std::string, 2> between = {};  ///< a load acts on the second
+    std::array<Vector3, 2> points = {};
+    Vector3 axis = {0, 0, 1};
+    double stiffness = 0, damping = 0;
+    double rest = 0;  ///< free length or angle
+    Vector3 value = {0, 0, 0};
+    bool body_axes = false;  ///< whether the value turns with the body
+    double amplitude = 0, frequency = 0;
+    bool operator==(const ForceData&) const = default;
+};
+
+using ParameterValue =
+    std::variant<double, Vector3, Matrix3, std::vector<BodyData>, bool, std::vector<JointData>, std::vector<ForceData>>;
 using ParameterValues = std::map<std::string, ParameterValue>;
 
 /// A parameter that describes no system. `path` is a JSON pointer below the parameters, such as "/inertia/2".

@@ -3,8 +3,9 @@
 
 #include <stdexcept>
 
-#include "mechanics/free_bodies.hpp"
+#include "mechanics/jointed_bodies.hpp"
 #include "mechanics/pivoted_bodies.hpp"
+#include "mechanics/spherical_bodies.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -13,21 +14,30 @@ namespace {
 
 std::string always(const Model&) { return ""; }
 
-template <class T>
-std::unique_ptr<System> make(const Model& model) {
-    return std::make_unique<T>(model);
+/// Spherical joints with independent rows have a solver of their own.
+template <class Coordinates>
+std::unique_ptr<System> make_bodies(const Model& model) {
+    const bool spherical = SphericalBodies<Coordinates>::fits(model);
+    if (spherical && is_forest(model)) return std::make_unique<SphericalBodies<Coordinates>>(model);
+    auto jointed = std::make_unique<JointedBodies<Coordinates>>(model);
+    if (!spherical || jointed->constraint_rank().rank < jointed->constraints()) return jointed;
+    return std::make_unique<SphericalBodies<Coordinates>>(model);
 }
+
+std::unique_ptr<System> make_pivoted(const Model& model) { return std::make_unique<PivotedBodies>(model); }
 
 }  // namespace
 
 const std::vector<Formulation>& formulations() {
     static const std::vector<Formulation> all = {
         {"SO3xR3", "rotation and position of each body apart: q = (x, R), v = (x', omega); joints are constraints",
-         always, make<FreeBodies<MixedCoordinates>>},
+         always, make_bodies<MixedCoordinates>},
         {"SE3", "rigid displacement of each body: q = (x, R), v = (R^T x', omega); joints are constraints", always,
-         make<FreeBodies<ScrewCoordinates>>},
+         make_bodies<ScrewCoordinates>},
+        {"S3xR3", "unit quaternion and position of each body apart: q = (x, a), v = (x', omega); joints are constraints",
+         always, make_bodies<QuaternionCoordinates>},
         {"SO3", "bodies that turn about a fixed point: q = R, v = omega; no constraint is left", PivotedBodies::why_not,
-         make<PivotedBodies>},
+         make_pivoted},
     };
     return all;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // First integrals found from the structure of a model. Each is declared only where its reason holds.
-#include <Eigen/Eigenvalues>
-#include <optional>
+#include <algorithm>
 
-#include "lie/so3.hpp"
+#include "mechanics/forces.hpp"
 #include "mechanics/formulation.hpp"
+#include "mechanics/symmetries.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -13,148 +13,137 @@ inline namespace KREISEL_PRECISION {
 namespace {
 
 using States = std::span<const BodyState>;
+/// Integrals outlive the model they were found in, and share one copy of it.
+using Shared = std::shared_ptr<const Model>;
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
-Real energy(const Model& model, States states) {
-    Real sum = 0;
+Motion motion(States states, int body) {
+    if (body == ground) return {};
+    const BodyState& s = states[static_cast<std::size_t>(body)];
+    return {s.x, s.R, s.R.transpose() * s.v, s.omega};
+}
+
+/// A quantity and the sum of the sizes of its terms, which its round-off scales with.
+struct Terms {
+    Real value = 0, size = 0;
+    void add(const Real& term) { add(term, abs(term)); }
+    void add(const Real& term, const Real& bound) { value += term, size += bound; }
+};
+
+Terms energy(const Model& model, States states) {
+    Terms sum;
     for (std::size_t i = 0; i < states.size(); ++i) {
         const Body& body = model.bodies[i];
         const BodyState& s = states[i];
-        sum += body.mass * s.v.squaredNorm() / 2 + s.omega.dot(body.J * s.omega) / 2;
-        sum -= body.mass * model.gravity.g.dot(s.x);
+        sum.add(body.mass * s.v.squaredNorm() / 2 + s.omega.dot(body.J * s.omega) / 2);
+        sum.add(-body.mass * model.gravity.g.dot(s.x), body.mass * model.gravity.g.norm() * s.x.norm());
+    }
+    sum.add(stored_energy(model, [&](int body) { return motion(states, body); }));
+    return sum;
+}
+
+/// e . sum ((x - P) x m v + R J omega).
+Terms angular_momentum(const Model& model, const Line& axis, States states) {
+    Terms sum;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const Body& body = model.bodies[i];
+        const BodyState& s = states[i];
+        const Vec3 arm = s.x - axis.P, spin = body.J * s.omega;
+        sum.add(axis.e.dot(arm.cross(body.mass * s.v) + s.R * spin), arm.norm() * body.mass * s.v.norm() + spin.norm());
     }
     return sum;
 }
 
-/// sum (x - P) x m v + R J omega.
-Vec3 angular_momentum(const Model& model, const Vec3& P, States states) {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < states.size(); ++i) {
-        const Body& body = model.bodies[i];
-        const BodyState& s = states[i];
-        sum += (s.x - P).cross(body.mass * s.v) + s.R * (body.J * s.omega);
-    }
-    return sum;
-}
-
-Vec3 linear_momentum(const Model& model, States states) {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < states.size(); ++i) sum += model.bodies[i].mass * states[i].v;
-    return sum;
-}
-
-/// Sizes of the terms of the quantities above.
-Real energy_size(const Model& model, States states) {
-    Real sum = 0;
-    for (std::size_t i = 0; i < states.size(); ++i) {
-        const Body& body = model.bodies[i];
-        const BodyState& s = states[i];
-        sum += body.mass * s.v.squaredNorm() / 2 + s.omega.dot(body.J * s.omega) / 2;
-        sum += body.mass * model.gravity.g.norm() * s.x.norm();
-    }
-    return sum;
-}
-
-Real angular_momentum_size(const Model& model, const Vec3& P, States states) {
-    Real sum = 0;
+/// e . sum m v.
+Terms momentum(const Model& model, const Vec3& e, States states) {
+    Terms sum;
     for (std::size_t i = 0; i < states.size(); ++i)
-        sum += (states[i].x - P).norm() * model.bodies[i].mass * states[i].v.norm() +
-               (model.bodies[i].J * states[i].omega).norm();
+        sum.add(model.bodies[i].mass * e.dot(states[i].v), model.bodies[i].mass * states[i].v.norm());
     return sum;
 }
 
-Real linear_momentum_size(const Model& model, States states) {
-    Real sum = 0;
-    for (std::size_t i = 0; i < states.size(); ++i) sum += model.bodies[i].mass * states[i].v.norm();
+/// (p^2 - q^2 - c gamma_1)^2 + (2 p q - c gamma_2)^2 with (p, q) and gamma, the upward vertical, along e_1 and e_2.
+Terms kovalevskaya(const KovalevskayaTop& top, const BodyState& s) {
+    const Vec3 omega = top.axes.transpose() * s.omega, gamma = top.axes.transpose() * (s.R.transpose() * top.up);
+    const Real p = omega[0], q = omega[1];
+    const Real real = p * p - q * q - top.c * gamma[0], imaginary = 2 * p * q - top.c * gamma[1];
+    const Real bound = p * p + q * q + top.c;
+    Terms sum;
+    sum.add(real * real + imaginary * imaginary, bound * bound);
     return sum;
 }
 
-/// The ground point that all joints to the ground share; the origin if there is none; nothing if they differ.
-std::optional<Vec3> common_pivot(const Model& model) {
-    std::optional<Vec3> pivot;
-    for (const SphericalJoint& joint : model.joints) {
-        if (joint.first != ground) continue;
-        if (pivot && *pivot != joint.r_first) return std::nullopt;
-        pivot = joint.r_first;
-    }
-    return pivot ? pivot : Vec3(Vec3::Zero());
+/// What a name, a unit and a reason say of f(states) -> Terms.
+template <class F>
+FirstIntegral integral(std::string name, const char* unit, std::string reason, F f) {
+    return {std::move(name), unit, std::move(reason), [f](States s) { return f(s).value; },
+            [f](States s) { return f(s).size; }};
 }
 
-bool touches_ground(const Model& model) {
-    for (const SphericalJoint& joint : model.joints)
-        if (joint.first == ground) return true;
-    return false;
+std::string energy_reason(const Model& model) {
+    const bool springs = !model.springs.empty() || !model.torsion_springs.empty();
+    const std::string forces = springs ? "gravity is constant, the springs have no damping" : "gravity is constant";
+    if (model.joints.empty()) return springs ? forces : "no force but constant gravity acts";
+    return forces + (springs ? ", the joints do no work" : " and the joints do no work");
 }
 
-/// Unit axis e such that J = a e e^T + b (I - e e^T) to working precision, or nothing.
-std::optional<Vec3> symmetry_axis(const Mat3& J) {
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(J);
-    const Vec3 moments = principal.eigenvalues();
-    const Real slack = 16 * epsilon * moments[2];
-    if (moments[1] - moments[0] <= slack) return Vec3(principal.eigenvectors().col(2));
-    if (moments[2] - moments[1] <= slack) return Vec3(principal.eigenvectors().col(0));
-    return std::nullopt;
+void add_energy(const Shared& model, std::vector<FirstIntegral>& integrals) {
+    const auto driven = [](const Joint& joint) { return joint.amplitude != 0; };
+    if (!is_conservative(*model) || std::any_of(model->joints.begin(), model->joints.end(), driven)) return;
+    integrals.push_back(integral("energy", "J", energy_reason(*model), [model](States s) { return energy(*model, s); }));
 }
 
-void add_momenta(const Model& model, std::vector<FirstIntegral>& integrals) {
-    const auto pivot = common_pivot(model);
-    const Vec3 g = model.gravity.g;
-    if (!pivot) return;
+void add_angular_momenta(const Shared& model, std::vector<FirstIntegral>& integrals) {
+    const Vec3 P = pivot(*model), g = model->gravity.g;
+    const auto add = [&](const std::string& name, const Vec3& e, const char* reason) {
+        const Line axis{P, e};
+        if (!is_invariant_under_rotation(*model, axis)) return;
+        integrals.push_back(integral("angular_momentum_" + name, "N m s", reason,
+                                     [model, axis](States s) { return angular_momentum(*model, axis, s); }));
+    };
     if (!g.isZero(0)) {
-        const Vec3 up = -g / g.norm();
-        integrals.push_back({"angular_momentum_vertical", "N m s",
-                             "gravity has no moment about the vertical through the common fixed point of the joints",
-                             [model, P = *pivot, up](States s) { return up.dot(angular_momentum(model, P, s)); },
-                             [model, P = *pivot](States s) { return angular_momentum_size(model, P, s); }});
+        add("vertical", -g / g.norm(), "neither gravity nor the ground has a moment about this vertical");
         return;
     }
-    for (int k = 0; k < 3; ++k)
-        integrals.push_back({std::string("angular_momentum_") + axis_names[k], "N m s",
-                             "no external moment acts about the reference point",
-                             [model, P = *pivot, k](States s) { return angular_momentum(model, P, s)[k]; },
-                             [model, P = *pivot](States s) { return angular_momentum_size(model, P, s); }});
-    if (touches_ground(model)) return;
-    for (int k = 0; k < 3; ++k)
-        integrals.push_back({std::string("momentum_") + axis_names[k], "N s", "no external force acts",
-                             [model, k](States s) { return linear_momentum(model, s)[k]; },
-                             [model](States s) { return linear_momentum_size(model, s); }});
+    for (int k = 0; k < 3; ++k) add(axis_names[k], Vec3::Unit(k), "the ground has no moment about this axis");
 }
 
-/// omega along the symmetry axis of a body whose external moment has no component along it.
-void add_body_momenta(const Model& model, std::vector<FirstIntegral>& integrals) {
-    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-        const Body& body = model.bodies[i];
-        const SphericalJoint* only = nullptr;
-        int joints = 0;
-        for (const SphericalJoint& joint : model.joints)
-            if (joint.first == static_cast<int>(i) || joint.second == static_cast<int>(i)) only = &joint, ++joints;
-        if (joints > 1 || (only && only->first != ground)) continue;
-        const Vec3 lever = only ? Vec3(-only->r_second) : Vec3(Vec3::Zero());
-        const Mat3 J_O = inertia_about(body, lever);
-        const auto axis = symmetry_axis(J_O);
-        if (!axis || axis->cross(lever).norm() > 16 * epsilon * lever.norm()) continue;
-        const Vec3 e = *axis * (axis->sum() < 0 ? -1 : 1);
-        const std::string suffix = model.bodies.size() > 1 ? "_" + body.name : "";
-        integrals.push_back({"body_momentum" + suffix, "N m s",
-                             "the body is symmetric about an axis along which no moment acts",
-                             [J = body.J, e, i](States s) { return e.dot(J * s[i].omega); },
-                             [J = body.J, i](States s) { return Real((J * s[i].omega).norm()); }});
+void add_momenta(const Shared& model, std::vector<FirstIntegral>& integrals) {
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 e = Vec3::Unit(k);
+        if (!is_invariant_under_translation(*model, e)) continue;
+        integrals.push_back(integral(std::string("momentum_") + axis_names[k], "N s", "no external force acts along this axis",
+                                     [model, e](States s) { return momentum(*model, e, s); }));
+    }
+}
+
+void add_body_integrals(const Shared& model, std::vector<FirstIntegral>& integrals) {
+    for (std::size_t i = 0; i < model->bodies.size(); ++i) {
+        const Body& body = model->bodies[i];
+        const std::string suffix = model->bodies.size() > 1 ? "_" + body.name : "";
+        if (const auto e = free_spin_axis(*model, static_cast<int>(i)))
+            integrals.push_back(integral("body_momentum" + suffix, "N m s",
+                                         "the body is symmetric about an axis along which no moment acts",
+                                         [model, e = *e, i](States s) {
+                                             const Vec3 spin = model->bodies[i].J * s[i].omega;
+                                             return Terms{e.dot(spin), spin.norm()};
+                                         }));
+        if (const auto top = kovalevskaya_top(*model, static_cast<int>(i)))
+            integrals.push_back(integral("kovalevskaya" + suffix, "1/s^4",
+                                         "a heavy top with A = B = 2 C and its mass centre in the plane of A and B",
+                                         [top = *top, i](States s) { return kovalevskaya(top, s[i]); }));
     }
 }
 
 }  // namespace
 
-std::vector<FirstIntegral> first_integrals(const Model& model) {
+std::vector<FirstIntegral> first_integrals(const Model& data) {
+    const auto model = std::make_shared<const Model>(data);
     std::vector<FirstIntegral> integrals;
-    if (!model.loads.empty()) return integrals;  // a load does work, and has a moment about every axis
-    if (model.gravity.is_constant())
-        integrals.push_back({"energy", "J",
-                             model.joints.empty() ? "no force but constant gravity acts"
-                                                  : "gravity is constant and the joints do no work",
-                             [model](States states) { return energy(model, states); },
-                             [model](States states) { return energy_size(model, states); }});
+    add_energy(model, integrals);
+    add_angular_momenta(model, integrals);
     add_momenta(model, integrals);
-    add_body_momenta(model, integrals);
+    add_body_integrals(model, integrals);
     return integrals;
 }
 

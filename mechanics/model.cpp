@@ -3,7 +3,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cctype>
 #include <sstream>
@@ -22,17 +21,64 @@ std::string text(double x) {
     return out.str();
 }
 
-Vec3 velocity_of_point(const BodyState& body, const Vec3& r) { return body.v + body.R * body.omega.cross(r); }
-
 }  // namespace
 
-void Model::join(int first, int second, const Vec3& point) {
-    const auto local = [&](int body) -> Vec3 {
-        if (body == ground) return point;
-        const BodyState& start = bodies[static_cast<std::size_t>(body)].start;
-        return start.R.transpose() * (point - start.x);
-    };
-    joints.push_back({first, second, local(first), local(second)});
+Vec3 Model::point_of(int body, const Vec3& point) const {
+    if (body == ground) return point;
+    const BodyState& start = bodies[static_cast<std::size_t>(body)].start;
+    return start.R.transpose() * (point - start.x);
+}
+
+Mat3 Model::axes_of(int body, const Mat3& axes) const {
+    if (body == ground) return axes;
+    return bodies[static_cast<std::size_t>(body)].start.R.transpose() * axes;
+}
+
+void Model::join(int first, int second, const Vec3& point, JointType type, const Vec3& axis) {
+    const Mat3 axes = axes_about(axis);
+    joints.push_back({.first = first,
+                      .second = second,
+                      .r_first = point_of(first, point),
+                      .r_second = point_of(second, point),
+                      .type = type,
+                      .axes_first = axes_of(first, axes),
+                      .axes_second = axes_of(second, axes)});
+}
+
+std::string Model::name_of(int body) const {
+    return body == ground ? "ground" : bodies[static_cast<std::size_t>(body)].name;
+}
+
+std::string Model::name_of_joint(std::size_t joint) const {
+    const Joint& j = joints[joint];
+    return "joint " + std::to_string(joint) + " (" + name_of(j.first) + " - " + name_of(j.second) + ", " + name(j.type) + ")";
+}
+
+const char* name(JointType type) {
+    switch (type) {
+        case JointType::spherical: return "spherical";
+        case JointType::revolute: return "revolute";
+        case JointType::universal: return "universal";
+        case JointType::prismatic: return "prismatic";
+        case JointType::cylindrical: return "cylindrical";
+        case JointType::planar: return "planar";
+        case JointType::fixed: return "fixed";
+        case JointType::distance: return "distance";
+        case JointType::rolling: return "rolling";
+    }
+    return "unknown";
+}
+
+Mat3 axes_about(const Vec3& axis) {
+    // Scaling each component by the largest keeps squares of tiny or huge axes in range.
+    const Vec3 e = Vec3(axis / axis.lpNorm<Eigen::Infinity>()).normalized();
+    Eigen::Index least = 0;
+    e.cwiseAbs().minCoeff(&least);
+    Mat3 axes;
+    axes.col(2) = e;
+    axes.col(0) = e.cross(Vec3::Unit(least)).normalized();
+    axes.col(1) = e.cross(axes.col(0));
+    return axes;
 }
 
 Vec3 to_vec3(const Vector3& v) { return {decimal(v[0]), decimal(v[1]), decimal(v[2])}; }
@@ -86,30 +132,6 @@ const std::string& to_name(const std::string& name, const std::string& path) {
 Real to_mass(double mass, const std::string& path) {
     if (!(mass > 0)) throw ParameterError(path, "expected a positive mass in kg, got " + text(mass));
     return decimal(mass);
-}
-
-void complete_velocities(Model& model, const std::vector<bool>& given) {
-    const auto bodies = static_cast<Eigen::Index>(model.bodies.size());
-    const auto joints = static_cast<Eigen::Index>(model.joints.size());
-    // Rows of the joints in the unknown velocities; known velocities and all rotations go to the right-hand side.
-    MatX C = MatX::Zero(3 * joints, 3 * bodies);
-    VecX rhs = VecX::Zero(3 * joints);
-    for (std::size_t i = 0; i < given.size(); ++i)
-        if (!given[i]) model.bodies[i].start.v.setZero();
-    const auto add = [&](Eigen::Index row, int body, const Vec3& r, int sign) {
-        if (body == ground) return;
-        const auto i = static_cast<std::size_t>(body);
-        if (!given[i]) C.block<3, 3>(row, 3 * body) = sign * Mat3::Identity();
-        rhs.segment<3>(row) -= sign * velocity_of_point(model.bodies[i].start, r);
-    };
-    for (Eigen::Index j = 0; j < joints; ++j) {
-        const SphericalJoint& joint = model.joints[static_cast<std::size_t>(j)];
-        add(3 * j, joint.first, joint.r_first, 1);
-        add(3 * j, joint.second, joint.r_second, -1);
-    }
-    const VecX v = C.completeOrthogonalDecomposition().solve(rhs);
-    for (std::size_t i = 0; i < given.size(); ++i)
-        if (!given[i]) model.bodies[i].start.v = v.segment<3>(3 * static_cast<Eigen::Index>(i));
 }
 
 }  // namespace KREISEL_PRECISION

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A mechanical model: rigid bodies, spherical joints, gravity and loads, with the initial state. SI units.
+// A mechanical model: rigid bodies, joints, gravity, springs and loads, with the initial state. SI units.
 #pragma once
 
 #include <string>
@@ -26,6 +26,7 @@ struct Body {
     Real mass = 1;
     Mat3 J = Mat3::Identity();
     BodyState start;
+    bool point = false;  ///< a point mass: J is the identity and no moment ever acts, so that it keeps its rotation
 };
 
 /// Inertia about a point, J + m (|c|^2 I - c c^T), with c from the point to the mass centre.
@@ -35,11 +36,17 @@ inline Mat3 inertia_about(const Body& body, const Vec3& c) {
 
 inline constexpr int ground = -1;
 
-/// Spherical joint: Phi = (point of first) - (point of second) = 0, three rows in space axes. A point is given in the
-/// body axes of its body, from the mass centre; for `ground` in space coordinates. The second is never the ground.
-struct SphericalJoint {
+/// A joint between two bodies, either of which may be `ground`, but not both. Its rows and their signs are those of
+/// mechanics/joint_rows.hpp: Phi = (what the first body has) - (what the second has). Points are in the body axes of their
+/// body, from the mass centre; for `ground` in space coordinates. So are the axes, the columns of a rotation: the third is
+/// the axis of the joint (of a universal joint, one for each body).
+struct Joint {
     int first = ground, second = 0;
     Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
+    JointType type = JointType::spherical;
+    Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();
+    Real length = 0;                   ///< of a distance joint; of a rolling joint the radius (m)
+    Real amplitude = 0, frequency = 0; ///< of a distance joint: length (1 + amplitude sin(frequency t)), rad/s
 };
 
 /// g(t) = g (1 + amplitude sin(frequency t)); frequency in rad/s.
@@ -50,35 +57,72 @@ struct Gravity {
     Vec3 at(const Real& t) const { return is_constant() ? g : Vec3(g * (1 + amplitude * sin(frequency * t))); }
 };
 
-/// A force (N) through the mass centre of a body and a torque (N m), both times 1 + amplitude sin(frequency t), given in
-/// space axes or in axes that turn with the body; frequency in rad/s.
+/// A force and a torque about the mass centre, in body axes.
+struct Wrench {
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+};
+
+/// A force (N) and a torque (N m), both times 1 + amplitude sin(frequency t), given in space axes or in axes that turn
+/// with the body; the force acts at `point` (body axes, from the mass centre), frequency in rad/s.
 struct Load {
     enum class Axes { space, body };
-    struct Wrench {
-        Vec3 force, torque;
-    };
     int body = 0;
     Axes axes = Axes::space;
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     Real amplitude = 0, frequency = 0;
-    /// At time t in body axes; R is the body's rotation.
-    Wrench in_body_axes(const Real& t, const Eigen::Map<const Mat3>& R) const {
+    Vec3 point = Vec3::Zero();
+    /// At time t; R is the body's rotation.
+    template <class Rotation>
+    Wrench in_body_axes(const Real& t, const Rotation& R) const {
         const Real factor = 1 + amplitude * sin(frequency * t);
-        if (axes == Axes::body) return {factor * force, factor * torque};
-        return {factor * (R.transpose() * force), factor * (R.transpose() * torque)};
+        Wrench wrench{factor * force, factor * torque};
+        if (axes == Axes::space) wrench = {R.transpose() * wrench.force, R.transpose() * wrench.torque};
+        wrench.torque += point.cross(wrench.force);
+        return wrench;
     }
+};
+
+/// Along the line of two points, of length l: tension stiffness (l - length) + damping l'. With length = 0 the points may
+/// meet, unless there is damping.
+struct Spring {
+    int first = ground, second = 0;
+    Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
+    Real stiffness = 0, damping = 0, length = 0;
+};
+
+/// About the third axis that two frames share: torque -stiffness (theta - angle) - damping theta' on the second body and its
+/// opposite on the first. theta is the angle from the first frame's first axis to the second's, in (-pi, pi]: the spring
+/// forgets full turns. Frames may part (the second axis is then projected, and the torque is the gradient of the energy).
+struct TorsionSpring {
+    int first = ground, second = 0;
+    Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();
+    Real stiffness = 0, damping = 0, angle = 0;
 };
 
 struct Model {
     std::vector<Body> bodies;
-    std::vector<SphericalJoint> joints;
+    std::vector<Joint> joints;
     Gravity gravity;
     std::vector<Load> loads;
+    std::vector<Spring> springs;
+    std::vector<TorsionSpring> torsion_springs;
     std::vector<std::string> warnings;
 
-    /// Joint whose two points coincide at `point` (space coordinates) in the initial configuration.
-    void join(int first, int second, const Vec3& point);
+    /// A point and axes in space coordinates of the initial configuration, as a body (or the ground) carries them.
+    Vec3 point_of(int body, const Vec3& point) const;
+    Mat3 axes_of(int body, const Mat3& axes) const;
+    /// Joint at a point, about an axis of any length (space coordinates of the initial configuration), the same for both
+    /// bodies. Not for universal joints, which have two axes, nor for distance joints, which have two points.
+    void join(int first, int second, const Vec3& point, JointType type = JointType::spherical,
+              const Vec3& axis = Vec3::UnitZ());
+    std::string name_of(int body) const;
+    /// "joint 2 (crank - rod, revolute)".
+    std::string name_of_joint(std::size_t joint) const;
 };
+
+const char* name(JointType type);
+/// A rotation whose third column is the direction of `axis`, which is not zero.
+Mat3 axes_about(const Vec3& axis);
 
 /// What an inertia must satisfy beyond being positive definite. The triangle inequality J1 + J2 >= J3 of the principal
 /// moments (relative slack 1e-12; equality is a flat body) holds for every mass distribution; published test data
@@ -96,7 +140,8 @@ const std::string& to_name(const std::string& name, const std::string& path);
 /// Checks that a mass is positive. Throws ParameterError at `path`.
 Real to_mass(double mass, const std::string& path);
 
-/// Velocities of the bodies not marked in `given`, from the joints: least norm among those that satisfy them.
+/// Velocities of the bodies not marked in `given`, from the joints: least norm among those that satisfy them
+/// (mechanics/start.cpp).
 void complete_velocities(Model& model, const std::vector<bool>& given);
 
 }  // namespace KREISEL_PRECISION

@@ -9,9 +9,9 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-std::vector<const SphericalJoint*> joints_of(const Model& model, int body) {
-    std::vector<const SphericalJoint*> joints;
-    for (const SphericalJoint& joint : model.joints)
+std::vector<const Joint*> joints_of(const Model& model, int body) {
+    std::vector<const Joint*> joints;
+    for (const Joint& joint : model.joints)
         if (joint.first == body || joint.second == body) joints.push_back(&joint);
     return joints;
 }
@@ -19,6 +19,8 @@ std::vector<const SphericalJoint*> joints_of(const Model& model, int body) {
 bool rests_unloaded(const Model& model, int index) {
     for (const Load& load : model.loads)
         if (load.body == index && !load.force.isZero(0)) return false;
+    for (const Spring& spring : model.springs)
+        if (spring.first == index || spring.second == index) return false;
     return model.bodies[static_cast<std::size_t>(index)].start.v.isZero(0) && model.gravity.g.isZero(0);
 }
 
@@ -31,28 +33,53 @@ std::string PivotedBodies::why_not(const Model& model) {
         if (joints.empty() && !rests_unloaded(model, static_cast<int>(i)))
             return "body \"" + body.name + "\" has no fixed point: no spherical joint to the ground holds it";
         if (joints.size() > 1) return "body \"" + body.name + "\" has more than one joint, so SO3 cannot remove them";
-        if (joints.size() == 1 && joints[0]->first != ground)
+        if (joints.size() == 1 && joints[0]->first != ground && joints[0]->second != ground)
             return "body \"" + body.name + "\" is joined to a moving body, so no point of it is fixed";
+        if (joints.size() == 1 && joints[0]->type != JointType::spherical)
+            return "body \"" + body.name + "\" hangs on a " + name(joints[0]->type) + " joint: SO3 takes spherical ones only";
     }
     return "";
 }
 
 PivotedBodies::PivotedBodies(Model model)
-    : System(std::make_shared<Power<SO3>>(static_cast<int>(model.bodies.size()))), gravity_(model.gravity), loads_(model.loads) {
-    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-        const Body& body = model.bodies[i];
-        const auto joints = joints_of(model, static_cast<int>(i));
-        const Vec3 lever = joints.empty() ? Vec3(Vec3::Zero()) : Vec3(-joints[0]->r_second);
-        const Vec3 pivot = joints.empty() ? body.start.x : joints[0]->r_first;
+    : System(std::make_shared<Power<SO3>>(static_cast<int>(model.bodies.size()))), model_(std::move(model)), forces_(has_forces(model_)) {
+    for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+        const Body& body = model_.bodies[i];
+        const auto joints = joints_of(model_, static_cast<int>(i));
+        Vec3 lever = Vec3::Zero(), pivot = body.start.x;
+        if (!joints.empty()) {
+            const Joint& joint = *joints[0];
+            lever = -(joint.first == ground ? joint.r_second : joint.r_first);
+            pivot = joint.first == ground ? joint.r_first : joint.r_second;
+        }
         const Mat3 J_O = inertia_about(body, lever);
         bodies_.push_back({body.mass, J_O, J_O.inverse(), pivot, lever});
     }
 }
 
+Motion PivotedBodies::motion(const Real* q, const Real* v, int body) const {
+    if (body == ground) return {};
+    const Pivoted& mine = bodies_[static_cast<std::size_t>(body)];
+    const Mat3 R = mat3(q + body * SO3::size);
+    Motion motion{mine.pivot + R * mine.lever, R};
+    if (v) motion.omega = vec3(v + 3 * body), motion.V = motion.omega.cross(mine.lever);
+    return motion;
+}
+
+template <class F>
+void PivotedBodies::each_moment(const Real& t, const Real* q, const Real* v, F f) const {
+    if (!forces_) return;
+    for_each_wrench(model_, t, [&](int body) { return motion(q, v, body); },
+                    [&](int body, const Wrench& wrench) {
+                        const Vec3& lever = bodies_[static_cast<std::size_t>(body)].lever;
+                        f(body, Vec3(lever.cross(wrench.force) + wrench.torque));
+                    });
+}
+
 KREISEL_HOT Status PivotedBodies::accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real*) {
-    const Vec3 g = gravity_.at(t);
+    const Vec3 g = model_.gravity.at(t);
     Real sum = 0;
-    const Real* const configuration = q;
+    const Real *const configuration = q, *const velocities = v;
     Real* const rates = dv;
     for (const Pivoted& body : bodies_) {
         const Vec3 w = vec3(v), Jw = body.J_O * w;
@@ -61,12 +88,11 @@ KREISEL_HOT Status PivotedBodies::accelerations(const Real& t, const Real* q, co
         store(dw, dv);
         q += SO3::size, v += 3, dv += 3;
     }
-    for (const Load& load : loads_) {
-        Real* mine = rates + 3 * load.body;
-        const Mat3& J_O_inverse = bodies_[static_cast<std::size_t>(load.body)].J_O_inverse;
-        store(Vec3(vec3(mine) + J_O_inverse * moment(load, t, configuration)), mine);
+    each_moment(t, configuration, velocities, [&](int body, const Vec3& moment) {
+        Real* mine = rates + 3 * body;
+        store(Vec3(vec3(mine) + bodies_[static_cast<std::size_t>(body)].J_O_inverse * moment), mine);
         sum += vec3(mine).sum();
-    }
+    });
     return isfinite(sum) ? Status::ok : Status::non_finite;
 }
 
@@ -84,14 +110,14 @@ void PivotedBodies::mass(const Real*, Real* blocks) const {
     for (const Pivoted& body : bodies_) store(body.J_O, blocks), blocks += 9;
 }
 
-void PivotedBodies::applied_force(const Real& t, const Real* q, const Real*, Real* f) const {
-    const Vec3 g = gravity_.at(t);
+void PivotedBodies::applied_force(const Real& t, const Real* q, const Real* v, Real* f) const {
+    const Vec3 g = model_.gravity.at(t);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         store(gravity_torque(bodies_[i], mat3(q + i * SO3::size), g), f + 3 * i);
-    for (const Load& load : loads_) {
-        Real* mine = f + 3 * load.body;
-        store(Vec3(vec3(mine) + moment(load, t, q)), mine);
-    }
+    each_moment(t, q, v, [&](int body, const Vec3& moment) {
+        Real* mine = f + 3 * body;
+        store(Vec3(vec3(mine) + moment), mine);
+    });
 }
 
 void PivotedBodies::gyroscopic_force(const Real*, const Real* v, Real* f) const {
@@ -102,8 +128,8 @@ void PivotedBodies::gyroscopic_force(const Real*, const Real* v, Real* f) const 
 }
 
 Real PivotedBodies::potential(const Real& t, const Real* q) const {
-    const Vec3 g = gravity_.at(t);
-    Real sum = 0;
+    const Vec3 g = model_.gravity.at(t);
+    Real sum = stored_energy(model_, [&](int body) { return motion(q, nullptr, body); });
     for (const Pivoted& body : bodies_) {
         sum -= body.mass * g.dot(body.pivot + mat3(q) * body.lever);
         q += SO3::size;

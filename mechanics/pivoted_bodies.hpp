@@ -3,7 +3,7 @@
 // Bodies that each turn about a fixed point: q = R, v = omega, no constraint left. With the lever c from the point to
 // the mass centre (body axes) and J_O = J + m (|c|^2 I - c c^T),
 //   J_O omega' = c x (m R^T g + force) + torque - omega x J_O omega,   x = P + R c,   x' = R (omega x c),
-// force and torque being those of the loads in body axes.
+// force and torque being those of loads and springs in body axes.
 #pragma once
 
 #include <memory>
@@ -11,6 +11,7 @@
 
 #include "lie/power.hpp"
 #include "lie/so3.hpp"
+#include "mechanics/forces.hpp"
 #include "mechanics/system.hpp"
 
 namespace kreisel {
@@ -28,7 +29,7 @@ class PivotedBodies final : public System {
     void mass(const Real* q, Real* blocks) const override;
     void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override;
     void gyroscopic_force(const Real* q, const Real* v, Real* f) const override;
-    bool has_potential() const override { return gravity_.is_constant() && loads_.empty(); }
+    bool has_potential() const override { return is_conservative(model_); }
     Real potential(const Real& t, const Real* q) const override;
     int bodies() const override { return static_cast<int>(bodies_.size()); }
     void read(const Real* y, BodyState* states) const override;
@@ -43,14 +44,14 @@ class PivotedBodies final : public System {
     Vec3 gravity_torque(const Pivoted& body, const Eigen::Map<const Mat3>& R, const Vec3& g) const {
         return body.lever.cross(body.mass * (R.transpose() * g));
     }
-    /// Moment of a load about the fixed point, in body axes.
-    Vec3 moment(const Load& load, const Real& t, const Real* q) const {
-        const auto [force, torque] = load.in_body_axes(t, mat3(q + load.body * SO3::size));
-        return bodies_[static_cast<std::size_t>(load.body)].lever.cross(force) + torque;
-    }
-    Gravity gravity_;
-    std::vector<Load> loads_;
+    Motion motion(const Real* q, const Real* v, int body) const;
+    /// Calls f(body, moment of a force about the fixed point of the body, in body axes).
+    template <class F>
+    void each_moment(const Real& t, const Real* q, const Real* v, F f) const;
+
+    Model model_;
     std::vector<Pivoted> bodies_;
+    bool forces_;  // whether anything but gravity acts
 };
 
 }  // namespace KREISEL_PRECISION

@@ -21,7 +21,7 @@ struct Touch {
 std::vector<std::vector<Touch>> touches_by_body(const Model& model) {
     std::vector<std::vector<Touch>> touches(model.bodies.size());
     for (std::size_t j = 0; j < model.joints.size(); ++j) {
-        const SphericalJoint& joint = model.joints[j];
+        const Joint& joint = model.joints[j];
         const int index = static_cast<int>(j);
         if (joint.first != ground)
             touches[static_cast<std::size_t>(joint.first)].push_back({index, 1, true, joint.r_first});
@@ -116,7 +116,10 @@ Status SchurComplement::factor(const Mat3* relative) {
 Status SchurComplement::factor_blocks() {
     for (std::size_t k = 0; k < columns_.size(); ++k) sizes_[k] = blocks_[k].trace();
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-        if (!invert_pivot(blocks_[k], sizes_[k], inverse_pivots_[k])) return Status::singular_kkt;
+        if (!invert_pivot(blocks_[k], sizes_[k], inverse_pivots_[k])) {
+            failed_ = k;
+            return Status::singular_kkt;
+        }
         for (const Entry& entry : columns_[k]) {
             const auto i = static_cast<std::size_t>(entry.block);
             scaled_[i] = blocks_[i] * inverse_pivots_[k];
@@ -126,6 +129,10 @@ Status SchurComplement::factor_blocks() {
                 scaled_[static_cast<std::size_t>(update.left)] * blocks_[static_cast<std::size_t>(update.right)].transpose();
     }
     return Status::ok;
+}
+
+std::string SchurComplement::singularity(const Model& model) const {
+    return "the rows of " + model.name_of_joint(static_cast<std::size_t>(joint_at_[failed_])) + " depend on those of others";
 }
 
 void SchurComplement::substitute(Vec3* b) const {

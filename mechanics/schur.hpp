@@ -31,6 +31,8 @@ class SchurComplement {
         else
             substitute(b);
     }
+    /// Names the joint at which the last factorisation failed.
+    std::string singularity(const Model& model) const;
     /// Status of the factorisation of a constant S.
     Status status() const { return status_; }
 
@@ -63,6 +65,7 @@ class SchurComplement {
     std::vector<Real> sizes_;           // traces of the diagonal of S
     mutable std::vector<Vec3> rhs_;
     Status status_ = Status::ok;
+    std::size_t failed_ = 0;  // column of the last pivot that was round-off
 };
 
 }  // namespace KREISEL_PRECISION

@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,15 @@ struct FirstIntegral {
     std::string name, unit, reason;
     std::function<Real(std::span<const BodyState>)> value;
     std::function<Real(std::span<const BodyState>)> size;  ///< sum of the sizes of its terms: what its round-off scales with
+};
+
+/// How many constraint rows there are and how many of them are independent in the initial configuration. Rows that follow
+/// from others are left out of the solves; the multipliers are then those of least norm, each row divided by its
+/// System::row_scale.
+struct ConstraintRank {
+    int rows = 0, rank = 0;
+    std::vector<std::string> redundant;  ///< the rows left out, by joint
+    std::optional<Real> condition;       ///< ratio of the extreme pivots of M^{-1/2} C^T, its columns of length 1
 };
 
 /// States are y = (q, v) in TG. Vectors of dimension n live in the velocity coordinates of the formulation; constraint
@@ -82,6 +92,10 @@ class System {
     virtual void acceleration_bias(const Real&, const Real*, const Real*, Real*) const {}     ///< xi
     /// Size of each row's terms: residuals are small or large relative to it.
     virtual void row_scale(Real* scale) const;
+
+    virtual ConstraintRank constraint_rank() const { return {constraints(), constraints(), {}, {}}; }
+    /// After singular_kkt: where the constraints lost rank.
+    virtual std::string singularity() const { return ""; }
 
     /// Jacobian of the rows (Phi, C v + b) in ambient coordinates, where R is any 3x3 matrix: columns are the entries of
     /// q and then v; 2m rows, column by column. False where the formulation has none.

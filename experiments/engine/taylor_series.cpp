@@ -31,7 +31,7 @@ TaylorSeries::TaylorSeries(const Model& model, int order) : model_(model), order
         bodies_.push_back({zeros, zeros, zeros, zeros, std::vector<Mat3>(order_ + 1), body.J.inverse(), Vec3::Zero(), Vec3::Zero()});
     lambda_.assign(model_.joints.size(), zeros);
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-        const SphericalJoint& joint = model_.joints[j];
+        const Joint& joint = model_.joints[j];
         const auto add = [&](int body, const Vec3& r, int sign) {
             if (body != ground)
                 ends_.push_back({static_cast<std::size_t>(body), j, Real(sign), r, zeros, zeros, Vec3::Zero()});

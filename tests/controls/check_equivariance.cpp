@@ -20,7 +20,7 @@ struct Motion {
     BodyState operator()(const BodyState& s) const { return {point(s.x), Q * s.R, Q * s.v, s.omega}; }
     Model operator()(Model model) const {
         for (Body& body : model.bodies) body.start = (*this)(body.start);
-        for (SphericalJoint& joint : model.joints)
+        for (Joint& joint : model.joints)
             if (joint.first == ground) joint.r_first = point(joint.r_first);
         for (Load& load : model.loads)
             if (load.axes == Load::Axes::space) load.force = Q * load.force, load.torque = Q * load.torque;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Models with every pattern of the joint graph: one joint, a chain, a star, a closed loop, a body with no joint.
+// Models with every pattern of the joint graph (one joint, a chain, a star, a closed loop, a body with no joint), every
+// kind of joint and every kind of force.
 #pragma once
 
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
 
-#include "lie/so3.hpp"
-#include "mechanics/formulation.hpp"
 #include "problems/problem.hpp"
+#include "tests/mechanics/jointed.hpp"
 
 namespace models {
 
@@ -27,32 +27,10 @@ inline Model standard(const std::string& name) {
     return problem(name).build(Parameters(values));
 }
 
-inline Body asymmetric_body(int i) {
-    Body body{.name = "b" + std::to_string(i), .mass = Real(1) + Real(i) / 4};
-    body.J << 3, 1, -1, 1, 5, 1, -1, 1, 4;
-    body.J /= 10;
-    body.start = {Vec3(i, Real(i) / 3, -i), SO3::exp(Vec3(i, 1, Real(-i) / 2) / 4), Vec3::Zero(),
-                  Vec3(1, Real(i) / 2, -1)};
-    return body;
-}
-
 struct Named {
     std::string name;
     Model model;
 };
-
-inline Model linked(int bodies, const std::vector<std::pair<int, int>>& links) {
-    Model model;
-    for (int i = 0; i < bodies; ++i) model.bodies.push_back(asymmetric_body(i));
-    for (const auto& [first, second] : links) {
-        const Vec3 a = first == ground ? Vec3(1, 1, 0) : model.bodies[static_cast<std::size_t>(first)].start.x;
-        const Vec3 b = model.bodies[static_cast<std::size_t>(second)].start.x;
-        model.join(first, second, (a + b) / 2 + Vec3(Real(second) / 5, Real(1) / 4, 0));
-    }
-    complete_velocities(model, std::vector<bool>(model.bodies.size(), false));
-    model.gravity = {Vec3(1, -2, -9), Real(1) / 2, 3};
-    return model;
-}
 
 /// A closed loop that turns as one about the line through its two ground joints: the start that satisfies all joints.
 inline Model loop() {
@@ -73,19 +51,32 @@ inline Model loaded(Model model) {
     return model;
 }
 
-inline std::vector<Named> all() {
-    return {{"heavy_top", standard("heavy_top")},
-            {"forced_heavy_top", standard("forced_heavy_top")},
-            {"double_pendulum", standard("double_pendulum")},
-            {"free_top", standard("free_top")},
-            {"loaded top", loaded(standard("forced_heavy_top"))},
+/// The registered problems with their defaults.
+inline std::vector<Named> registered() {
+    std::vector<Named> models;
+    for (const Problem& entry : problems()) models.push_back({entry.description.name, standard(entry.description.name)});
+    return models;
+}
+
+/// Models of the tests alone.
+inline std::vector<Named> of_tests() {
+    std::vector<Named> models = {{"loaded top", loaded(standard("forced_heavy_top"))},
             {"loaded chain", loaded(linked(3, {{ground, 0}, {0, 1}, {1, 2}}))},
             {"chain", linked(5, {{ground, 0}, {0, 1}, {1, 2}, {2, 3}, {3, 4}})},
             {"mixed chain", linked(4, {{ground, 0}, {1, 0}, {1, 2}, {3, 2}})},
             {"star", linked(4, {{ground, 0}, {0, 1}, {0, 2}, {0, 3}})},
             {"loop", loop()},
             {"two anchors", linked(2, {{ground, 0}, {ground, 1}})},
-            {"floating pair", linked(2, {{0, 1}})}};
+            {"floating pair", linked(2, {{0, 1}})},
+            {"driven", driven()},
+            {"rolling", rolling()},
+            {"closed loop", closed_loop()}};
+    for (const JointType type : joint_types()) {
+        models.push_back({std::string(name(type)) + " joints", jointed(type)});
+        models.push_back({std::string(name(type)) + " joints and springs", sprung(type)});
+        models.push_back({std::string(name(type)) + " joints and dampers", damped(type)});
+    }
+    return models;
 }
 
 inline std::vector<std::string> applicable(const Model& model) {
@@ -93,6 +84,12 @@ inline std::vector<std::string> applicable(const Model& model) {
     for (const Formulation& entry : formulations())
         if (entry.why_not(model).empty()) names.push_back(entry.name);
     return names;
+}
+
+inline std::vector<Named> all() {
+    std::vector<Named> models = registered();
+    for (Named& named : of_tests()) models.push_back(std::move(named));
+    return models;
 }
 
 }  // namespace models

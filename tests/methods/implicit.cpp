@@ -53,7 +53,7 @@ Model resized(Model model, const Real& length, const Real& mass) {
         body.J *= mass * length * length;
         body.start.x *= length, body.start.v *= length;
     }
-    for (SphericalJoint& joint : model.joints) joint.r_first *= length, joint.r_second *= length;
+    for (Joint& joint : model.joints) joint.r_first *= length, joint.r_second *= length;
     model.gravity.g *= length;
     return model;
 }

@@ -97,7 +97,7 @@ using Check = std::string (*)(System&, const At&);
 /// Whether `check` complains about the fault at some state of the double pendulum. (A top on a joint to ground has xi = 0
 /// on SE3, and one with its lever along an axis has zeros in C: faults there would be none.)
 bool rejects(Check check, Fault fault, const std::string& formulation) {
-    const Model model = states::standard(problem("double_pendulum"));
+    const Model model = models::standard("double_pendulum");
     Broken system(model, formulation, fault);
     for (const states::Pose& pose : states::poses(model, 4))
         if (!check(system, states::in_coordinates(system, pose)).empty()) return true;
@@ -138,7 +138,7 @@ TEST_CASE("every check rejects a system with a fault, and only that", "[problems
 }
 
 TEST_CASE("formulations that differ are rejected", "[problems][control]") {
-    const Model model = states::standard(problem("heavy_top"));
+    const Model model = models::standard("heavy_top");
     const states::Pose pose = states::poses(model, 1)[1];
     const auto good = make_system(model, "SE3");
     const Dynamics reference = dynamics(*good, states::in_coordinates(*good, pose));
@@ -152,10 +152,10 @@ TEST_CASE("formulations that differ are rejected", "[problems][control]") {
 }
 
 TEST_CASE("a start beside the joints is rejected", "[problems][control]") {
-    Model model = states::standard(problem("double_pendulum"));
+    Model model = models::standard("double_pendulum");
     model.bodies[1].start.x[0] += Real(1) / 1000000;
     CHECK_THROWS_AS(check_start(model), ParameterError);
-    model = states::standard(problem("double_pendulum"));
+    model = models::standard("double_pendulum");
     model.bodies[1].start.v[0] += Real(1) / 1000000;
     CHECK_THROWS_AS(check_start(model), ParameterError);
 }

@@ -25,10 +25,12 @@ std::string text_of(const std::string& path) {
     return text.str();
 }
 
-/// Masses, inertias and all loads but gravity times `factor`.
+/// Masses, inertias and all forces but gravity times `factor`.
 Model scaled(Model model, const Real& factor) {
     for (Body& body : model.bodies) body.mass *= factor, body.J *= factor;
     for (Load& load : model.loads) load.force *= factor, load.torque *= factor;
+    for (Spring& spring : model.springs) spring.stiffness *= factor, spring.damping *= factor;
+    for (TorsionSpring& spring : model.torsion_springs) spring.stiffness *= factor, spring.damping *= factor;
     return model;
 }
 
@@ -43,9 +45,8 @@ TEST_CASE("the applied force is minus the gradient of the potential", "[problems
 TEST_CASE("first integrals are constant along the exact field", "[problems]") { holds(integrals_are_constant); }
 
 TEST_CASE("every problem starts on its joints", "[problems]") {
-    for (const Problem& problem : problems()) {
-        INFO(problem.description.name);
-        const Model model = states::standard(problem);
+    for (const auto& [title, model] : states::all()) {
+        INFO(title);
         CHECK_NOTHROW(check_start(model));
         for (const std::string& name : states::applicable(model)) {
             const auto s = make_system(model, name);
@@ -63,10 +64,9 @@ TEST_CASE("every problem starts on its joints", "[problems]") {
 }
 
 TEST_CASE("the bodies survive the coordinates of every formulation", "[problems]") {
-    for (const Problem& problem : problems()) {
-        const Model model = states::standard(problem);
+    for (const auto& [title, model] : states::all()) {
         for (const std::string& name : states::applicable(model)) {
-            INFO(problem.description.name << " as " << name);
+            INFO(title << " as " << name);
             const auto s = make_system(model, name);
             for (const states::Pose& pose : states::poses(model, 4)) {
                 std::vector<BodyState> back(pose.bodies.size());
@@ -83,8 +83,7 @@ TEST_CASE("the bodies survive the coordinates of every formulation", "[problems]
 }
 
 TEST_CASE("all formulations agree on accelerations and multipliers", "[problems]") {
-    for (const Problem& problem : problems()) {
-        const Model model = states::standard(problem);
+    for (const auto& [title, model] : states::all()) {
         for (const states::Pose& pose : states::poses(model, 4)) {
             const auto at = [&](const std::string& name) {
                 const auto s = make_system(model, name);
@@ -92,7 +91,7 @@ TEST_CASE("all formulations agree on accelerations and multipliers", "[problems]
             };
             const Dynamics mixed = at("SO3xR3");
             for (const std::string& name : states::applicable(model)) {
-                INFO(problem.description.name << " as " << name << " at t = " << to_double(pose.t));
+                INFO(title << " as " << name << " at t = " << to_double(pose.t));
                 Dynamics other = at(name);
                 if (other.multipliers.size() == 0) other.multipliers = mixed.multipliers;  // SO3 has none
                 CHECK(same_dynamics(mixed, other) == "");
@@ -103,11 +102,11 @@ TEST_CASE("all formulations agree on accelerations and multipliers", "[problems]
 
 TEST_CASE("scaling masses, inertias and loads keeps the accelerations and scales the multipliers", "[problems]") {
     const Real factor = 8;
-    for (const Problem& problem : problems()) {
-        const Model model = states::standard(problem), heavy = scaled(model, factor);
+    for (const auto& [title, model] : states::all()) {
+        const Model heavy = scaled(model, factor);
         for (const states::Pose& pose : states::poses(model, 4))
             for (const std::string& name : states::applicable(model)) {
-                INFO(problem.description.name << " as " << name);
+                INFO(title << " as " << name);
                 const auto light_system = make_system(model, name), heavy_system = make_system(heavy, name);
                 Dynamics light = dynamics(*light_system, states::in_coordinates(*light_system, pose));
                 light.multipliers *= factor;

@@ -21,13 +21,14 @@ class Random {
 
 /// Newton's iteration on Phi and one linear solve on C v + b, least changes; SO3xR3 coordinates.
 void onto_joints(System& s, checks::At& at) {
-    const int n = s.velocities(), m = s.constraints();
+    const int n = s.velocities(), m = s.constraints(), positions = s.position_constraints();
     MatX C(m, n);
     VecX residual(m);
     for (int i = 0; i < 12; ++i) {
         s.position_residual(at.t, at.y.data(), residual.data());
         s.jacobian(at.t, at.y.data(), C.data());
-        const VecX u = C.completeOrthogonalDecomposition().solve(-residual);
+        const MatX rows = C.topRows(positions);
+        const VecX u = rows.completeOrthogonalDecomposition().solve(-residual.head(positions));
         s.group().append_exp(at.y.data(), u.data(), at.y.data());
     }
     Real* v = at.y.data() + s.group().size();
@@ -36,14 +37,19 @@ void onto_joints(System& s, checks::At& at) {
     Eigen::Map<VecX>{v, n} -= C.completeOrthogonalDecomposition().solve(residual);
 }
 
-}  // namespace
-
-Model standard(const Problem& problem) {
-    ParameterValues values;
-    for (const ParameterDescription& parameter : problem.description.parameters)
-        values[parameter.name] = parameter.standard;
-    return problem.build(Parameters(values));
+bool on_joints(const System& s, const checks::At& at) {
+    VecX residual = VecX::Zero(s.constraints());
+    s.position_residual(at.t, at.y.data(), residual.data());
+    return residual.norm() <= 1000 * epsilon;
 }
+
+bool near(const std::vector<BodyState>& a, const std::vector<BodyState>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (!((a[i].x - b[i].x).norm() < 4)) return false;
+    return true;
+}
+
+}  // namespace
 
 std::vector<std::string> applicable(const Model& model) {
     std::vector<std::string> names;
@@ -63,20 +69,26 @@ std::vector<Pose> poses(const Model& model, int count) {
     for (const Body& body : model.bodies) all[0].bodies.push_back(body.start);
     const bool fixed_mass_centre = model.joints.empty() && formulation("SO3").why_not(model).empty();
     const auto system = make_system(model, "SO3xR3");
+    Real reach = 1;  // joints that hold rotations let poses be drawn near the start only
     Random random;
     for (int i = 1; i <= count; ++i) {
         Pose pose = all[0];
         pose.t = Real(3 * i) / 7;
-        for (BodyState& body : pose.bodies) {
-            body.R *= SO3::exp(random.vector(2));
-            body.omega = random.vector(3);
-            if (fixed_mass_centre) continue;  // a body that SO3 holds at its place has to stay there
-            body.x += random.vector(Real(1) / 4);
-            body.v = random.vector(3);
+        for (int tries = 0; tries < 20; ++tries, reach /= 2) {
+            const Real size = reach;
+            pose.bodies = all[0].bodies;
+            for (BodyState& body : pose.bodies) {
+                body.R *= SO3::exp(size * random.vector(2));
+                body.omega = random.vector(3);
+                if (fixed_mass_centre) continue;  // a body that SO3 holds at its place has to stay there
+                body.x += size * random.vector(Real(1) / 4);
+                body.v = random.vector(3);
+            }
+            checks::At at = in_coordinates(*system, pose);
+            if (!model.joints.empty()) onto_joints(*system, at);
+            system->read(at.y.data(), pose.bodies.data());
+            if (near(all[0].bodies, pose.bodies) && on_joints(*system, at)) break;
         }
-        checks::At at = in_coordinates(*system, pose);
-        if (!model.joints.empty()) onto_joints(*system, at);
-        system->read(at.y.data(), pose.bodies.data());
         all.push_back(pose);
     }
     return all;

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The registered problems as models, and states at which they are judged: their own start, and random poses and
-// velocities brought onto the joints.
+// The registered problems and the models of the tests, and states at which they are judged: their own start, and random
+// poses and velocities brought onto the joints.
 #pragma once
 
 #include <catch2/catch.hpp>
 
 #include "problems/problem.hpp"
+#include "tests/mechanics/models.hpp"
 #include "tests/problems/checks.hpp"
 
 namespace states {
 
 using namespace kreisel;
 
-Model standard(const Problem& problem);
+using models::all;
+using models::Named;
+
 std::vector<std::string> applicable(const Model& model);
 
 /// Bodies at a time, satisfying every joint at position and velocity level to round-off.
@@ -27,17 +30,16 @@ std::vector<Pose> poses(const Model& model, int count);
 
 checks::At in_coordinates(const System& system, const Pose& pose);
 
-/// f(model, system, state) for each problem, formulation and pose, named in Catch's messages.
+/// f(system, state) for each model, formulation and pose, named in Catch's messages.
 template <class F>
 void for_each_state(F f) {
-    for (const Problem& problem : problems()) {
-        const Model model = standard(problem);
-        const auto all = poses(model, 4);
+    for (const auto& [title, model] : all()) {
+        const auto states = poses(model, 4);
         for (const std::string& name : applicable(model)) {
             const auto system = make_system(model, name);
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                INFO(problem.description.name << " as " << name << ", state " << i);
-                f(*system, in_coordinates(*system, all[i]));
+            for (std::size_t i = 0; i < states.size(); ++i) {
+                INFO(title << " as " << name << ", state " << i);
+                f(*system, in_coordinates(*system, states[i]));
             }
         }
     }

@@ -60,7 +60,7 @@ class Residual {
             put(F + at + 15, J * vec(dy + at + 15) + w.cross(J * w));
         }
         for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-            const SphericalJoint& joint = model_.joints[j];
+            const Joint& joint = model_.joints[j];
             const std::size_t row = body_size * model_.bodies.size() + 3 * j;
             put(F + row, Vec::Zero());
             add_end(joint.first, joint.r_first, 1, row, y, dy, F);

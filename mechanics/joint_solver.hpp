@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The index-1 system of bodies with joints of any kind, in body axes and thus the same for every formulation. With the
+// wrenches W of the rows on each body (columns of JointRows::first and second), a solve is
+//   free motion      a = (A, omega') = M^{-1} (forces, gyroscopic torque),  A = R^T x''
+//   joint residual   rho = sum W^T a + bias                    over the bodies of each joint
+//   complement       S lambda = rho,  S = C M^{-1} C^T         (mechanics/block_matrix.hpp)
+//   reaction         a - M^{-1} W lambda
+// Rows that depend on others in the initial configuration are left out: unit rows of S with zero right-hand side, so that
+// their multiplier is zero. They are watched: where one is violated by the accelerations, or where the rows kept lose rank
+// (and no other choice of as many rows is better), the answer is singular_kkt. What is reported are the multipliers
+// of least norm, found through the null vectors of C^T, one for each row left out.
+#pragma once
+
+#include "mechanics/block_matrix.hpp"
+#include "mechanics/joint_rows.hpp"
+#include "mechanics/rank.hpp"
+#include "mechanics/system.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// A body with what one evaluation computes for it: a = (A, omega').
+struct BodyNode {
+    Real inverse_mass;
+    Mat3 J, J_inverse;
+    Motion motion;
+    Vec6 a = Vec6::Zero();
+    /// M^{-1} (force, torque).
+    Vec6 mobility(const Vec6& wrench) const {
+        Vec6 acceleration;
+        acceleration << inverse_mass * wrench.head<3>(), J_inverse * wrench.tail<3>();
+        return acceleration;
+    }
+};
+
+class JointSolver {
+  public:
+    JointSolver(const Model& model, SolverChoice choice);
+
+    std::vector<BodyNode>& nodes() { return nodes_; }
+    /// From the motions of the nodes to their accelerations under gravity, forces and joints.
+    Status accelerate(const Real& t);
+    /// Free accelerations are in the nodes: makes C a = c hold, c in the order of the joints.
+    Status constrain(const Real& t, const VecX& c);
+    /// The multipliers of the last solve, in the order of the joints.
+    const VecX& multipliers();
+    /// Where row k of a joint stands in that order.
+    Eigen::Index at(std::size_t joint, int k) const { return matrix_.offset[joint] + k; }
+    int rows(std::size_t joint) const { return matrix_.rows[joint]; }
+    ConstraintRank constraint_rank() const;
+    const std::string& singularity() const { return singularity_; }
+
+  private:
+    /// A joint on a moving body: W and M^{-1} W.
+    struct End {
+        std::size_t joint, body;
+        const Mat6* W;
+        Mat6 mobility = Mat6::Zero();
+    };
+    /// Two ends on one body, of joints row >= col; the block is that of an entry, or a diagonal one.
+    struct Pair {
+        std::size_t row_end, col_end, block;
+        bool diagonal;
+    };
+
+    void connect();
+    void choose_rows_at_start();
+    void evaluate_rows(const Real& t);
+    void assemble();
+    Status factor();
+    Status choose_again();
+    /// a -= M^{-1} C^T lambda with C a + bias = 0; on entry residual_ holds the bias.
+    Status react(bool watch);
+    bool left_out_rows_hold();
+    /// M^{-1/2} C^T of all rows.
+    MatX weighted_transpose() const;
+    void minimise_norm();
+    std::string name_rows(const std::vector<bool>& rows, bool which) const;
+    bool kept(Eigen::Index row) const { return choice_.independent[static_cast<std::size_t>(row)]; }
+
+    const Model& model_;
+    std::vector<BodyNode> nodes_;
+    std::vector<JointRows> rows_;
+    std::vector<End> ends_;
+    std::vector<Pair> pairs_;
+    BlockMatrix matrix_;
+    std::unique_ptr<BlockSolver> solver_;
+    RowChoice choice_;
+    bool complete_ = true;  // no row is left out
+    VecX residual_, lambda_, sizes_, bias_, scale_;
+    std::string singularity_;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

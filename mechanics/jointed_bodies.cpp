@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mechanics/jointed_bodies.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+template <class Coordinates>
+JointedBodies<Coordinates>::JointedBodies(Model data, SolverChoice choice)
+    : Base(std::move(data)), solver_(model(), choice), c_(VecX::Zero(this->constraints())) {}
+
+template <class Coordinates>
+template <class F>
+void JointedBodies<Coordinates>::each_row(F f) const {
+    for (std::size_t j = 0; j < model().joints.size(); ++j)
+        for (int k = 0; k < solver_.rows(j); ++k) f(this->row(j, k), solver_.at(j, k));
+}
+
+template <class Coordinates>
+void JointedBodies<Coordinates>::report(Real* lambda) {
+    const VecX& multipliers = solver_.multipliers();
+    each_row([&](int row, Eigen::Index at) { lambda[row] = multipliers[at]; });
+}
+
+template <class Coordinates>
+Status JointedBodies<Coordinates>::accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) {
+    int body = 0;
+    for (BodyNode& node : solver_.nodes()) node.motion = motion(q, v, body++);
+    if (const Status status = solver_.accelerate(t); status != Status::ok) return status;
+    Real sum = 0;
+    for (const BodyNode& node : solver_.nodes()) {
+        const Vec3 A = node.a.template head<3>(), dw = node.a.template tail<3>();
+        const Vec3 a = Coordinates::acceleration(node.motion.R, A, vec3(v + 3), vec3(v));
+        sum += a.sum() + dw.sum();
+        store(a, dv), store(dw, dv + 3);
+        v += 6, dv += 6;
+    }
+    if (lambda) report(lambda);
+    return isfinite(sum) ? Status::ok : Status::non_finite;
+}
+
+template <class Coordinates>
+Status JointedBodies<Coordinates>::solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a,
+                                             Real* lambda) {
+    int body = 0;
+    for (BodyNode& node : solver_.nodes()) {
+        node.motion = motion(q, nullptr, body++);
+        Vec6 wrench;
+        wrench << Coordinates::to_body(node.motion.R, vec3(f)), vec3(f + 3);
+        node.a = node.mobility(wrench);
+        f += 6;
+    }
+    each_row([&](int row, Eigen::Index at) { c_[at] = c[row]; });
+    if (const Status status = solver_.constrain(t, c_); status != Status::ok) return status;
+    Real sum = 0;
+    for (const BodyNode& node : solver_.nodes()) {
+        const Vec3 A = node.a.template head<3>(), dw = node.a.template tail<3>();
+        const Vec3 out = Coordinates::from_body(node.motion.R, A);
+        sum += out.sum() + dw.sum();
+        store(out, a), store(dw, a + 3);
+        a += 6;
+    }
+    if (lambda) report(lambda);
+    return isfinite(sum) ? Status::ok : Status::non_finite;
+}
+
+template class JointedBodies<MixedCoordinates>;
+template class JointedBodies<ScrewCoordinates>;
+template class JointedBodies<QuaternionCoordinates>;
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

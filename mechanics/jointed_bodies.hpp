@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Bodies with joints of any kind: the kinematics are those of Bodies, the solves those of JointSolver.
+#pragma once
+
+#include "mechanics/bodies.hpp"
+#include "mechanics/joint_solver.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+template <class Coordinates>
+class JointedBodies final : public Bodies<Coordinates> {
+  public:
+    explicit JointedBodies(Model model, SolverChoice choice = SolverChoice::automatic);
+
+    Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override;
+    Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
+    ConstraintRank constraint_rank() const override { return solver_.constraint_rank(); }
+    std::string singularity() const override { return solver_.singularity(); }
+
+  private:
+    using Base = Bodies<Coordinates>;
+    using Base::motion, Base::model;
+
+    /// Calls f(row of C, row in the order of the joints) for all rows.
+    template <class F>
+    void each_row(F f) const;
+    void report(Real* lambda);
+
+    JointSolver solver_;
+    VecX c_;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

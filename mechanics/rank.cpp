@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mechanics/rank.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SparseQR>
+#include <numeric>
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+constexpr Eigen::Index most_dense_columns = 400;
+
+RowChoice choose_dense(const MatX& A, int most) {
+    const Eigen::ColPivHouseholderQR<MatX> qr(A);
+    const auto pivot = [&](int i) { return Real(abs(qr.matrixQR()(i, i))); };
+    RowChoice choice;
+    choice.independent.assign(static_cast<std::size_t>(A.cols()), false);
+    const int limit = min(most, static_cast<int>(min(A.rows(), A.cols())));
+    while (choice.rank < limit && pivot(choice.rank) > dependence * pivot(0))
+        choice.independent[static_cast<std::size_t>(qr.colsPermutation().indices()[choice.rank++])] = true;
+    if (choice.rank > 0) choice.condition = pivot(0) / pivot(choice.rank - 1);
+    return choice;
+}
+
+RowChoice choose_sparse(const MatX& A, int most) {
+    Eigen::SparseMatrix<Real> matrix = A.sparseView();
+    matrix.makeCompressed();
+    Eigen::SparseQR<Eigen::SparseMatrix<Real>, Eigen::COLAMDOrdering<int>> qr;
+    qr.setPivotThreshold(dependence);
+    qr.compute(matrix);
+    RowChoice choice;
+    choice.independent.assign(static_cast<std::size_t>(A.cols()), false);
+    choice.rank = min(static_cast<int>(qr.rank()), most);
+    for (int i = 0; i < choice.rank; ++i) choice.independent[static_cast<std::size_t>(qr.colsPermutation().indices()[i])] = true;
+    return choice;
+}
+
+}  // namespace
+
+RowChoice choose_rows(const MatX& A, int most) {
+    if (A.cols() == 0) return {};
+    const MatX scaled = A.colwise().normalized();
+    return scaled.cols() > most_dense_columns ? choose_sparse(scaled, most) : choose_dense(scaled, most);
+}
+
+bool is_forest(const Model& model) {
+    std::vector<std::size_t> root(model.bodies.size() + 1);  // the last is the ground
+    std::iota(root.begin(), root.end(), std::size_t{0});
+    const auto find = [&](int body) {
+        std::size_t i = body == ground ? model.bodies.size() : static_cast<std::size_t>(body);
+        while (root[i] != i) i = root[i] = root[root[i]];
+        return i;
+    };
+    for (const Joint& joint : model.joints) {
+        const std::size_t first = find(joint.first), second = find(joint.second);
+        if (first == second) return false;
+        root[first] = second;
+    }
+    return true;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
