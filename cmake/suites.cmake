@@ -64,8 +64,15 @@ if(KREISEL_BINARY128)
   set_tests_properties(architecture.symbols PROPERTIES LABELS architecture ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 endif()
 
-# A few mutants of the tableaus, so that the tools that make them stay alive; they build a copy of the sources.
-if(NOT KREISEL_SANITIZE)
-  add_test(NAME mutation.sample COMMAND ${CMAKE_SOURCE_DIR}/tools/mutate-coefficients --sample 6 --only methods/)
-  set_tests_properties(mutation.sample PROPERTIES LABELS mutation RUN_SERIAL ON TIMEOUT 1800)
+# A few mutants of each kind, so that the tools that make them stay alive. They reuse the objects of this build.
+if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_GENERATOR STREQUAL "Ninja")
+  foreach(sample "series:lie/small_angle.hpp:40" "tableaus:methods/:4")
+    string(REPLACE ":" ";" sample ${sample})
+    list(GET sample 0 name)
+    list(GET sample 1 files)
+    list(GET sample 2 count)
+    add_test(NAME mutation.${name} COMMAND ${CMAKE_SOURCE_DIR}/tools/mutate-coefficients --again --jobs 1 --sample ${count}
+                                           --only ${files} --build ${CMAKE_BINARY_DIR})
+    set_tests_properties(mutation.${name} PROPERTIES LABELS mutation RESOURCE_LOCK mutation TIMEOUT 900)
+  endforeach()
 endif()

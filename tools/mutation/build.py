@@ -15,6 +15,7 @@ from pathlib import Path
 from .mutants import ROOT, tracked_files
 
 HOME = ROOT / "build" / "mutation"
+STANDING_ALONE = {"lie", "series"}  # suites without helpers in source files of their own
 TIMEOUT = 300  # s for one suite: a mutant that loops for ever is one that a test has seen
 
 
@@ -96,7 +97,7 @@ class Overlay:
     """The suites with one file replaced."""
 
     def __init__(self, build, file, text, name="line"):
-        self.build, self.file, self.objects, self.programs = build, file, {}, {}
+        self.build, self.file, self.objects, self.linked = build, file, {}, {}
         self.folder = Path(build.scratch.name) / name
         shutil.rmtree(self.folder, ignore_errors=True)
         (self.folder / file).parent.mkdir(parents=True)
@@ -116,20 +117,30 @@ class Overlay:
             self.objects[name] = target if done.returncode == 0 else None
         return self.objects[name]
 
-    def program(self, suite):
-        """The suite's program, or None where it does not compile."""
-        if suite not in self.programs:
-            self.programs[suite] = self.linked(suite)
-        return self.programs[suite]
+    def programs(self, suite):
+        """The suite's program; or where a header has changed and each test file of the suite stands alone, one program
+        for each of these, the cheapest ones first: most mutants do not outlive them. None where the compiler refuses."""
+        tests = [name for name in self.build.link(suite) if name.startswith(f"CMakeFiles/test_{suite}_")]
+        if suite not in STANDING_ALONE or not set(tests) & set(self.build.seeing(suite, self.file)):
+            yield self.program(suite, [])
+            return
+        for test in sorted(tests, key=lambda name: (self.build.folder / name).stat().st_size):
+            yield self.program(suite, [name for name in tests if name != test])
 
-    def linked(self, suite):
-        argv, seeing = list(self.build.link(suite)), self.build.seeing(suite, self.file)
+    def program(self, suite, without):
+        key = (suite, *without)
+        if key not in self.linked:
+            self.linked[key] = self.link(suite, without)
+        return self.linked[key]
+
+    def link(self, suite, without):
+        seeing = [name for name in self.build.seeing(suite, self.file) if name not in without]
         with concurrent.futures.ThreadPoolExecutor(self.build.jobs) as pool:
             objects = dict(zip(seeing, pool.map(self.compiled, seeing)))
         if None in objects.values():
             return None
-        program = self.folder / f"test_{suite}"
-        argv = [str(objects.get(word, word)) for word in argv]
+        program = self.folder / f"test_{suite}_{len(self.linked)}"
+        argv = [str(objects.get(word, word)) for word in self.build.link(suite) if word not in without]
         argv[argv.index("-o") + 1] = str(program)
         subprocess.run(argv, cwd=self.build.folder, check=True)
         return program

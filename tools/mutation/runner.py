@@ -16,11 +16,11 @@ def verdict_of_line(build, mutant):
     for suite in mutant.suites:
         if not build.seeing(suite, mutant.file):
             continue
-        program = overlay.program(suite)
-        if program is None:
-            return "not compiled"
-        if run_suite(program)[0]:
-            return suite
+        for program in overlay.programs(suite):
+            if program is None:
+                return "not compiled"
+            if run_suite(program)[0]:
+                return suite
     return "survived"
 
 

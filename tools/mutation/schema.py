@@ -68,7 +68,7 @@ class Schema:
 
     def run(self, suite, choice):
         """(whether the suite is red, "same" or "changed"); ends the program if the coefficient was not found."""
-        program = self.overlay.program(suite)
+        program = self.overlay.program(suite, [])
         if program is None:
             sys.exit(f"the suite {suite} does not compile with the coefficients chosen at run time")
         red, told = run_suite(program, {VARIABLE: choice} if choice else None)
