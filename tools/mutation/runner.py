@@ -45,6 +45,7 @@ def judge(name, title, everything, mutants, arguments, verdict=verdict_of_line):
         sys.exit("there is nothing to mutate in these files")
     journal, reasons = Journal(name), read_reasons()
     left = [mutant for mutant in mutants if arguments.again or journal.verdict(mutant) in (None, "survived")]
+    left.sort(key=lambda mutant: mutant.file.endswith(".hpp"))  # what takes longest comes last
     print(f"{len(mutants)} mutants, {len(mutants) - len(left)} of which have been killed before")
     run(left, Build(arguments.build, arguments.jobs), journal, verdict)
     counts = Counts({mutant: journal.verdict(mutant) for mutant in mutants}, reasons)
