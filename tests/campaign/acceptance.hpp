@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the campaign suites share: default parameters and options, and what an error metric is held against.
+// What the campaign suites share: default parameters and options.
 #pragma once
 
 #include <string>
 
 #include "experiments/engine.hpp"
+#include "tests/order_rule.hpp"
 
 namespace kreisel::acceptance {
 
@@ -22,18 +23,6 @@ inline OptionValues standard_options(const MethodDescription& method) {
     OptionValues options;
     for (const OptionDescription& option : method.options) options[option.name] = option.standard;
     return options;
-}
-
-inline bool is_velocity(const std::string& metric) { return metric == "error.velocity" || metric == "error.omega"; }
-
-inline int declared(const Order& order, const std::string& metric) {
-    if (metric == "error.multipliers") return order.multipliers;
-    return is_velocity(metric) ? order.velocity : order.configuration;
-}
-
-/// Sizes of the quantities on these problems, for what counts as round-off and as pre-asymptotic.
-inline double scale_of(const std::string& metric) {
-    return metric == "error.multipliers" ? 100 : is_velocity(metric) ? 5 : 1;
 }
 
 }  // namespace kreisel::acceptance
