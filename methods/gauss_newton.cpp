@@ -35,7 +35,6 @@ GaussNewtonProjection::GaussNewtonProjection(System& system)
 }
 
 Status GaussNewtonProjection::correction(const Real& t, const Real* q) {
-    if (!all_finite(residual_)) return Status::non_finite;
     ++iterations_;
     for (Real& r : residual_) r = -r;
     return system_.solve_kkt(t, q, zero_force_.data(), residual_.data(), delta_.data(), nullptr);
@@ -46,6 +45,7 @@ Status GaussNewtonProjection::project_position(const Real& t, Real* y) {
     Real previous = std::numeric_limits<Real>::max();
     for (int i = 0; i < most_iterations; ++i) {
         system_.position_residual(t, y, residual_.data());
+        if (!all_finite(residual_)) return Status::non_finite;  // not seen by `largest`: NaN compares as false
         const Real size = largest(residual_);
         // Convergence is at least linear, so a residual that stops falling has met round-off, or will not converge.
         if (size <= tolerance_) return Status::ok;
@@ -61,6 +61,7 @@ Status GaussNewtonProjection::project_velocity(const Real& t, Real* y) {
     if (residual_.empty()) return Status::ok;
     Real* v = y + system_.group().size();
     system_.velocity_residual(t, y, v, residual_.data());
+    if (!all_finite(residual_)) return Status::non_finite;
     if (const Status status = correction(t, y); status != Status::ok) return status;
     for (std::size_t i = 0; i < delta_.size(); ++i) v[i] += delta_[i];
     return Status::ok;

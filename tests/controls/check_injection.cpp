@@ -3,6 +3,7 @@
 // NaN and infinity in the state, the forces, the masses and the joints, at the first, a middle and the last step of a
 // run. A step that meets one must say so, or leave it in the state, where whoever runs it looks after each step.
 #include "tests/controls/checks.hpp"
+#include "tests/controls/poison.hpp"
 #include "tests/controls/runs.hpp"
 #include "tests/controls/switched_system.hpp"
 
@@ -15,29 +16,6 @@ namespace {
 
 const int steps = KREISEL_QUAD ? 3 : 10;
 const Real h = Real(1) / 100;
-
-std::vector<Real> poisons() {
-    const Real infinite = std::numeric_limits<Real>::infinity();
-    return {std::numeric_limits<Real>::quiet_NaN(), infinite, -infinite};
-}
-
-/// A quantity of a model that can be spoiled.
-struct Target {
-    const char* name;
-    std::function<Real&(Model&)> in;
-    /// An infinite mass is a limit of the index-1 form, 1/m = 0, and a motion of its own. (In M itself, which implicit
-    /// methods read, infinity is injected by tests/methods/implicit.cpp.)
-    bool has_infinite_limit = false;
-};
-
-/// The lever enters Phi, C and the bias, and on SO3 the inertia about the pivot. (An anchor on the ground enters Phi
-/// alone, which only methods with multipliers read: tests/methods/implicit.cpp spoils Phi.)
-std::vector<Target> targets() {
-    return {{"force", [](Model& model) -> Real& { return model.gravity.g[2]; }},
-            {"mass", [](Model& model) -> Real& { return model.bodies.back().mass; }, true},
-            {"inertia", [](Model& model) -> Real& { return model.bodies.back().J(1, 1); }},
-            {"joint", [](Model& model) -> Real& { return model.joints.back().r_second[1]; }}};
-}
 
 /// A method that has done `healthy_steps` steps on a system, the next one of which can be exchanged.
 struct Patient {

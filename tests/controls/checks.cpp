@@ -41,5 +41,11 @@ const std::vector<Judgement>& running_checks() {
     return all;
 }
 
+const std::vector<ProjectionJudgement>& projection_checks() {
+    static const std::vector<ProjectionJudgement> all = {{Check::projection, projection_objection},
+                                                         {Check::injection, projection_injection_objection}};
+    return all;
+}
+
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

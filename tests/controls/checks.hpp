@@ -39,6 +39,12 @@ struct Judgement {
 /// Those that need no more than a running method. (Conditions and steps of schemes are judged in tests/orders.)
 const std::vector<Judgement>& running_checks();
 
+struct ProjectionJudgement {
+    Check check;
+    std::function<Objection(const ProjectionMethod&)> objection;
+};
+const std::vector<ProjectionJudgement>& projection_checks();
+
 Objection order_objection(const Method&);
 Objection solves_objection(const Method&);
 Objection history_objection(const Method&);
@@ -47,6 +53,7 @@ Objection equivariance_objection(const Method&);
 Objection injection_objection(const Method&);
 Objection convergence_objection(const Method&);
 Objection projection_objection(const ProjectionMethod&);
+Objection projection_injection_objection(const ProjectionMethod&);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

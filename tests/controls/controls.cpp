@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/controls/controls.hpp"
 
+#include "mechanics/system.hpp"
 #include "tests/controls/broken.hpp"
 
 namespace kreisel {
@@ -97,11 +98,39 @@ ProjectionMethod impostor(const std::string& claimed, const std::string& actual)
     return entry;
 }
 
+/// Takes what is not finite for nothing to do.
+class DeafProjection final : public Projection {
+  public:
+    DeafProjection(std::unique_ptr<Projection> inner, int size)
+        : inner_(std::move(inner)), before_(static_cast<std::size_t>(size)) {}
+    Status project(const Real& t, Real* y) override {
+        std::copy_n(y, before_.size(), before_.begin());
+        const Status status = inner_->project(t, y);
+        if (status != Status::non_finite) return status;
+        std::copy(before_.begin(), before_.end(), y);
+        return Status::ok;
+    }
+
+  private:
+    std::unique_ptr<Projection> inner_;
+    std::vector<Real> before_;
+};
+
+ProjectionMethod deaf(const std::string& claimed) {
+    ProjectionMethod entry = projection(claimed);
+    entry.description.name = "control/" + claimed + "_swallows_nan";
+    entry.make = [inner = entry.make](System& system, const OptionValues& options) {
+        return std::make_unique<DeafProjection>(inner(system, options), system.state_group().size());
+    };
+    return entry;
+}
+
 }  // namespace
 
-const std::vector<ProjectionMethod>& projection_controls() {
-    static const std::vector<ProjectionMethod> all = {impostor("position_velocity", "position"),
-                                                      impostor("position_velocity", "velocity")};
+const std::vector<ProjectionControl>& projection_controls() {
+    static const std::vector<ProjectionControl> all = {{impostor("position_velocity", "position"), Check::projection},
+                                                       {impostor("position_velocity", "velocity"), Check::projection},
+                                                       {deaf("position_velocity"), Check::injection}};
     return all;
 }
 

@@ -31,8 +31,11 @@ struct Control {
 
 /// All controls, by names "control/<method>_<fault>".
 const std::vector<Control>& controls();
-/// Projections that Check::projection must turn down.
-const std::vector<ProjectionMethod>& projection_controls();
+struct ProjectionControl {
+    ProjectionMethod method;
+    Check caught_by;
+};
+const std::vector<ProjectionControl>& projection_controls();
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

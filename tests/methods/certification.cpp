@@ -37,12 +37,15 @@ TEST_CASE("every control is turned down by the judgements it names", "[methods][
 }
 
 TEST_CASE("every registered projection does what it claims, and no control does", "[methods][control]") {
-    for (const ProjectionMethod& entry : projections()) {
-        INFO(entry.description.name);
-        CHECK(projection_objection(entry) == "");
-    }
-    for (const ProjectionMethod& entry : projection_controls()) {
-        INFO(entry.description.name);
-        CHECK(projection_objection(entry) != "");
+    for (const ProjectionJudgement& judgement : projection_checks()) {
+        for (const ProjectionMethod& entry : projections()) {
+            INFO(entry.description.name << ", " << name(judgement.check));
+            CHECK(judgement.objection(entry) == "");
+        }
+        for (const ProjectionControl& control : projection_controls()) {
+            if (control.caught_by != judgement.check) continue;
+            INFO(control.method.description.name << ", " << name(judgement.check));
+            CHECK(judgement.objection(control.method) != "");
+        }
     }
 }

@@ -56,8 +56,10 @@ TEST_CASE("control -> what catches it", "[.][list]") {
         for (const Judgement& judgement : all)
             print(control.method.description.name, control.must_be_caught_by(judgement.check), judgement.check,
                   judgement.objection(control.method));
-    for (const ProjectionMethod& control : projection_controls())
-        print(control.description.name, true, Check::projection, projection_objection(control));
+    for (const ProjectionControl& control : projection_controls())
+        for (const ProjectionJudgement& judgement : projection_checks())
+            print(control.method.description.name, control.caught_by == judgement.check, judgement.check,
+                  judgement.objection(control.method));
 }
 
 #endif
