@@ -34,6 +34,7 @@ class TerzeProjection final : public Projection {
           jacobian_(MatX::Zero(rows_, unknowns_)),
           residual_(rows_),
           start_(unknowns_),
+          shift_(unknowns_),
           kkt_(MatX::Zero(unknowns_ + rows_, unknowns_ + rows_)),
           rhs_(unknowns_ + rows_),
           solution_(unknowns_ + rows_),
@@ -57,7 +58,8 @@ class TerzeProjection final : public Projection {
             // At round-off the rows stop falling; above it that means no convergence.
             if (2 * size > previous && size <= 100 * tolerance) return Status::ok;
             previous = size;
-            rhs_.head(unknowns_).noalias() = weight_ * (start_ - z);
+            shift_ = start_ - z;  // an expression in a product would be evaluated into memory of its own
+            rhs_.head(unknowns_).noalias() = weight_ * shift_;
             rhs_.tail(rows_) = -residual_;
             lu_.compute(kkt_);
             solution_ = lu_.solve(rhs_);
@@ -126,7 +128,7 @@ class TerzeProjection final : public Projection {
     System& system_;
     Eigen::Index configuration_, unknowns_, joint_rows_, rows_;
     MatX weight_, joint_jacobian_, jacobian_;
-    VecX residual_, start_;
+    VecX residual_, start_, shift_;
     MatX kkt_;
     Real length_ = 1;
     VecX rhs_, solution_;
