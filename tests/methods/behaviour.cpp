@@ -42,6 +42,22 @@ TEST_CASE("a step of length zero leaves the state", "[methods]") {
     });
 }
 
+TEST_CASE("a step of length zero leaves attitudes that are half a turn away", "[methods]") {
+    // Coordinates are found by other branches there, one for each axis.
+    const Vec3 turns[] = {Vec3(3, 0, 0), Vec3(0, 3, 0), Vec3(0, 0, 3), Vec3(2, 1, 2), Vec3(-1, 2, -2)};
+    for (const Method& entry : methods()) {
+        if (!runs_on(entry.description, "SO3")) continue;
+        for (const Vec3& turn : turns) {
+            INFO(entry.description.name << ", " << turn.transpose());
+            Trip trip(standard("forced_heavy_top"), "SO3", entry);
+            store(SO3::exp(turn), trip.y.data());
+            const auto before = trip.y;
+            REQUIRE(trip.integrator->step(0, 0, trip.y.data()) == Status::ok);
+            CHECK(difference(before, trip.y) <= 16 * epsilon);
+        }
+    }
+}
+
 TEST_CASE("a step back returns near the start", "[methods]") {
     // The defect of forward and back is of the size of the local error, h^(p+1), with a generous constant.
     for_each_run([](const Method& entry, const Named& named, const std::string& formulation) {
@@ -101,6 +117,19 @@ TEST_CASE("Euler angles end a step that could jump their singularity, and no oth
     CHECK(step(Real(1) / 2) == Status::chart_singularity);
 }
 
+TEST_CASE("Euler angles end such a step about the other axis too", "[methods]") {
+    const double theta = std::acos(0.03), c = std::cos(theta), s = std::sin(theta);
+    ParameterValues values = defaults(problem("heavy_top"));
+    values["gravity"] = Vector3{0, 0, 0};
+    values["R"] = Matrix3{0, 0, 1, s, c, 0, -c, s, 0};  // turned on by pi/2 about body y, which z swings now
+    values["omega"] = Vector3{0, 0, 0.1};
+    Trip trip(problem("heavy_top").build(Parameters(values)), "SO3", method("baseline/rk4_euler_angles"));
+    const auto start = trip.y;
+    CHECK(trip.integrator->step(0, Real(1) / 100, trip.y.data()) == Status::ok);
+    trip.y = start;
+    CHECK(trip.integrator->step(0, Real(1) / 2, trip.y.data()) == Status::chart_singularity);
+}
+
 TEST_CASE("quaternions renormalised stay on the sphere; without, R drifts off SO(3)", "[methods]") {
     const auto defect = [](bool renormalise) {
         Trip trip(standard("forced_heavy_top"), "SO3", method("baseline/rk4_quaternion"), {{"renormalise", renormalise}});
@@ -135,6 +164,35 @@ TEST_CASE("the mass-weighted projection is the nearest point in the mass metric"
         REQUIRE(s.solve_kkt(0, trip.y.data(), f.data(), zero.data(), tangent.data(), nullptr) == Status::ok);
         CHECK(abs(tangent.dot(M_correction)) <= 1000 * epsilon);
     }
+}
+
+TEST_CASE("the seed's projection in the metric of M is the mass-weighted one, near the constraints", "[methods]") {
+    // On tangents its metric of R^{3x3} is J, and at rest positions and velocities do not mix: to first order in the
+    // distance both find the same point.
+    Model model = standard("double_pendulum");
+    for (Body& body : model.bodies) {
+        body.start.omega.setZero(), body.start.v.setZero();
+        body.J << 3, 1, -1, 1, 5, 1, -1, 1, 4;
+    }
+    const Real distance = Real(1) / (1 << 20);
+    const auto projected = [&](const std::string& name, const OptionValues& options) {
+        const Method& rk4 = method("rkmk/rk4");
+        Trip trip(model, "SO3xR3", rk4, default_options(rk4.description.options), name, options);
+        const int n = trip.system->velocities();
+        Real* v = trip.y.data() + trip.system->group().size();
+        std::vector<Real> u(static_cast<std::size_t>(n));
+        for (int i = 0; i < n; ++i)
+            u[static_cast<std::size_t>(i)] = distance * sin(Real(i + 1)), v[i] = distance * cos(Real(3 * i));
+        trip.system->group().append_exp(trip.y.data(), u.data(), trip.y.data());
+        const auto before = trip.y;
+        REQUIRE(trip.project->project(0, trip.y.data()) == Status::ok);
+        REQUIRE(difference(before, trip.y) > distance / 4);
+        return trip.y;
+    };
+    const auto nearest = projected("position_velocity", {});
+    const auto seed = [&](const char* weight) { return difference(projected("terze", {{"weight", weight}}), nearest); };
+    CHECK(seed("mass") <= 20 * distance * distance);
+    CHECK(seed("identity") > distance / 100);
 }
 
 TEST_CASE("names are unique, match their files, and every file registers", "[methods]") {
