@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// On R^n every method is its classical counterpart: the tableau can be read off a running step, and the lift of the
-// classical fourth-order rule is the one of Boost.Odeint.
+// On R^n every method is its classical counterpart: the tableau can be read off a running step, and steps are those of
+// Boost.Odeint: with its own coefficients where it has the rule, with the declared ones everywhere.
+#include <boost/array.hpp>
+#include <boost/numeric/odeint/stepper/euler.hpp>
+#include <boost/numeric/odeint/stepper/explicit_generic_rk.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <catch2/catch.hpp>
 
@@ -44,6 +47,66 @@ class Oscillator final : public System {
     }
 };
 
+using State = std::vector<Real>;
+const State start = {1, Real(1) / 3, Real(-1) / 2, Real(2) / 5};
+const Real h = Real(1) / 10;
+constexpr int steps = 10;
+
+State ours(const Method& method, const OptionValues& options) {
+    Oscillator system;
+    const auto integrator = method.factory.make(system, options, method.description);
+    State y = start;
+    for (int step = 0; step < steps; ++step) REQUIRE(integrator->step(step * h, h, y.data()) == Status::ok);
+    return y;
+}
+
+template <class Stepper>
+State theirs(Stepper stepper) {
+    Oscillator system;
+    const auto field = [&](const State& y, State& dy, const Real& t) {
+        REQUIRE(system.vector_field(t, y.data(), dy.data()) == Status::ok);
+    };
+    State y = start;
+    for (int step = 0; step < steps; ++step) stepper.do_step(field, y, step * h, h);
+    return y;
+}
+
+void check_equal(const State& a, const State& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) CHECK(abs(a[i] - b[i]) < 64 * epsilon);
+}
+
+/// Row k of the coefficients a, from 0.
+template <std::size_t k>
+boost::array<Real, k> row(const Tableau& tableau) {
+    boost::array<Real, k> entries;
+    for (std::size_t j = 0; j < k; ++j) entries[j] = j < tableau.a[k].size() ? value(tableau.a[k][j]) : Real(0);
+    return entries;
+}
+
+/// Odeint's explicit Runge-Kutta step of s stages with any coefficients.
+template <std::size_t s, std::size_t... k>
+State generic(const Tableau& tableau, std::index_sequence<k...>) {
+    using Stepper = boost::numeric::odeint::explicit_generic_rk<s, s, State, Real, State, Real>;
+    typename Stepper::coef_b_type b;
+    typename Stepper::coef_c_type c;
+    for (std::size_t i = 0; i < s; ++i) {
+        b[i] = i < tableau.b.size() ? value(tableau.b[i]) : Real(0);
+        c[i] = 0;
+        for (const auto& entry : tableau.a[i]) c[i] += value(entry);
+    }
+    return theirs(Stepper(typename Stepper::coef_a_type(row<k + 1>(tableau)...), b, c));
+}
+
+constexpr std::size_t most_stages = 9;
+
+template <std::size_t s = 1>
+State classical(const Tableau& tableau) {
+    if (tableau.a.size() == s) return generic<s>(tableau, std::make_index_sequence<s - 1>());
+    if constexpr (s < most_stages) return classical<s + 1>(tableau);
+    FAIL("more than " << most_stages << " stages: raise the bound above");
+    return {};
+}
+
 }  // namespace
 
 TEST_CASE("the running step on R^n shows the declared tableau", "[one_step]") {
@@ -69,24 +132,28 @@ TEST_CASE("the running step on R^n shows the declared tableau", "[one_step]") {
     }
 }
 
-TEST_CASE("rkmk/rk4 on R^n is the classical method of Boost.Odeint", "[one_step]") {
-    using State = std::vector<Real>;
-    Oscillator system;
-    const Method& rk4 = method("rkmk/rk4");
-    boost::numeric::odeint::runge_kutta4<State, Real, State, Real> classical;
-    const auto field = [&](const State& y, State& dy, const Real& t) {
-        REQUIRE(system.vector_field(t, y.data(), dy.data()) == Status::ok);
-    };
+TEST_CASE("every method with a tableau is on R^n the generic Runge-Kutta method of Boost.Odeint", "[one_step]") {
+    int compared = 0;
+    for (const Method& method : methods()) {
+        if (!method.factory.scheme) continue;
+        INFO(method.description.name);
+        check_equal(ours(method, standard_options(method)), classical(method.factory.scheme->tableau));
+        ++compared;
+    }
+    CHECK(compared >= 10);
+}
+
+TEST_CASE("where Boost.Odeint has coefficients of its own, they are the declared ones", "[one_step]") {
+    using namespace boost::numeric::odeint;
     for (const auto* coordinates : {"exp", "cayley"}) {
-        auto options = standard_options(rk4);
-        options["coordinates"] = coordinates;
-        const auto integrator = rk4.factory.make(system, options, rk4.description);
-        State ours = {1, Real(1) / 3, Real(-1) / 2, Real(2) / 5}, theirs = ours;
-        const Real h = Real(1) / 10;
-        for (int step = 0; step < 10; ++step) {
-            REQUIRE(integrator->step(step * h, h, ours.data()) == Status::ok);
-            classical.do_step(field, theirs, step * h, h);
-        }
-        for (std::size_t i = 0; i < ours.size(); ++i) CHECK(abs(ours[i] - theirs[i]) < 64 * epsilon);
+        const auto options = [&](const Method& entry) {
+            OptionValues values = standard_options(entry);
+            values["coordinates"] = coordinates;
+            return values;
+        };
+        check_equal(ours(method("rkmk/rk4"), options(method("rkmk/rk4"))),
+                    theirs(runge_kutta4<State, Real, State, Real>()));
+        check_equal(ours(method("rkmk/euler"), options(method("rkmk/euler"))),
+                    theirs(euler<State, Real, State, Real>()));
     }
 }
