@@ -28,7 +28,7 @@ def add_arguments(parser):
     parser.add_argument("--list", action="store_true", help="print the mutants and stop")
     parser.add_argument("--sample", type=int, metavar="N", help="N mutants chosen at random (default: all)")
     parser.add_argument("--seed", type=int, default=1, help="seed of that choice (default: 1)")
-    parser.add_argument("--again", action="store_true", help="run those too that have been killed before")
+    parser.add_argument("--again", action="store_true", help="run those too that have been killed before, their file unchanged")
     parser.add_argument("--build", metavar="DIR", help="a complete build of the working tree with the tests (default: one "
                         "of a copy, in build/mutation)")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count() or 1, help="jobs of the compiler")
@@ -46,7 +46,7 @@ def judge(name, title, everything, mutants, arguments, verdict=verdict_of_line):
     journal, reasons = Journal(name), read_reasons()
     left = [mutant for mutant in mutants if arguments.again or journal.verdict(mutant) in (None, "survived")]
     left.sort(key=lambda mutant: mutant.file.endswith(".hpp"))  # what takes longest comes last
-    print(f"{len(mutants)} mutants, {len(mutants) - len(left)} of which have been killed before")
+    print(f"{len(mutants)} mutants, {len(mutants) - len(left)} of which have a verdict already")
     run(left, Build(arguments.build, arguments.jobs), journal, verdict)
     counts = Counts({mutant: journal.verdict(mutant) for mutant in mutants}, reasons)
     print("", *counts.summary(), f"report: {journal.write_report(title, everything, reasons)}", sep="\n")
