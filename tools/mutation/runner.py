@@ -26,6 +26,7 @@ def verdict_of_line(build, mutant):
 
 def add_arguments(parser):
     parser.add_argument("--list", action="store_true", help="print the mutants and stop")
+    parser.add_argument("--report", action="store_true", help="run nothing: the counts and the report of what has been run")
     parser.add_argument("--sample", type=int, metavar="N", help="N mutants chosen at random (default: all)")
     parser.add_argument("--seed", type=int, default=1, help="seed of that choice (default: 1)")
     parser.add_argument("--again", action="store_true", help="run those too that have been killed before, their file unchanged")
@@ -44,10 +45,13 @@ def judge(name, title, everything, mutants, arguments, verdict=verdict_of_line):
     if not mutants:
         sys.exit("there is nothing to mutate in these files")
     journal, reasons = Journal(name), read_reasons()
+    if arguments.report:
+        mutants = [mutant for mutant in mutants if journal.verdict(mutant)]
     left = [mutant for mutant in mutants if arguments.again or journal.verdict(mutant) in (None, "survived")]
     left.sort(key=lambda mutant: mutant.file.endswith(".hpp"))  # what takes longest comes last
     print(f"{len(mutants)} mutants, {len(mutants) - len(left)} of which have a verdict already")
-    run(left, Build(arguments.build, arguments.jobs), journal, verdict)
+    if not arguments.report:
+        run(left, Build(arguments.build, arguments.jobs), journal, verdict)
     counts = Counts({mutant: journal.verdict(mutant) for mutant in mutants}, reasons)
     print("", *counts.summary(), f"report: {journal.write_report(title, everything, reasons)}", sep="\n")
     return counts
