@@ -16,18 +16,18 @@ namespace kreisel {
 
 namespace {
 
-using Row = std::pair<std::string, std::string>;
+using NamedText = std::pair<std::string, std::string>;
 
-void print_rows(std::ostream& out, const std::string& title, const std::vector<Row>& rows) {
+void print_rows(std::ostream& out, const std::string& title, const std::vector<NamedText>& rows) {
     std::size_t width = 0;
-    for (const Row& row : rows) { width = std::max(width, row.first.size()); }
+    for (const NamedText& row : rows) { width = std::max(width, row.first.size()); }
     fmt::print(out, "{}\n", title);
     for (const auto& [name, text] : rows) { fmt::print(out, "  {:<{}}  {}\n", name, width, text); }
 }
 
 template <class Description>
-std::vector<Row> summaries(const std::vector<Description>& all) {
-    std::vector<Row> rows;
+std::vector<NamedText> summaries(const std::vector<Description>& all) {
+    std::vector<NamedText> rows;
     for (const auto& one : all) { rows.emplace_back(one.name, one.summary); }
     return rows;
 }
@@ -38,16 +38,16 @@ std::string order_text(const Order& order) {
                        order.multipliers);
 }
 
-std::vector<Row> method_rows(const std::vector<MethodDescription>& methods) {
-    std::vector<Row> rows;
+std::vector<NamedText> method_rows(const std::vector<MethodDescription>& methods) {
+    std::vector<NamedText> rows;
     for (const MethodDescription& method : methods) {
         rows.emplace_back(method.name, fmt::format("{}; {}", order_text(method.order), method.summary));
     }
     return rows;
 }
 
-std::vector<Row> metric_rows() {
-    std::vector<Row> rows;
+std::vector<NamedText> metric_rows() {
+    std::vector<NamedText> rows;
     for (const MetricDescription& metric : common_metrics()) {
         rows.emplace_back(metric.name, fmt::format("{} [{}]", metric.summary, metric.unit));
     }
@@ -63,7 +63,7 @@ void print_sources(std::ostream& out, const std::vector<std::string>& keys) {
 }
 
 void print_options(std::ostream& out, const std::vector<OptionDescription>& options) {
-    std::vector<Row> rows;
+    std::vector<NamedText> rows;
     for (const OptionDescription& option : options) {
         rows.emplace_back(option.name, fmt::format("{}: {} (default {})", option.summary, allowed_values(option),
                                                    json_value(option.standard)));
@@ -85,7 +85,7 @@ void describe_problem(const Engine& engine, const ProblemDescription& problem, s
     fmt::print(out, "{}: {}\n", problem.name, problem.summary);
     print_sources(out, problem.cites);
     fmt::print(out, "Closed form: {}\n", problem.closed_form ? "yes" : "none");
-    std::vector<Row> rows;
+    std::vector<NamedText> rows;
     for (const ParameterDescription& parameter : problem.parameters) {
         const std::string unit = parameter.unit.empty() ? "" : " [" + parameter.unit + "]";
         rows.emplace_back(parameter.name, fmt::format("{}{}: {} (default {})", parameter.summary, unit,

@@ -106,7 +106,7 @@ std::string content_of(const PlannedCell& planned) {
         .text();
 }
 
-std::string order_text(const Order& order) {
+std::string json_order(const Order& order) {
     return ObjectWriter()
         .member("configuration", fmt::format("{}", order.configuration))
         .member("velocity", fmt::format("{}", order.velocity))
@@ -120,7 +120,7 @@ std::string identity_of(const PlannedCell& planned, const Order& order) {
     object.member("cell", json_text(planned.hash)).member("problem", json_text(cell.problem));
     object.member("label", json_text(planned.label)).member("parameters", json_value(cell.parameters));
     object.member("formulation", json_text(cell.formulation)).member("method", json_text(cell.method));
-    object.member("options", json_value(cell.options)).member("order", order_text(order));
+    object.member("options", json_value(cell.options)).member("order", json_order(order));
     object.member("projection", json_text(cell.projection));
     object.member("projection_options", json_value(cell.projection_options));
     object.member("precision", json_text(planned.precision)).member("steps", fmt::format("{}", cell.steps));

@@ -13,7 +13,7 @@ namespace kreisel {
 
 namespace {
 
-bool has(const std::vector<std::string>& list, const std::string& value) {
+bool in_list(const std::vector<std::string>& list, const std::string& value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
@@ -69,7 +69,7 @@ class FigureCheck {
     void check_metric(const FigureSpec& spec, std::size_t i) {
         const std::string& metric = spec.metrics[i];
         const std::string pointer = place(spec.pointer + "/metric", i);
-        if (!has(metrics_, metric)) {
+        if (!in_list(metrics_, metric)) {
             sink_.add({pointer, "a metric of these problems (see kreisel list metrics)", in_quotes(metric),
                        nearest_name(metric, metrics_)});
         } else if (std::none_of(config_.metrics.begin(), config_.metrics.end(),
@@ -83,7 +83,7 @@ class FigureCheck {
     void check_selection(const FigureSpec& spec, const std::string& key, const std::string& value, std::size_t i) {
         const auto values = selectable(key, config_);
         const bool with_options = (key == "method" || key == "projection") && value.find(' ') != std::string::npos;
-        if (has(values, value) || with_options) { return; }
+        if (in_list(values, value) || with_options) { return; }
         sink_.add({place(fmt::format("{}/select/{}", spec.pointer, key), i),
                    fmt::format("a {} of this experiment", key), key == "steps" ? value : in_quotes(value),
                    nearest_name(value, values)});

@@ -16,7 +16,7 @@ namespace kreisel {
 
 namespace {
 
-constexpr std::string_view sum_key = ",\"sum\":\"";
+constexpr std::string_view sum_member = ",\"sum\":\"";
 
 Number read_number(const nlohmann::json& json) {
     const auto& text = json.get_ref<const std::string&>();
@@ -60,9 +60,9 @@ Reference reference_of(const nlohmann::json& json) {
 
 /// The text up to its check sum; nothing if that is wrong.
 std::optional<std::string_view> checked(std::string_view text) {
-    const auto end = text.rfind(sum_key);
+    const auto end = text.rfind(sum_member);
     if (end == std::string_view::npos) { return std::nullopt; }
-    const std::string sum = fmt::format("{}{}\"}}\n", sum_key, hash_text(text.substr(0, end)));
+    const std::string sum = fmt::format("{}{}\"}}\n", sum_member, hash_text(text.substr(0, end)));
     return text.substr(end) == sum ? std::optional(text.substr(0, end)) : std::nullopt;
 }
 
@@ -91,7 +91,7 @@ StoredReference stored_reference(const PlannedReference& planned, const Referenc
     object.member("route", json_text(reference.route)).member("horizon", json_number(reference.horizon));
     const std::string text =
         object.member("error", error.text()).member("state", json_value(reference.state, true)).open_text();
-    return {reference, fmt::format("{}{}{}\"}}\n", text, sum_key, hash_text(text))};
+    return {reference, fmt::format("{}{}{}\"}}\n", text, sum_member, hash_text(text))};
 }
 
 std::optional<StoredReference> read_reference(const std::string& text, const PlannedReference& planned,

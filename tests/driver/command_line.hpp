@@ -7,9 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "experiments/registry.hpp"
 #include "tests/driver/fake_engine.hpp"
 
 namespace kreisel {
+
+/// One engine for what only reads descriptions and runs cells.
+inline const FakeEngine plain_engine;
+inline const Engines one_engine{plain_engine, plain_engine};
 
 struct ProgramResult {
     int code = 0;

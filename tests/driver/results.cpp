@@ -19,19 +19,16 @@ using namespace kreisel;
 
 namespace {
 
-const FakeEngine engine;
-const Engines engines{engine, engine};
-
 Plan small_plan(const std::string& precision) {
     return plan_of(parse_document("t", R"({"name": "n", "kind": "convergence", "precision": ")" + precision + R"(",
         "problems": [{"name": "heavy_top", "label": "a,\"status\":\"ok\" b"}], "methods": ["rkmk/rk4", "rkmk/midpoint"],
         "time": {"end": 1, "steps": 4}})"),
-                   engines);
+                   one_engine);
 }
 
 FinishedCell finished(const PlannedCell& planned) {
-    const Reference reference = engine.reference(planned.cell.problem, planned.cell.parameters, planned.cell.t_end, {});
-    return finished_cell(planned, engine.run(planned.cell, &reference, {}), &reference);
+    const Reference reference = plain_engine.reference(planned.cell.problem, planned.cell.parameters, planned.cell.t_end, {});
+    return finished_cell(planned, plain_engine.run(planned.cell, &reference, {}), &reference);
 }
 
 }  // namespace
@@ -63,7 +60,7 @@ TEST_CASE("quad numbers are written as decimal strings") {
 
 TEST_CASE("a number that is not finite is never written") {
     const PlannedCell planned = small_plan("double").cells[0];
-    Outcome outcome = engine.run(planned.cell, nullptr, {});
+    Outcome outcome = plain_engine.run(planned.cell, nullptr, {});
     outcome.metrics.emplace_back("defect.position", Number{std::numeric_limits<double>::quiet_NaN(), "nan"});
     CHECK_THROWS_AS(finished_cell(planned, outcome, nullptr), std::logic_error);
 }
@@ -135,7 +132,7 @@ TEST_CASE("references are read back as they were stored, and only for the same c
     const ScratchFolder scratch;
     const Plan plan = small_plan("double");
     PlannedReference planned = plan.references.begin()->second;
-    const Reference reference = engine.reference("heavy_top", planned.parameters, planned.t_end, {});
+    const Reference reference = plain_engine.reference("heavy_top", planned.parameters, planned.t_end, {});
     const auto file = scratch / "r.json";
     const std::string text = stored_reference(planned, reference, "b").text;
     scratch.file("r.json", text);

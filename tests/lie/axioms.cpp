@@ -13,8 +13,6 @@ using Groups = std::tuple<SO3, SE3, Rn<3>, Pair<Rn<3>, SO3>>;
 
 namespace {
 
-const Real tolerance = 400 * epsilon;
-
 template <class K>
 typename K::Algebra algebra(const VecX& u) {
     return K::load_algebra(u.data());

@@ -16,6 +16,9 @@ namespace dense {
 
 using namespace kreisel;
 
+/// For algebra vectors of size one, up to a turn by 2 pi.
+inline const Real tolerance = 400 * epsilon;
+
 inline MatX matrix_exp(MatX A) {
     int squarings = 0;
     for (Real size = A.norm(); size > Real(1) / 4; size /= 2) ++squarings, A /= 2;

@@ -12,7 +12,6 @@ using namespace places;
 
 namespace {
 
-const Real tolerance = 400 * epsilon;
 /// Near 2 pi the inverse differential has a pole: at sqrt(39) it stretches a rotation by 160, and a translation, where
 /// the derivative of the coefficients enters, by 160 squared.
 const Real pole = 160 * 160 * tolerance;

@@ -17,7 +17,7 @@ namespace {
 
 using Body = Pair<Rn<3>, SO3>;
 
-std::vector<std::shared_ptr<const Group>> groups() {
+std::vector<std::shared_ptr<const Group>> compounds() {
     const auto bodies = std::make_shared<Power<Body>>(2);
     const auto screws = std::make_shared<Power<SE3>>(2);
     return {bodies, screws, std::make_shared<AdditiveGroup>(5),
@@ -36,7 +36,7 @@ VecX element(const Group& group, const VecX& u) {
 
 TEST_CASE("every function may write over its input", "[lie]") {
     Random random(12);
-    for (const auto& group : groups()) {
+    for (const auto& group : compounds()) {
         const VecX u = random.vector(group->dim(), 1), v = random.vector(group->dim(), 1);
         const VecX q = element(*group, u);
         const auto same = [](const VecX& a, const VecX& b) { return a == b; };

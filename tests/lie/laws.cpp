@@ -8,8 +8,6 @@ using namespace places;
 
 namespace {
 
-const Real tolerance = 400 * epsilon;
-
 Real larger(const Real& a, const Real& b) { return !(a <= b) ? a : b; }  // a NaN in `a` stays
 
 }  // namespace

@@ -15,9 +15,6 @@ using namespace stepping;
 
 namespace {
 
-const Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
-const Real infinite = std::numeric_limits<Real>::infinity();
-
 template <class F>
 void for_each_with_multipliers(F f) {
     for (const Method& entry : methods())

@@ -5,12 +5,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/methods/poisoned.hpp"
+
 using namespace kreisel;
 
 namespace {
-
-const Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
-const Real infinite = std::numeric_limits<Real>::infinity();
 
 /// r(x) = x^2 - c in each unknown, counted.
 class Squares final : public Equations {

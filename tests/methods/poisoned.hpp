@@ -3,10 +3,15 @@
 // A system that hands on what another one answers, but for one quantity, in which the last entry is replaced on demand.
 #pragma once
 
+#include <limits>
+
 #include "mechanics/system.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
+
+inline const Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
+inline const Real infinite = std::numeric_limits<Real>::infinity();
 
 class PoisonedSystem final : public System {
   public:

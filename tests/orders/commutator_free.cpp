@@ -12,35 +12,35 @@ using namespace kreisel::orders;
 
 namespace {
 
-using Exact = CommutatorFree<Rational>;
+using ExactMethod = CommutatorFree<Rational>;
 
 Rational r(int p, int q) { return {p, q}; }
 
 /// Three stages [celledoni2003cf]: y exp(k1/3), y exp(2 k2/3), result y exp(k1/3) exp(-k1/12 + 3 k3/4).
-Exact cf3() {
+ExactMethod cf3() {
     const std::vector<Rational> third = {r(1, 3)};
     return {.stages = {{}, {third}, {{0, r(2, 3)}}}, .result = {third, {r(-1, 12), 0, r(3, 4)}}};
 }
 
 /// Four stages [celledoni2003cf]: y exp(k1/2), y exp(k2/2), y exp(k1/2) exp(k3 - k1/2), result
 /// y exp((3 k1 + 2 k2 + 2 k3 - k4)/12) exp((-k1 + 2 k2 + 2 k3 + 3 k4)/12).
-Exact cf4() {
+ExactMethod cf4() {
     const std::vector<Rational> half = {r(1, 2)};
     return {.stages = {{}, {half}, {{0, r(1, 2)}}, {half, {r(-1, 2), 0, 1}}},
             .result = {{r(1, 4), r(1, 6), r(1, 6), r(-1, 12)}, {r(-1, 12), r(1, 6), r(1, 6), r(1, 4)}}};
 }
 
 /// A Crouch-Grossman tableau as products with one slope in each factor.
-Exact as_products(const NumericTableau<Rational>& tableau) {
+ExactMethod as_products(const NumericTableau<Rational>& tableau) {
     const auto factors = [](const std::vector<Rational>& row) {
-        Exact::Product product;
+        ExactMethod::Product product;
         for (std::size_t j = 0; j < row.size(); ++j) {
             product.emplace_back(j + 1, Rational(0));
             product.back()[j] = row[j];
         }
         return product;
     };
-    Exact method;
+    ExactMethod method;
     for (const auto& row : tableau.a) method.stages.push_back(factors(row));
     method.result = factors(tableau.b);
     return method;
@@ -62,13 +62,13 @@ TEST_CASE("published commutator-free schemes have their order and no more", "[co
 }
 
 TEST_CASE("swapped factors and wrong coefficients lower the order", "[commutator_free][control]") {
-    Exact swapped = cf4();
+    ExactMethod swapped = cf4();
     std::swap(swapped.result[0], swapped.result[1]);
     CHECK(commutator_free_order(swapped) == 2);
-    Exact stage = cf4();
+    ExactMethod stage = cf4();
     std::swap(stage.stages[3][0], stage.stages[3][1]);
     CHECK(commutator_free_order(stage) < 4);
-    Exact off = cf4();
+    ExactMethod off = cf4();
     off.result[1][2] *= r(1000001, 1000000);
     CHECK(commutator_free_order(off) == 0);
 }

@@ -9,13 +9,12 @@
 #include "tests/reference/closed_form_double.hpp"
 #include "experiments/engine/reference.hpp"
 #include "tests/reference/free_bodies.hpp"
+#include "tests/reference/named_problem.hpp"
 
 using namespace kreisel;
 using namespace reference_tests;
 
 namespace {
-
-const Mat3 oblique = SO3::exp(Vec3(2, -5, 3) / 5);
 
 FreeRotation integrated(const FreeBody& data, const Mat3& R0, const Real& t) {
     Body body{.name = data.name};

@@ -18,8 +18,6 @@ using namespace reference_tests;
 
 namespace {
 
-const Mat3 oblique = SO3::exp(Vec3(2, -5, 3) / 5);
-
 /// The literature's top, or one on an oblique lever, in another attitude, in gravity along no axis.
 Model top_with(const Mat3& axes, const Mat3& R, const Vec3& omega, const Vec3& gravity) {
     Model model = standard_model("heavy_top");

@@ -3,9 +3,13 @@
 
 #include <string>
 
+#include "lie/so3.hpp"
 #include "problems/problem.hpp"
 
 namespace reference_tests {
+
+/// An attitude in which no axis of a body is one of space.
+inline const kreisel::Mat3 oblique = kreisel::SO3::exp(kreisel::Vec3(2, -5, 3) / 5);
 
 /// A problem with its default parameters.
 inline kreisel::Model standard_model(const std::string& name) {

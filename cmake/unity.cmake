@@ -1,0 +1,7 @@
+# Several files in one translation unit. Not for the numerical code: there a new file must be free to use any local name,
+# and what is measured must not depend on its neighbours. Files compiled together share their unnamed namespaces; a
+# missing #include shows in a build with KREISEL_UNITY=OFF only.
+function(kreisel_unite target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${KREISEL_UNITY} UNITY_BUILD_MODE BATCH
+                                             UNITY_BUILD_BATCH_SIZE 8)
+endfunction()
