@@ -4,4 +4,8 @@
 function(kreisel_unite target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${KREISEL_UNITY} UNITY_BUILD_MODE BATCH
                                              UNITY_BUILD_BATCH_SIZE 8)
+  if(KREISEL_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # A local name may well be a global one of a neighbour.
+    target_compile_options(${target} PRIVATE -Wno-shadow -Wshadow=local)
+  endif()
 endfunction()

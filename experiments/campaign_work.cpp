@@ -146,7 +146,7 @@ void Campaign::record(const PlannedCell& planned, const Outcome& outcome, const 
     finished_.insert_or_assign(cell.hash, std::move(cell));
 }
 
-void Campaign::fail(std::exception_ptr error) {
+void Campaign::fail(const std::exception_ptr& error) {
     {
         const std::lock_guard lock(mutex_);
         error_ = error_ ? error_ : error;

@@ -37,7 +37,7 @@ class Campaign {
     std::size_t reuse(const JournalContents& earlier, const RunSettings& settings);
     void enqueue();
     void work(const std::stop_token& stop);
-    void fail(std::exception_ptr error);
+    void fail(const std::exception_ptr& error);
 
     Finished finished() const {
         const std::lock_guard lock(mutex_);

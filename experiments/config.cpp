@@ -37,7 +37,7 @@ void read_name(const Node& root, Config& config) {
 }
 
 void read_kind(const Node& root, Config& config) {
-    std::vector<std::string> kinds = runnable_kinds();
+    const std::vector<std::string>& kinds = runnable_kinds();
     const auto node = root.require("kind", "one of " + listed(kinds));
     if (!node) { return; }
     const auto& reserved = reserved_kinds();

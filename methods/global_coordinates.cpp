@@ -86,7 +86,7 @@ class GlobalRk4 final : public Integrator {
 
 }  // namespace
 
-Factory global_rk4(std::function<std::shared_ptr<const RotationCoordinates>(const OptionValues&)> coordinates,
+Factory global_rk4(const std::function<std::shared_ptr<const RotationCoordinates>(const OptionValues&)>& coordinates,
                    std::vector<OptionDescription> options) {
     Factory factory;
     factory.make = [coordinates](System& system, const OptionValues& values, const MethodDescription&) {

@@ -23,7 +23,7 @@ class RotationCoordinates {
 };
 
 /// Runs for SO3 and SO3xR3, where a body is (x,) R and its velocity (x',) omega.
-Factory global_rk4(std::function<std::shared_ptr<const RotationCoordinates>(const OptionValues&)> coordinates,
+Factory global_rk4(const std::function<std::shared_ptr<const RotationCoordinates>(const OptionValues&)>& coordinates,
                    std::vector<OptionDescription> options = {});
 
 }  // namespace KREISEL_PRECISION

@@ -18,6 +18,7 @@ namespace {
 template <class Registry>
 auto descriptions(const Registry& registry) {
     std::vector<decltype(registry[0].description)> all;
+    all.reserve(registry.size());
     for (const auto& entry : registry) all.push_back(entry.description);
     return all;
 }

@@ -14,8 +14,8 @@ using namespace stepping;
 
 namespace {
 
-const int steps = KREISEL_QUAD ? 3 : 10;
-const Real h = Real(1) / 100;
+const int step_count = KREISEL_QUAD ? 3 : 10;
+const Real step_size = Real(1) / 100;
 
 /// A method that has done `healthy_steps` steps on a system, the next one of which can be exchanged.
 struct Patient {
@@ -25,11 +25,12 @@ struct Patient {
           system(*healthy, *sick),
           integrator(entry.factory.make(system, default_options(entry.description.options), entry.description)),
           y(initial_state(*healthy, model)),
-          t(h * healthy_steps) {
+          t(step_size * healthy_steps) {
         good = integrator->start(0, y.data()) == Status::ok;
-        for (int i = 0; i < healthy_steps; ++i) good = good && integrator->step(h * i, h, y.data()) == Status::ok;
+        for (int i = 0; i < healthy_steps; ++i)
+            good = good && integrator->step(step_size * i, step_size, y.data()) == Status::ok;
     }
-    bool next_step_is_accepted() { return integrator->step(t, h, y.data()) == Status::ok && all_finite(y); }
+    bool next_step_is_accepted() { return integrator->step(t, step_size, y.data()) == Status::ok && all_finite(y); }
 
     std::unique_ptr<System> healthy, sick;
     SwitchedSystem system;
@@ -40,7 +41,7 @@ struct Patient {
 };
 
 std::string where(const std::string& what, const Real& poison, int step) {
-    return what + " " + to_text(poison) + " in step " + std::to_string(step + 1) + " of " + std::to_string(steps);
+    return what + " " + to_text(poison) + " in step " + std::to_string(step + 1) + " of " + std::to_string(step_count);
 }
 
 Objection system_objection(const Method& entry, const Model& model, const std::string& form, int healthy_steps) {
@@ -80,7 +81,7 @@ Objection injection_objection(const Method& entry) {
     for (const auto& [problem, form] : {std::pair("forced_heavy_top", "SO3"), std::pair("forced_heavy_top", "SO3xR3"),
                                         std::pair("double_pendulum", "SO3xR3"), std::pair("double_pendulum", "SE3")}) {
         if (!runs_on(entry.description, form)) continue;
-        for (const int healthy_steps : {0, steps / 2, steps - 1})
+        for (const int healthy_steps : {0, step_count / 2, step_count - 1})
             for (const auto judge : {system_objection, state_objection}) {
                 const Objection objection = judge(entry, models::standard(problem), form, healthy_steps);
                 if (!objection.empty()) return objection + " (" + problem + " as " + form + ")";

@@ -32,8 +32,8 @@ std::string hash_of(const std::string& text) {
 
 TEST_CASE("a wildcard stands for all methods, or for those of a family") {
     const auto planned = [](const std::string& methods) {
-        const Plan plan = plan_from(R"({"name": "n", "kind": "drift", "problems": ["heavy_top"], "methods": )" + methods +
-                                    R"(, "time": {"end": 2, "steps": 4}})");
+        const Plan plan = plan_from(R"({"name": "n", "kind": "drift", "problems": ["heavy_top"], "methods": )" +
+                                    methods + R"(, "time": {"end": 2, "steps": 4}})");
         std::set<std::string> names;
         for (const PlannedCell& cell : plan.cells) { names.insert(cell.cell.method); }
         return names;

@@ -27,7 +27,8 @@ Plan small_plan(const std::string& precision) {
 }
 
 FinishedCell finished(const PlannedCell& planned) {
-    const Reference reference = plain_engine.reference(planned.cell.problem, planned.cell.parameters, planned.cell.t_end, {});
+    const Reference reference =
+        plain_engine.reference(planned.cell.problem, planned.cell.parameters, planned.cell.t_end, {});
     return finished_cell(planned, plain_engine.run(planned.cell, &reference, {}), &reference);
 }
 
