@@ -141,10 +141,14 @@ void Bodies<Coordinates>::acceleration_bias(const Real& t, const Real* q, const 
 }
 
 template <class Coordinates>
-bool Bodies<Coordinates>::ambient_jacobian(const Real&, const Real* q, const Real* v, Real* G) const {
-    if (!std::is_same_v<Coordinates, MixedCoordinates>) return false;
-    const auto is_spherical = [](const Joint& joint) { return joint.type == JointType::spherical; };
-    if (!std::all_of(model_.joints.begin(), model_.joints.end(), is_spherical)) return false;
+bool Bodies<Coordinates>::has_ambient_jacobian() const {
+    return std::is_same_v<Coordinates, MixedCoordinates> &&
+           std::all_of(model_.joints.begin(), model_.joints.end(),
+                       [](const Joint& joint) { return joint.type == JointType::spherical; });
+}
+
+template <class Coordinates>
+void Bodies<Coordinates>::ambient_jacobian(const Real&, const Real* q, const Real* v, Real* G) const {
     const Eigen::Index m = constraints(), size = group().size();
     Eigen::Map<MatX> rows(G, 2 * m, size + velocities());
     rows.setZero();
@@ -168,7 +172,6 @@ bool Bodies<Coordinates>::ambient_jacobian(const Real&, const Real* q, const Rea
         add(row, joint.second, joint.r_second, -1);
         row += 3;
     }
-    return true;
 }
 
 template <class Coordinates>

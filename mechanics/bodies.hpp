@@ -30,7 +30,8 @@ class Bodies : public System {
     void velocity_bias(const Real& t, const Real* q, Real* b) const override;
     void velocity_residual(const Real& t, const Real* q, const Real* v, Real* residual) const override;
     void acceleration_bias(const Real& t, const Real* q, const Real* v, Real* xi) const override;
-    bool ambient_jacobian(const Real& t, const Real* q, const Real* v, Real* G) const override;
+    bool has_ambient_jacobian() const override;
+    void ambient_jacobian(const Real& t, const Real* q, const Real* v, Real* G) const override;
     void row_scale(Real* scale) const override;
     bool has_potential() const override { return is_conservative(model_); }
     Real potential(const Real& t, const Real* q) const override;

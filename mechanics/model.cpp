@@ -109,7 +109,7 @@ Mat3 to_inertia(const Matrix3& m, const std::string& path, TriangleInequality ru
     const Mat3 J = to_mat3(m);
     if (J != J.transpose()) throw ParameterError(path, "expected a symmetric inertia matrix");
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(J, Eigen::EigenvaluesOnly);
-    const Vec3 moments = principal.eigenvalues();  // in increasing order
+    const Vec3& moments = principal.eigenvalues();  // in increasing order
     const std::string got = "got principal moments " + text(to_double(moments[0])) + ", " + text(to_double(moments[1])) +
                             ", " + text(to_double(moments[2])) + " kg m^2";
     if (!(moments[0] > 0)) throw ParameterError(path, "expected a positive definite inertia, " + got);

@@ -66,7 +66,7 @@ bool touches(const Element& element, int body) {
 /// Unit axis e such that J = a e e^T + b (I - e e^T) to working precision, or nothing.
 std::optional<Vec3> symmetry_axis(const Mat3& J) {
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(J);
-    const Vec3 moments = principal.eigenvalues();
+    const Vec3& moments = principal.eigenvalues();
     const Real equal = 16 * epsilon * moments[2];
     std::optional<Vec3> axis;
     if (moments[1] - moments[0] <= equal)
@@ -159,7 +159,7 @@ std::optional<KovalevskayaTop> kovalevskaya_top(const Model& model, int body) {
         return std::nullopt;
     const Vec3 lever = -end(*only, body);
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia_about(mine, lever));
-    const Vec3 moments = principal.eigenvalues();  // in increasing order: C, A, B
+    const Vec3& moments = principal.eigenvalues();  // in increasing order: C, A, B
     const Real equal = slack * moments[2];
     if (abs(moments[2] - moments[1]) > equal || abs(moments[1] - 2 * moments[0]) > equal) return std::nullopt;
     Vec3 e3 = principal.eigenvectors().col(0);

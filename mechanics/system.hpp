@@ -98,8 +98,9 @@ class System {
     virtual std::string singularity() const { return ""; }
 
     /// Jacobian of the rows (Phi, C v + b) in ambient coordinates, where R is any 3x3 matrix: columns are the entries of
-    /// q and then v; 2m rows, column by column. False where the formulation has none.
-    virtual bool ambient_jacobian(const Real&, const Real*, const Real*, Real*) const { return false; }
+    /// q and then v; 2m rows, column by column.
+    virtual bool has_ambient_jacobian() const { return false; }
+    virtual void ambient_jacobian(const Real&, const Real*, const Real*, Real*) const {}
 
     virtual bool has_potential() const { return false; }
     /// V(t, q), where has_potential().

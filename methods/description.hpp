@@ -63,6 +63,8 @@ struct ProjectionDescription {
     std::vector<std::string> formulations = {};  ///< where it applies; empty: everywhere
     /// The levels of the constraints that hold after it, Phi = 0 and C v + b = 0.
     bool positions = false, velocities = false;
+    /// Needs the rows in ambient coordinates (System::has_ambient_jacobian).
+    bool ambient = false;
 };
 
 /// An option with a value it cannot take.

@@ -45,6 +45,7 @@ Status GaussNewtonProjection::project_position(const Real& t, Real* y) {
     Real previous = std::numeric_limits<Real>::max();
     for (int i = 0; i < most_iterations; ++i) {
         system_.position_residual(t, y, residual_.data());
+        std::fill(residual_.begin() + system_.position_constraints(), residual_.end(), Real(0));
         if (!all_finite(residual_)) return Status::non_finite;  // not seen by `largest`: NaN compares as false
         const Real size = largest(residual_);
         // Convergence is at least linear, so a residual that stops falling has met round-off, or will not converge.

@@ -2,7 +2,7 @@
 //
 // A thin disk that rolls on a horizontal plane without slipping, inclined, so that it does not go straight: two of its three
 // constraints have no position level [neimarkfufaev1972, Sec. III.3]. Energy is constant although momenta are not. Mass 1 kg, radius 0.5 m,
-// moments of a uniform thin disk, m r^2/4 and m r^2/2. The data are our own.
+// moments of a uniform thin disk, m r^2/4 and m r^2/2. The numbers are our own choice.
 #include "lie/so3.hpp"
 #include "problems/shapes.hpp"
 

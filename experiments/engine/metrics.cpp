@@ -73,7 +73,10 @@ Monitor::Monitor(System& system, std::vector<std::string> patterns)
 Real Monitor::measure(Level level, const Real& t, const Real* y) {
     const Real* v = y + system_.group().size();
     switch (level) {
-        case Level::position: system_.position_residual(t, y, rows_.data()); break;
+        case Level::position:
+            rows_.setZero();  // rows without a position level
+            system_.position_residual(t, y, rows_.data());
+            break;
         case Level::velocity: system_.velocity_residual(t, y, v, rows_.data()); break;
         case Level::orthogonality: return system_.group().orthogonality_defect(y);
         case Level::acceleration:

@@ -89,13 +89,11 @@ Status QuaternionForm::multipliers(const Real& t, const Real* w, std::vector<Rea
 
 QuaternionForm::Residual QuaternionForm::residual(const Real& t, const Real* w) {
     load(w);
-    const auto norm = [&] {
-        return Eigen::Map<const VecX>(rows_.data(), static_cast<Eigen::Index>(rows_.size())).norm();
-    };
+    const auto norm = [&](int rows) { return Eigen::Map<const VecX>(rows_.data(), rows).norm(); };
     system_->position_residual(t, y_.data(), rows_.data());
-    const Real position = norm();
+    const Real position = norm(system_->position_constraints());
     system_->velocity_residual(t, y_.data(), y_.data() + system_->group().size(), rows_.data());
-    return {position, norm()};
+    return {position, norm(system_->constraints())};
 }
 
 }  // namespace KREISEL_PRECISION

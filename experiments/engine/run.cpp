@@ -249,8 +249,10 @@ std::string why_skipped(const Cell& cell) {
         return cell.method + " meets the constraints by itself, so that nothing is left to project";
     if (!applies(projector.description.formulations, cell.formulation))
         return only_for("projection " + cell.projection, projector.description.formulations);
-    const bool free = make_system(model, cell.formulation)->constraints() == 0;
-    return free ? "there is no constraint to project onto in formulation " + cell.formulation : "";
+    const auto system = make_system(model, cell.formulation);
+    if (projector.description.ambient && !system->has_ambient_jacobian())
+        return "projection " + cell.projection + " takes spherical joints only";
+    return system->constraints() == 0 ? "there is no constraint to project onto in formulation " + cell.formulation : "";
 }
 
 Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop) {

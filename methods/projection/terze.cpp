@@ -146,7 +146,8 @@ KREISEL_PROJECTION({.name = "terze",
                                  .choices = {"identity", "mass"}}},
                     .formulations = {"SO3xR3"},
                     .positions = true,
-                    .velocities = true},
+                    .velocities = true,
+                    .ambient = true},
                    [](System& system, const OptionValues& options) {
                        return std::make_unique<TerzeProjection>(system, std::get<std::string>(options.at("weight")) == "mass");
                    });

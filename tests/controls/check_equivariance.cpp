@@ -12,7 +12,7 @@ using namespace stepping;
 namespace {
 
 /// x -> Q x + p.
-struct Motion {
+struct RigidMotion {
     Mat3 Q = SO3::exp(Vec3(Real(1) / 3, Real(-6) / 5, Real(3) / 4));
     Vec3 p = Vec3(Real(1) / 4, Real(-1) / 2, Real(3) / 4);
 
@@ -20,8 +20,18 @@ struct Motion {
     BodyState operator()(const BodyState& s) const { return {point(s.x), Q * s.R, Q * s.v, s.omega}; }
     Model operator()(Model model) const {
         for (Body& body : model.bodies) body.start = (*this)(body.start);
-        for (Joint& joint : model.joints)
-            if (joint.first == ground) joint.r_first = point(joint.r_first);
+        for (Joint& joint : model.joints) {
+            if (joint.first == ground) joint.r_first = point(joint.r_first), joint.axes_first = Q * joint.axes_first;
+            if (joint.second == ground) joint.r_second = point(joint.r_second), joint.axes_second = Q * joint.axes_second;
+        }
+        for (Spring& spring : model.springs) {
+            if (spring.first == ground) spring.r_first = point(spring.r_first);
+            if (spring.second == ground) spring.r_second = point(spring.r_second);
+        }
+        for (TorsionSpring& spring : model.torsion_springs) {
+            if (spring.first == ground) spring.axes_first = Q * spring.axes_first;
+            if (spring.second == ground) spring.axes_second = Q * spring.axes_second;
+        }
         for (Load& load : model.loads)
             if (load.axes == Load::Axes::space) load.force = Q * load.force, load.torque = Q * load.torque;
         model.gravity.g = Q * model.gravity.g;
@@ -47,7 +57,7 @@ Real relative_difference(const std::vector<BodyState>& a, const std::vector<Body
 }  // namespace
 
 Objection equivariance_objection(const Method& entry) {
-    const Motion motion;
+    const RigidMotion motion;
     const Objection found =
         first_objection(entry, [&](const models::Named& named, const std::string& formulation) -> Objection {
             // The fast top turns by 0.3 rad within a step.

@@ -19,8 +19,9 @@ Trip trip_with(const Model& model, const std::string& formulation, const Project
 /// Moves everything but rotations, which would leave their group, off the constraints by some 1e-3.
 void disturb(Trip& trip) {
     for (std::size_t i = 0; i < trip.y.size(); ++i) {
-        const bool rotation = static_cast<int>(i) < trip.system->group().size() && i % 12 >= 3;
-        if (!rotation) trip.y[i] += Real(static_cast<int>(i % 5) - 2) / 1000;
+        const int stride = trip.system->group().size() / trip.system->bodies();
+        const bool rotation = static_cast<int>(i) < trip.system->group().size() && static_cast<int>(i) % stride >= 3;
+        if (!rotation) trip.y[i] += Real(2 * static_cast<int>(i % 4) - 3) / 2000;
     }
 }
 
@@ -41,10 +42,9 @@ Objection objection_on(const ProjectionMethod& entry, const Model& model, const 
 }  // namespace
 
 Objection projection_objection(const ProjectionMethod& entry) {
-    const auto& only = entry.description.formulations;
-    for (const models::Named& named : models::all())
+    for (const models::Named& named : models::for_methods())
         for (const std::string& formulation : models::applicable(named.model)) {
-            if (!only.empty() && std::find(only.begin(), only.end(), formulation) == only.end()) continue;
+            if (!runs_on(entry.description, named.model, formulation)) continue;
             const Objection objection = objection_on(entry, named.model, formulation);
             if (!objection.empty()) return objection + " (" + named.name + " as " + formulation + ")";
         }

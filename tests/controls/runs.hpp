@@ -12,7 +12,7 @@ inline namespace KREISEL_PRECISION {
 /// The first objection of `judge(model, formulation)` over all models and the formulations that take them.
 template <class F>
 Objection first_objection(const Method& entry, F judge) {
-    for (const models::Named& named : models::all())
+    for (const models::Named& named : models::for_methods())
         for (const std::string& formulation : models::applicable(named.model)) {
             if (!stepping::runs_on(entry.description, formulation)) continue;
             const Objection objection = judge(named, formulation);

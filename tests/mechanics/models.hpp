@@ -58,19 +58,29 @@ inline std::vector<Named> registered() {
     return models;
 }
 
-/// Models of the tests alone.
-inline std::vector<Named> of_tests() {
-    std::vector<Named> models = {{"loaded top", loaded(standard("forced_heavy_top"))},
+/// Whether no constraint row follows from others.
+inline bool has_independent_rows(const Model& model) {
+    const ConstraintRank rank = make_system(model, "SO3xR3")->constraint_rank();
+    return rank.rank == rank.rows;
+}
+
+/// Models of the tests alone, with spherical joints or none.
+inline std::vector<Named> spherical() {
+    return {{"loaded top", loaded(standard("forced_heavy_top"))},
             {"loaded chain", loaded(linked(3, {{ground, 0}, {0, 1}, {1, 2}}))},
             {"chain", linked(5, {{ground, 0}, {0, 1}, {1, 2}, {2, 3}, {3, 4}})},
             {"mixed chain", linked(4, {{ground, 0}, {1, 0}, {1, 2}, {3, 2}})},
             {"star", linked(4, {{ground, 0}, {0, 1}, {0, 2}, {0, 3}})},
             {"loop", loop()},
             {"two anchors", linked(2, {{ground, 0}, {ground, 1}})},
-            {"floating pair", linked(2, {{0, 1}})},
-            {"driven", driven()},
-            {"rolling", rolling()},
-            {"closed loop", closed_loop()}};
+            {"floating pair", linked(2, {{0, 1}})}};
+}
+
+inline std::vector<Named> of_tests() {
+    std::vector<Named> models = spherical();
+    models.push_back({"driven", driven()});
+    models.push_back({"rolling", rolling()});
+    models.push_back({"closed loop", closed_loop()});
     for (const JointType type : joint_types()) {
         models.push_back({std::string(name(type)) + " joints", jointed(type)});
         models.push_back({std::string(name(type)) + " joints and springs", sprung(type)});
@@ -84,6 +94,20 @@ inline std::vector<std::string> applicable(const Model& model) {
     for (const Formulation& entry : formulations())
         if (entry.why_not(model).empty()) names.push_back(entry.name);
     return names;
+}
+
+/// What every method must be able to step with h of some 1/100 s: rows are independent, as an implicit step needs them,
+/// and no damper is stiff. Few kinds of joints: which they are makes no difference to a method.
+inline std::vector<Named> for_methods() {
+    std::vector<Named> models;
+    for (Named& named : registered())
+        if (has_independent_rows(named.model) && named.name != "flyball_governor") models.push_back(std::move(named));
+    for (Named& named : spherical()) models.push_back(std::move(named));
+    models.push_back({"driven", driven()});
+    models.push_back({"rolling", rolling()});
+    models.push_back({"closed loop", closed_loop()});
+    models.push_back({"revolute joints and dampers", damped(JointType::revolute)});
+    return models;
 }
 
 inline std::vector<Named> all() {

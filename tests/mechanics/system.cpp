@@ -45,17 +45,23 @@ struct Dense {
     VecX Q, xi;
 };
 
-const Real tolerance = 4000 * epsilon;
+/// A Schur complement has the square of the condition of M^{-1/2} C^T.
+Real tolerance(const System& s) {
+    const Real condition = s.constraint_rank().condition.value_or(1);
+    return (4000 + 10 * condition * condition) * epsilon;
+}
 
 template <class F>
 void for_each_system(F f) {
-    for (const Named& named : all())
+    for (const Named& named : all()) {
+        if (!has_independent_rows(named.model)) continue;  // tests/mechanics/redundant.cpp
         for (const std::string& name : applicable(named.model)) {
             INFO(named.name << " as " << name);
             auto system = make_system(named.model, name);
             const std::vector<Real> y = initial_state(*system, named.model);
             f(*system, y);
         }
+    }
 }
 
 }  // namespace
@@ -68,8 +74,8 @@ TEST_CASE("accelerations and multipliers equal a dense solve of the KKT system",
         const Real* v = y.data() + s.group().size();
         REQUIRE(s.accelerations(t, y.data(), v, dv.data(), dense.m > 0 ? lambda.data() : nullptr) == Status::ok);
         const VecX expected = dense.solve(dense.Q, dense.xi);
-        CHECK((dv - expected.head(dense.n)).norm() <= tolerance * max(Real(1), Real(expected.norm())));
-        CHECK((lambda - expected.tail(dense.m)).norm() <= tolerance * max(Real(1), Real(expected.norm())));
+        CHECK((dv - expected.head(dense.n)).norm() <= tolerance(s) * max(Real(1), Real(expected.norm())));
+        CHECK((lambda - expected.tail(dense.m)).norm() <= tolerance(s) * max(Real(1), Real(expected.norm())));
     });
 }
 
@@ -81,8 +87,8 @@ TEST_CASE("solve_kkt equals a dense solve for any right-hand side", "[mechanics]
         for (int i = 0; i < dense.m; ++i) c[i] = cos(Real(3 * i + 1));
         REQUIRE(s.solve_kkt(0, y.data(), f.data(), c.data(), a.data(), lambda.data()) == Status::ok);
         const VecX expected = dense.solve(f, c);
-        CHECK((a - expected.head(dense.n)).norm() <= tolerance * expected.norm());
-        CHECK((lambda - expected.tail(dense.m)).norm() <= tolerance * expected.norm());
+        CHECK((a - expected.head(dense.n)).norm() <= tolerance(s) * expected.norm());
+        CHECK((lambda - expected.tail(dense.m)).norm() <= tolerance(s) * expected.norm());
     });
 }
 

@@ -45,12 +45,11 @@ using namespace stepping;
 TEST_CASE("a step and a projection allocate nothing", "[methods]") {
     for (const Method& entry : methods())
         for (const ProjectionMethod& projector : projections())
-            for (const Named& named : all())
+            for (const Named& named : for_methods())
                 for (const std::string& formulation : applicable(named.model)) {
                     if (!runs_on(entry.description, formulation)) continue;
                     if (entry.description.own_multipliers && projector.description.name != "none") continue;
-                    const auto& only = projector.description.formulations;
-                    if (!only.empty() && std::find(only.begin(), only.end(), formulation) == only.end()) continue;
+                    if (!runs_on(projector.description, named.model, formulation)) continue;
                     Trip trip(named.model, formulation, entry, projector.description.name);
                     const long before = allocations;
                     const Status status = trip.run(Real(1) / 100, KREISEL_QUAD ? 2 : 10);

@@ -17,7 +17,7 @@ namespace {
 template <class F>
 void for_each_run(F f) {
     for (const Method& entry : methods())
-        for (const Named& named : all())
+        for (const Named& named : for_methods())
             for (const std::string& formulation : applicable(named.model)) {
                 if (!runs_on(entry.description, formulation)) continue;
                 INFO(entry.description.name << " on " << named.name << " as " << formulation);

@@ -27,6 +27,12 @@ inline bool runs_on(const MethodDescription& method, const std::string& formulat
     return only.empty() || std::find(only.begin(), only.end(), formulation) != only.end();
 }
 
+inline bool runs_on(const ProjectionDescription& projection, const Model& model, const std::string& formulation) {
+    const auto& only = projection.formulations;
+    if (!only.empty() && std::find(only.begin(), only.end(), formulation) == only.end()) return false;
+    return !projection.ambient || make_system(model, formulation)->has_ambient_jacobian();
+}
+
 /// The literature's top turns by 150 rad/s, the other models by some 5: steps that are short for these are long for it.
 inline bool spins_fast(const Model& model) {
     return std::any_of(model.bodies.begin(), model.bodies.end(),
@@ -62,14 +68,14 @@ struct Trip {
         system->read(y.data(), states.data());
         return states;
     }
-    Real position_defect() const {
-        VecX rows(system->constraints());
-        system->position_residual(0, y.data(), rows.data());
+    Real position_defect(const Real& t = 0) const {
+        VecX rows(system->position_constraints());
+        system->position_residual(t, y.data(), rows.data());
         return rows.norm();
     }
-    Real velocity_defect() const {
+    Real velocity_defect(const Real& t = 0) const {
         VecX rows(system->constraints());
-        system->velocity_residual(0, y.data(), y.data() + system->group().size(), rows.data());
+        system->velocity_residual(t, y.data(), y.data() + system->group().size(), rows.data());
         return rows.norm();
     }
 

@@ -5,7 +5,7 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 Objection implicit_midpoint_step_objection(const Method& method) {
-    for (const models::Named& named : models::all())
+    for (const models::Named& named : models::for_methods())
         for (const std::string& formulation : models::applicable(named.model)) {
             const Real h = Real(1) / 512;
             RecordedRun run(method, {}, named.model, formulation, h, 1);

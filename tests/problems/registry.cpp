@@ -51,7 +51,7 @@ TEST_CASE("every problem starts on its joints", "[problems]") {
         for (const std::string& name : states::applicable(model)) {
             const auto s = make_system(model, name);
             const At at = states::in_coordinates(*s, states::poses(model, 0)[0]);
-            VecX phi(s->constraints()), rate(s->constraints());
+            VecX phi(s->position_constraints()), rate(s->constraints());
             s->position_residual(0, at.y.data(), phi.data());
             s->velocity_residual(0, at.y.data(), at.y.data() + s->group().size(), rate.data());
             Real fastest = 1;
@@ -101,7 +101,7 @@ TEST_CASE("all formulations agree on accelerations and multipliers", "[problems]
 }
 
 TEST_CASE("scaling masses, inertias and loads keeps the accelerations and scales the multipliers", "[problems]") {
-    const Real factor = 8;
+    const Real factor = 16;  // its square root too is exact
     for (const auto& [title, model] : states::all()) {
         const Model heavy = scaled(model, factor);
         for (const states::Pose& pose : states::poses(model, 4))
