@@ -81,6 +81,16 @@ void print_integrals(std::ostream& out, const SystemSummary& summary) {
     }
 }
 
+// "30 of rank 29 (row 5 of joint 5 follows from others), condition 12.3".
+std::string constraints_of(const ConstraintSummary& constraints) {
+    std::string text = fmt::format("{}", constraints.rows);
+    if (constraints.has_redundant_rows()) {
+        text += fmt::format(" of rank {} ({} follow from others)", constraints.rank, fmt::join(constraints.redundant, ", "));
+    }
+    if (constraints.condition) { text += fmt::format(", condition {:.3g}", *constraints.condition); }
+    return text;
+}
+
 void describe_problem(const Engine& engine, const ProblemDescription& problem, std::ostream& out) {
     fmt::print(out, "{}: {}\n", problem.name, problem.summary);
     print_sources(out, problem.cites);
@@ -100,7 +110,7 @@ void describe_problem(const Engine& engine, const ProblemDescription& problem, s
             continue;
         }
         fmt::print(out, "  {}: bodies {}, velocity coordinates {}, constraint rows {}; first integrals:\n",
-                   formulation.name, summary.bodies, summary.velocities, summary.constraints);
+                   formulation.name, summary.bodies, summary.velocities, constraints_of(summary.constraints));
         print_integrals(out, summary);
     }
 }

@@ -21,6 +21,21 @@ std::string metrics_text(const Outcome& outcome, bool quad) {
     return object.text();
 }
 
+std::string constraints_text(const ConstraintSummary& constraints, bool quad) {
+    ObjectWriter object;
+    object.member("rows", fmt::format("{}", constraints.rows)).member("rank", fmt::format("{}", constraints.rank));
+    if (constraints.condition) { object.member("condition", json_number(*constraints.condition)); }
+    if (constraints.has_redundant_rows()) { object.member("redundant", json_value(constraints.redundant)); }
+    if (!constraints.least_norm.empty()) {
+        std::string multipliers;
+        for (const Number& lambda : constraints.least_norm) {
+            multipliers += (multipliers.empty() ? "" : ",") + json_value(lambda, quad);
+        }
+        object.member("least_norm_multipliers", "[" + multipliers + "]");
+    }
+    return object.text();
+}
+
 // References are computed in quad whatever the cell's precision: their bounds are given as rounded decimals.
 std::string reference_text(const Reference& reference) {
     ObjectWriter error;
@@ -68,6 +83,9 @@ FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, c
         cell.line += member("t_reached", json_number(outcome.t_reached));
     }
     if (outcome.final) { cell.line += member("final", json_value(*outcome.final, planned.quad())); }
+    if (outcome.constraints.rows > 0) {
+        cell.line += member("constraints", constraints_text(outcome.constraints, planned.quad()));
+    }
     if (outcome.status != "skipped") { cell.line += member("metrics", metrics_text(outcome, planned.quad())); }
     if (reference != nullptr) { cell.line += member("reference", reference_text(*reference)); }
     if (!outcome.trajectory.rows.empty()) {

@@ -88,6 +88,16 @@ struct Trajectory {
     std::vector<std::string> rows;
 };
 
+/// The constraint rows of a system and how many of them are independent where it starts. Where rows follow from others the
+/// multipliers are not unique: `least_norm` are those of least norm, each row divided by its scale, at the end of a run.
+struct ConstraintSummary {
+    int rows = 0, rank = 0;
+    std::vector<std::string> redundant;  ///< the rows that follow from others, by joint
+    std::optional<double> condition;     ///< ratio of the extreme pivots of M^{-1/2} C^T, its columns of length 1
+    std::vector<Number> least_norm;
+    bool has_redundant_rows() const { return rank < rows; }
+};
+
 /// What a cell came to. `status` is "ok", "skipped", "interrupted", or the name of a Status (lie/status.hpp);
 /// `detail` says when and where in words. A failed cell keeps what it measured up to `t_reached`.
 struct Outcome {
@@ -96,6 +106,7 @@ struct Outcome {
     long steps_done = 0;
     double t_reached = 0;
     std::optional<ReportedState> final;
+    ConstraintSummary constraints;
     std::vector<std::pair<std::string, Number>> metrics;
     Cost cost;
     Trajectory trajectory;
@@ -104,7 +115,8 @@ struct Outcome {
 /// What a problem becomes in one formulation.
 struct SystemSummary {
     std::string skip_reason;  ///< not empty: the formulation does not apply, and why
-    int bodies = 0, velocities = 0, constraints = 0;
+    int bodies = 0, velocities = 0;
+    ConstraintSummary constraints;
     std::vector<IntegralDescription> integrals;
     std::vector<std::string> warnings;
 };

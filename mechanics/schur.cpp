@@ -132,7 +132,8 @@ Status SchurComplement::factor_blocks() {
 }
 
 std::string SchurComplement::singularity(const Model& model) const {
-    return "the rows of " + model.name_of_joint(static_cast<std::size_t>(joint_at_[failed_])) + " depend on those of others";
+    if (!failed_) return "";
+    return "the rows of " + model.name_of_joint(static_cast<std::size_t>(joint_at_[*failed_])) + " depend on those of others";
 }
 
 void SchurComplement::substitute(Vec3* b) const {

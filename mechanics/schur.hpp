@@ -8,6 +8,8 @@
 // S is constant, and factored once.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "lie/status.hpp"
@@ -31,7 +33,7 @@ class SchurComplement {
         else
             substitute(b);
     }
-    /// Names the joint at which the last factorisation failed.
+    /// Names the joint at which a factorisation failed last; empty if none has.
     std::string singularity(const Model& model) const;
     /// Status of the factorisation of a constant S.
     Status status() const { return status_; }
@@ -65,7 +67,7 @@ class SchurComplement {
     std::vector<Real> sizes_;           // traces of the diagonal of S
     mutable std::vector<Vec3> rhs_;
     Status status_ = Status::ok;
-    std::size_t failed_ = 0;  // column of the last pivot that was round-off
+    std::optional<std::size_t> failed_;  // column of the last pivot that was round-off
 };
 
 }  // namespace KREISEL_PRECISION

@@ -45,7 +45,7 @@ class RealEngine final : public Engine {
         const auto system = make_system(model, formulation_name);
         summary.bodies = system->bodies();
         summary.velocities = system->velocities();
-        summary.constraints = system->constraints();
+        summary.constraints = to_summary(system->constraint_rank());
         for (const FirstIntegral& integral : system->integrals())
             summary.integrals.push_back({integral.name, integral.unit, integral.reason});
         return summary;

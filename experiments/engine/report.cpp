@@ -16,6 +16,12 @@ Vec3 vector(const std::array<Number, 3>& n) { return {from_number(n[0]), from_nu
 Number to_number(const Real& x) { return {to_double(x), to_text(x)}; }
 Real from_number(const Number& x) { return from_text(x.text); }
 
+ConstraintSummary to_summary(const ConstraintRank& rank) {
+    ConstraintSummary summary{rank.rows, rank.rank, rank.redundant, {}, {}};
+    if (rank.condition) summary.condition = to_double(*rank.condition);
+    return summary;
+}
+
 ReportedState to_report(const Real& t, const std::vector<BodyState>& states, const std::vector<std::string>& names,
                         const std::vector<Real>& multipliers) {
     ReportedState report{to_number(t), {}, {}};

@@ -12,6 +12,7 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 Number to_number(const Real& x);
+ConstraintSummary to_summary(const ConstraintRank& rank);
 Real from_number(const Number& x);
 
 ReportedState to_report(const Real& t, const std::vector<BodyState>& states, const std::vector<std::string>& names,

@@ -65,6 +65,7 @@ class Run {
           multipliers_(static_cast<std::size_t>(system_->constraints())),
           dv_(static_cast<std::size_t>(system_->velocities())) {
         for (const Body& body : model_.bodies) names_.push_back(body.name);
+        outcome_.constraints = to_summary(system_->constraint_rank());
     }
 
     Outcome execute(const Reference* reference, const std::stop_token& stop) {
@@ -115,6 +116,7 @@ class Run {
         outcome_.status = name(status);
         outcome_.detail = where + " failed in step " + std::to_string(step + 1) + " of " + std::to_string(cell_.steps) +
                           ", from t = " + brief(time(step)) + " s";
+        if (status == Status::singular_kkt) outcome_.detail += ": " + system_->singularity();
     }
 
     /// Names the first quantity that is not finite.
@@ -157,7 +159,7 @@ class Run {
                 for (int j = 0; j < 3; ++j) row.push_back(s.R(i, j));
             row.insert(row.end(), {s.v[0], s.v[1], s.v[2], s.omega[0], s.omega[1], s.omega[2]});
         }
-        const bool known = find_multipliers(time(step));
+        const bool known = find_multipliers(time(step)) && !outcome_.constraints.has_redundant_rows();
         std::string line;
         const auto append = [&](const std::string& text) { line += (line.empty() ? "" : ",") + text; };
         for (const Real& x : row) append(to_text(x));
@@ -188,7 +190,11 @@ class Run {
         outcome_.cost.projection_iterations = projection_->iterations();
         outcome_.cost.output_evaluations += monitor_.evaluations();
         if (outcome_.status == "ok") {
-            const bool known = find_multipliers(t);
+            bool known = find_multipliers(t);
+            if (known && outcome_.constraints.has_redundant_rows()) {  // they are not unique
+                for (const Real& lambda : multipliers_) outcome_.constraints.least_norm.push_back(to_number(lambda));
+                known = false;
+            }
             system_->read(y_.data(), states_.data());
             outcome_.final = to_report(t, states_, names_, known ? multipliers_ : std::vector<Real>());
             if (reference) add_errors(*reference, known);

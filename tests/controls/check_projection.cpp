@@ -21,7 +21,7 @@ void disturb(Trip& trip) {
     for (std::size_t i = 0; i < trip.y.size(); ++i) {
         const int stride = trip.system->group().size() / trip.system->bodies();
         const bool rotation = static_cast<int>(i) < trip.system->group().size() && static_cast<int>(i) % stride >= 3;
-        if (!rotation) trip.y[i] += Real(2 * static_cast<int>(i % 4) - 3) / 2000;
+        if (!rotation) trip.y[i] += sin(Real(7 * static_cast<int>(i) + 2)) / 500;
     }
 }
 

@@ -138,7 +138,7 @@ SystemSummary FakeEngine::summary(const std::string& problem, const ParameterVal
     SystemSummary summary;
     summary.bodies = problem == "double_pendulum" ? 2 : 1;
     summary.velocities = 6 * summary.bodies;
-    summary.constraints = 3 * summary.bodies;
+    summary.constraints = {3 * summary.bodies, 3 * summary.bodies, {}, {}, {}};
     summary.integrals = {{"energy", "J", "forces have a potential"}};
     if (formulation == "SO3" && problem == "double_pendulum") {
         summary.skip_reason = "no body turns about a fixed point alone";
