@@ -3,13 +3,16 @@
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
 
 #include "experiments/config_parts.hpp"
 #include "experiments/errors.hpp"
 #include "experiments/json_writer.hpp"
 #include "experiments/metric_names.hpp"
+#include "experiments/model_keys.hpp"
 #include "experiments/nearest.hpp"
 
 namespace kreisel {
@@ -91,6 +94,45 @@ std::string constraints_of(const ConstraintSummary& constraints) {
     return text;
 }
 
+// A key in brackets is not required.
+std::string keys_text(const ElementType& type) {
+    std::string text;
+    for (const ElementKey& key : type.keys) {
+        const auto second = [&](const Alternative& two) { return two.other == key.name; };
+        if (std::any_of(type.alternatives.begin(), type.alternatives.end(), second)) { continue; }
+        std::string shown = key.name;
+        bool required = key.required;
+        for (const auto& [one, other, needed] : type.alternatives) {
+            if (one == key.name) { shown += "|" + other, required = needed; }
+        }
+        text += (text.empty() ? "" : ", ") + (required ? shown : "[" + shown + "]");
+    }
+    return text;
+}
+
+// How the entries of its lists are written.
+void print_elements(std::ostream& out, const ProblemDescription& problem) {
+    std::vector<NamedText> meanings;
+    std::set<std::string> told;
+    for (const ParameterDescription& parameter : problem.parameters) {
+        if (!has_elements(parameter.kind)) { continue; }
+        const ElementList& list = elements_of(parameter.kind);
+        std::vector<NamedText> types;
+        for (const ElementType& type : list.types) {
+            types.emplace_back(type.name, fmt::format("{}; {}", keys_text(type), type.summary));
+            for (const ElementKey& key : type.keys) {
+                if (told.insert(key.name).second) { meanings.emplace_back(key.name, meaning_of_key(key.name)); }
+            }
+        }
+        const std::string standard = list.standard.empty() ? "" : ", by default " + in_quotes(list.standard);
+        print_rows(out,
+                   fmt::format("An entry of {} has a \"type\"{}, and its keys ([optional], one|other)",
+                               in_quotes(parameter.name), standard),
+                   types);
+    }
+    if (!meanings.empty()) { print_rows(out, "Keys of entries", meanings); }
+}
+
 void describe_problem(const Engine& engine, const ProblemDescription& problem, std::ostream& out) {
     fmt::print(out, "{}: {}\n", problem.name, problem.summary);
     print_sources(out, problem.cites);
@@ -102,6 +144,7 @@ void describe_problem(const Engine& engine, const ProblemDescription& problem, s
                                                       expectation(parameter.kind), json_value(parameter.standard)));
     }
     print_rows(out, "Parameters", rows);
+    print_elements(out, problem);
     fmt::print(out, "With default parameters, formulated on\n");
     for (const FormulationDescription& formulation : engine.formulations()) {
         const SystemSummary summary = engine.summary(problem.name, default_parameters(problem), formulation.name);
@@ -211,9 +254,9 @@ void describe(const Engine& engine, const std::string& name, std::ostream& out) 
         names.insert(names.end(), some.begin(), some.end());
     }
     const std::string nearest = nearest_name(name, names);
-    throw UsageError(
-        fmt::format("expected the name of a problem, method, projection, formulation or metric (see kreisel list), got {}{}",
-                    in_quotes(name), nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?"));
+    throw UsageError(fmt::format(
+        "expected the name of a problem, method, projection, formulation or metric (see kreisel list), got {}{}",
+        in_quotes(name), nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?"));
 }
 
 }  // namespace kreisel

@@ -18,8 +18,15 @@ std::string expectation(ParameterKind kind);
 ParameterValues read_parameters(const Node& written, const ProblemDescription& problem);
 ParameterValues default_parameters(const ProblemDescription& problem);
 
-/// The keys of an entry of a `bodies` list.
-const std::vector<std::string>& body_keys();
+/// Vectors, matrices row by row, and inertias (three numbers or a symmetric matrix).
+std::optional<Vector3> read_vector(const Node& node, const std::string& expected);
+std::optional<Matrix3> read_matrix(const Node& node, const std::string& expected);
+std::optional<Matrix3> read_inertia(const Node& node);
+
+/// Lists of bodies, joints and forces; the types and keys are those of experiments/model_keys.hpp.
+std::optional<ParameterValue> read_bodies(const Node& node);
+std::optional<ParameterValue> read_joints(const Node& node);
+std::optional<ParameterValue> read_forces(const Node& node);
 
 /// The values an option takes, in words; `expectation` names the option too.
 std::string allowed_values(const OptionDescription& option);

@@ -7,35 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "experiments/json_lists.hpp"
+
 namespace kreisel {
 
 namespace {
-
-template <class Range, class Write>
-std::string json_list(const Range& values, const Write& write) {
-    std::string text;
-    for (const auto& value : values) { text += (text.empty() ? "" : ",") + write(value); }
-    return "[" + text + "]";
-}
-
-template <class Value, class Write>
-std::string json_rows(const std::array<Value, 9>& m, const Write& write) {
-    std::string text;
-    for (std::size_t row = 0; row < 3; ++row) {
-        const std::array<Value, 3> values = {m[3 * row], m[3 * row + 1], m[3 * row + 2]};
-        text += (row == 0 ? "" : ",") + json_list(values, write);
-    }
-    return "[" + text + "]";
-}
-
-std::string json_body(const BodyData& body) {
-    ObjectWriter object;
-    object.member("name", json_text(body.name)).member("mass", json_number(body.mass));
-    object.member("inertia", json_rows(body.inertia, json_number)).member("x", json_list(body.x, json_number));
-    object.member("R", json_rows(body.R, json_number));
-    if (body.v) { object.member("v", json_list(*body.v, json_number)); }
-    return object.member("omega", json_list(body.omega, json_number)).text();
-}
 
 template <class Values>
 std::string json_map(const Values& values) {
@@ -76,12 +52,14 @@ std::string json_value(const ParameterValue& value) {
             using Held = std::decay_t<decltype(held)>;
             if constexpr (std::is_same_v<Held, double>) {
                 return json_number(held);
+            } else if constexpr (std::is_same_v<Held, bool>) {
+                return held ? "true" : "false";
             } else if constexpr (std::is_same_v<Held, Vector3>) {
                 return json_list(held, json_number);
             } else if constexpr (std::is_same_v<Held, Matrix3>) {
                 return json_rows(held, json_number);
             } else {
-                return json_list(held, json_body);
+                return json_list(held, [](const auto& entry) { return json_element(entry); });
             }
         },
         value);

@@ -15,10 +15,10 @@ bool Node::require_object(const std::string& expected) const {
     return is_object();
 }
 
-void Node::only_keys(const std::vector<std::string>& known) const {
+void Node::only_keys(const std::vector<std::string>& known, const std::string& of) const {
     for (const auto& [key, value] : value_->items()) {
         if (std::find(known.begin(), known.end(), key) == known.end()) {
-            sink_->add({pointer_below(pointer_, key), "one of the keys " + listed(known), "the key " + in_quotes(key),
+            sink_->add({pointer_below(pointer_, key), "one of the keys" + of + " " + listed(known), "the key " + in_quotes(key),
                         nearest_name(key, known), Target::key});
         }
     }

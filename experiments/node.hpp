@@ -30,8 +30,8 @@ class Node {
 
     /// False, with an error, if this is no object.
     bool require_object(const std::string& expected) const;
-    /// Reports each key that is not among `known`.
-    void only_keys(const std::vector<std::string>& known) const;
+    /// Reports each key that is not among `known`, the keys `of` something.
+    void only_keys(const std::vector<std::string>& known, const std::string& of = "") const;
     std::optional<Node> find(const std::string& key) const;
     /// As find; a missing key is an error.
     std::optional<Node> require(const std::string& key, const std::string& expected) const;

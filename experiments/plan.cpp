@@ -23,6 +23,12 @@ std::string parameter_pointer(const ProblemEntry& problem, const std::string& pa
     return problem.pointer + "/parameters" + path;
 }
 
+// For a name that does not exist, the nearest one that does.
+std::string suggestion(const ParameterError& error) {
+    const std::string nearest = error.known.empty() ? "" : nearest_name(error.written, error.known);
+    return nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?";
+}
+
 // Builds the system of each problem in each formulation and precision; a start or an inertia that cannot be is an error.
 void summarise(const Config& config, const Engines& engines, Diagnostics& sink, Plan& plan) {
     for (const ProblemEntry& problem : config.problems) {
@@ -40,7 +46,7 @@ void summarise(const Config& config, const Engines& engines, Diagnostics& sink, 
                     plan.systems.insert_or_assign({problem.label, formulation}, std::move(summary));
                 } catch (const ParameterError& error) {
                     if (said.insert(error.path + error.what()).second) {
-                        sink.add_sentence(parameter_pointer(problem, error.path), error.what());
+                        sink.add_sentence(parameter_pointer(problem, error.path), error.what() + suggestion(error));
                     }
                 }
             }

@@ -3,6 +3,7 @@
 
 #include "experiments/config.hpp"
 #include "experiments/config_parts.hpp"
+#include "experiments/model_keys.hpp"
 #include "experiments/node.hpp"
 
 namespace kreisel {
@@ -24,9 +25,11 @@ Schema list(const Schema& items, std::size_t least = 1) {
     return {{"type", "array"}, {"items", items}, {"minItems", least}};
 }
 
-Schema list_of_three(const Schema& items) {
-    return {{"type", "array"}, {"items", items}, {"minItems", 3}, {"maxItems", 3}};
+Schema list_of(std::size_t count, const Schema& items) {
+    return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
 }
+
+Schema list_of_three(const Schema& items) { return list_of(3, items); }
 
 Schema one_or_list(const Schema& one) { return {{"anyOf", {one, list(one)}}}; }
 
@@ -46,15 +49,63 @@ Schema matrix() { return list_of_three(list_of_three(number())); }
 
 Schema inertia() { return {{"anyOf", {list_of_three(number()), matrix()}}}; }
 
-Schema body() {
-    return object({{"name", text(64)},
-                   {"mass", positive()},
-                   {"inertia", inertia()},
-                   {"x", list_of_three(number())},
-                   {"R", matrix()},
-                   {"v", list_of_three(number())},
-                   {"omega", list_of_three(number())}},
-                  {"name", "mass", "inertia", "x"});
+Schema value(ValueKind kind) {
+    switch (kind) {
+        case ValueKind::name:
+            return text(64);
+        case ValueKind::names:
+            return list_of(2, text(64));
+        case ValueKind::number:
+            return number();
+        case ValueKind::positive:
+            return positive();
+        case ValueKind::not_negative:
+            return {{"type", "number"}, {"minimum", 0}};
+        case ValueKind::vector:
+            return list_of_three(number());
+        case ValueKind::vectors:
+            return list_of(2, list_of_three(number()));
+        case ValueKind::matrix:
+            return matrix();
+        case ValueKind::quaternion:
+            return list_of(4, number());
+        case ValueKind::inertia:
+            return inertia();
+        case ValueKind::frame:
+            return choice({"space", "body"});
+    }
+    return {};
+}
+
+// {"required": ["one"]}
+Schema has(const std::vector<std::string>& keys) { return {{"required", keys}}; }
+
+Schema element(const ElementType& type, bool must_say_type) {
+    Schema properties = {{"type", {{"const", type.name}}}};
+    std::vector<std::string> required;
+    if (must_say_type) { required.emplace_back("type"); }
+    for (const ElementKey& key : type.keys) {
+        properties[key.name] = value(key.kind);
+        properties[key.name]["description"] = meaning_of_key(key.name);
+        if (key.required) { required.push_back(key.name); }
+    }
+    Schema schema = object(properties, required);
+    schema["description"] = type.summary;
+    for (const auto& [one, other, needed] : type.alternatives) {
+        Schema rule = {{"not", has({one, other})}};
+        if (needed) { rule = {{"oneOf", {has({one}), has({other})}}}; }
+        schema["allOf"].push_back(rule);
+    }
+    return schema;
+}
+
+Schema element_list(ParameterKind kind, std::size_t least) {
+    const ElementList& elements = elements_of(kind);
+    Schema alternatives = Schema::array();
+    for (const ElementType& type : elements.types) {
+        alternatives.push_back(element(type, type.name != elements.standard));
+    }
+    return list({{"anyOf", alternatives}}, least);
 }
 
 Schema parameter(ParameterKind kind) {
@@ -70,7 +121,12 @@ Schema parameter(ParameterKind kind) {
         case ParameterKind::rotation:
             return matrix();
         case ParameterKind::bodies:
-            return list(body());
+            return element_list(kind, 1);
+        case ParameterKind::joints:
+        case ParameterKind::forces:
+            return element_list(kind, 0);
+        case ParameterKind::flag:
+            return {{"type", "boolean"}};
     }
     return {};
 }

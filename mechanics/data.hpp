@@ -52,7 +52,8 @@ struct JointData {
 
 /// What acts on bodies besides gravity; mechanics/model.hpp has the equations. Points (m) and the axis in space
 /// coordinates of the initial configuration. Springs: stiffness (N/m or N m/rad), damping (N s/m or N m s/rad), free
-/// length (m) or angle (rad). Loads: force (N) at a point, or torque (N m), times 1 + amplitude sin(frequency t).
+/// length (m, by default the initial one) or angle (rad, by default 0). Loads: force (N) at a point (by default the mass
+/// centre), or torque (N m), times 1 + amplitude sin(frequency t).
 struct ForceData {
     enum class Type { spring, torsion_spring, force, torque };
     Type type = Type::spring;
@@ -60,9 +61,10 @@ struct ForceData {
     std::array<Vector3, 2> points = {};
     Vector3 axis = {0, 0, 1};
     double stiffness = 0, damping = 0;
-    double rest = 0;  ///< free length or angle
+    std::optional<double> rest = {};  ///< free length or angle
     Vector3 value = {0, 0, 0};
-    bool body_axes = false;  ///< whether the value turns with the body
+    std::optional<Vector3> point = {};  ///< where a force acts
+    bool body_axes = false;             ///< whether the value turns with the body
     double amplitude = 0, frequency = 0;
     bool operator==(const ForceData&) const = default;
 };
@@ -71,9 +73,12 @@ using ParameterValue =
     std::variant<double, Vector3, Matrix3, std::vector<BodyData>, bool, std::vector<JointData>, std::vector<ForceData>>;
 using ParameterValues = std::map<std::string, ParameterValue>;
 
-/// A parameter that describes no system. `path` is a JSON pointer below the parameters, such as "/inertia/2".
+/// A parameter that describes no system. `path` is a JSON pointer below the parameters, such as "/inertia/2". Where it is a
+/// name that does not exist, `written` is that name and `known` those that do.
 struct ParameterError : std::invalid_argument {
     std::string path;
+    std::string written = {};
+    std::vector<std::string> known = {};
     ParameterError(std::string where, const std::string& what) : std::invalid_argument(what), path(std::move(where)) {}
 };
 

@@ -11,8 +11,9 @@
 namespace kreisel {
 
 /// The kind decides what a config may write: `inertia` is three numbers or a symmetric 3x3 matrix, `rotation` a 3x3
-/// matrix, `bodies` a list of objects; the alternative of ParameterValue follows from it (inertia, rotation: Matrix3).
-enum class ParameterKind { scalar, positive, vector, inertia, rotation, bodies };
+/// matrix, `bodies`, `joints` and `forces` lists of objects, `flag` true or false; the alternative of ParameterValue
+/// follows from it (inertia, rotation: Matrix3).
+enum class ParameterKind { scalar, positive, vector, inertia, rotation, bodies, joints, forces, flag };
 
 struct ParameterDescription {
     std::string name;

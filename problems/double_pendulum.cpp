@@ -3,33 +3,27 @@
 // Two rigid links: "upper" on a spherical joint at the origin, "lower" on a spherical joint at (1, 0, 0) between the
 // two, in constant gravity. The default start is not planar; the velocities follow from the joints. The data are our own.
 #include "problems/problem.hpp"
+#include "problems/read_model.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 namespace {
 
-Body link(const BodyData& data, const std::string& path, std::vector<std::string>& warnings) {
-    Body body{.name = to_name(data.name, path + "/name"), .mass = to_mass(data.mass, path + "/mass")};
-    body.J = to_inertia(data.inertia, path + "/inertia", TriangleInequality::required, warnings);
-    body.start.x = to_vec3(data.x);
-    body.start.R = to_rotation(data.R, path + "/R");
-    body.start.omega = to_vec3(data.omega);
-    if (data.v) body.start.v = to_vec3(*data.v);
-    return body;
-}
-
 Model double_pendulum(const Parameters& p) {
     const auto& links = p.bodies("bodies");
     if (links.size() != 2)
         throw ParameterError("/bodies", "expected two bodies, the upper and the lower link, got " +
                                             std::to_string(links.size()));
-    Model model;
     for (std::size_t i = 0; i < links.size(); ++i)
-        model.bodies.push_back(link(links[i], "/bodies/" + std::to_string(i), model.warnings));
+        if (links[i].point)
+            throw ParameterError("/bodies/" + std::to_string(i) + "/type",
+                                 "expected a rigid body: a point mass cannot be held away from its mass centre");
+    Model model;
+    read_bodies(model, links);
     model.join(ground, 0, Vec3::Zero());
     model.join(0, 1, Vec3::UnitX());
-    complete_velocities(model, {links[0].v.has_value(), links[1].v.has_value()});
+    complete_velocities(model, given_velocities(links));
     model.gravity.g = p.vector("gravity");
     return model;
 }

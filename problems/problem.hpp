@@ -29,6 +29,13 @@ class Parameters {
     const std::vector<BodyData>& bodies(const std::string& name) const {
         return std::get<std::vector<BodyData>>(values_.at(name));
     }
+    const std::vector<JointData>& joints(const std::string& name) const {
+        return std::get<std::vector<JointData>>(values_.at(name));
+    }
+    const std::vector<ForceData>& forces(const std::string& name) const {
+        return std::get<std::vector<ForceData>>(values_.at(name));
+    }
+    bool flag(const std::string& name) const { return std::get<bool>(values_.at(name)); }
 
   private:
     const ParameterValues& values_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The parameters of every registered problem survive the way through a config: written, read, written again.
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -25,6 +26,46 @@ Matrix3 awkward(const Matrix3& m, ParameterKind kind) {
     return {awkward(m[0]), a, b, a, awkward(m[4]), c, b, c, awkward(m[8])};
 }
 
+std::vector<JointData> joints_of_all_types() {
+    std::vector<JointData> joints;
+    for (int type = 0; type <= static_cast<int>(JointType::rolling); ++type) {
+        JointData joint{.type = static_cast<JointType>(type), .between = {"ground", "rod"}};
+        joint.points = {awkward(Vector3{1, 0, 2}), awkward(Vector3{0, 3, 2})};
+        const bool no_axes =
+            joint.type == JointType::spherical || joint.type == JointType::fixed || joint.type == JointType::distance;
+        if (!no_axes) joint.axes = {awkward(Vector3{1, 1, 0}), awkward(Vector3{0, 1, 1})};
+        if (joint.type == JointType::distance) joint.amplitude = awkward(0.2), joint.frequency = awkward(3);
+        if (joint.type == JointType::rolling) joint.length = awkward(0.7);
+        joints.push_back(joint);
+    }
+    joints.push_back(joints[static_cast<std::size_t>(JointType::distance)]);  // that one has the initial length
+    joints.back().length = awkward(2);
+    return joints;
+}
+
+std::vector<ForceData> forces_of_all_types() {
+    using Type = ForceData::Type;
+    const std::array<Vector3, 2> points = {awkward(Vector3{1, 0, 2}), awkward(Vector3{0, 3, 2})};
+    ForceData spring{.type = Type::spring, .between = {"crank", "rod"}, .points = points, .stiffness = awkward(10)};
+    ForceData damper = spring;
+    damper.damping = awkward(3), damper.rest = awkward(0.4);
+    ForceData torsion{.type = Type::torsion_spring,
+                      .between = {"ground", "rod"},
+                      .axis = awkward(Vector3{1, 0, 2}),
+                      .stiffness = awkward(7),
+                      .damping = awkward(0.1),
+                      .rest = awkward(-0.5)};
+    ForceData torque{.type = Type::torque,
+                     .between = {"", "rod"},
+                     .value = awkward(Vector3{1, 0, 2}),
+                     .amplitude = awkward(0.5),
+                     .frequency = awkward(5)};
+    ForceData force = torque, pushed = torque;
+    force.type = pushed.type = Type::force;
+    pushed.point = awkward(Vector3{0, 1, 0}), pushed.body_axes = true;
+    return {spring, damper, torsion, torque, force, pushed};
+}
+
 ParameterValue other_than_standard(const ParameterDescription& parameter) {
     switch (parameter.kind) {
         case ParameterKind::scalar:
@@ -35,6 +76,12 @@ ParameterValue other_than_standard(const ParameterDescription& parameter) {
         case ParameterKind::inertia:
         case ParameterKind::rotation:
             return awkward(std::get<Matrix3>(parameter.standard), parameter.kind);
+        case ParameterKind::flag:
+            return !std::get<bool>(parameter.standard);
+        case ParameterKind::joints:
+            return joints_of_all_types();
+        case ParameterKind::forces:
+            return forces_of_all_types();
         case ParameterKind::bodies:
             break;
     }
@@ -46,6 +93,7 @@ ParameterValue other_than_standard(const ParameterDescription& parameter) {
         body.x = awkward(body.x), body.omega = awkward(body.omega), body.v = awkward(body.x);
     }
     bodies.back().v.reset();  // absent stays absent
+    bodies.push_back({.name = "point", .mass = awkward(0.2), .x = awkward(Vector3{1, 2, 3}), .point = true});
     return bodies;
 }
 

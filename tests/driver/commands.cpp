@@ -102,6 +102,12 @@ TEST_CASE("info tells parameters, options, integrals and why a formulation is im
     const auto top = run_program({"info", "heavy_top"}).out;
     CHECK(tells(top, "mass [kg]: a number greater than 0 (default 15)"));
     CHECK(tells(top, "source2000"));
+    const auto mechanism = run_program({"info", "multibody"}).out;
+    CHECK(tells(mechanism, "An entry of \"joints\" has a \"type\", and its keys"));
+    CHECK(tells(mechanism, "An entry of \"bodies\" has a \"type\", by default \"rigid\""));
+    CHECK(tells(mechanism, "revolute     between, point|points, axis|axes; turns about the axis"));
+    CHECK(tells(mechanism, "rigid  name, mass, inertia, x, [R|quaternion], [v], [omega]; rigid body"));
+    CHECK(tells(mechanism, "stiffness   N/m, of a torsion spring N m/rad"));
     const auto method = run_program({"info", "rkmk/rk4"}).out;
     CHECK(tells(method, "a whole number from 0 to 20"));
     CHECK(tells(run_program({"info", "fake/relaxed"}).out, "order 2 (configuration), 2 (velocity), 1 (multipliers)"));

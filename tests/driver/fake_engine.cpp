@@ -61,6 +61,13 @@ bool work_slowly(long steps, const std::stop_token& stop) {
     return true;
 }
 
+std::vector<ParameterDescription> mechanism() {
+    return {{"bodies", ParameterKind::bodies, "", "the bodies", std::vector<BodyData>{{.name = "rod"}}},
+            {"joints", ParameterKind::joints, "", "the joints", std::vector<JointData>{{.between = {"ground", "rod"}}}},
+            {"forces", ParameterKind::forces, "", "the forces", std::vector<ForceData>{}},
+            {"project_initial", ParameterKind::flag, "", "whether to move the start", false}};
+}
+
 Outcome misbehave(const Cell& cell, Outcome outcome) {
     if (cell.method == "fake/throws") { throw std::runtime_error("this method always throws"); }
     if (cell.method == "fake/throws_int") { throw 7; }
@@ -89,7 +96,8 @@ std::vector<ProblemDescription> FakeEngine::problems() const {
                                       std::vector<BodyData>{{.name = "upper"}, {.name = "lower"}}};
     return {{"heavy_top", "a top on a pivot", {"source2000"}, {mass, inertia, lever, rotation, amplitude}, false},
             {"free_top", "a free body", {}, {mass, inertia}, true},
-            {"double_pendulum", "two links", {}, {bodies}, false}};
+            {"double_pendulum", "two links", {}, {bodies}, false},
+            {"multibody", "any mechanism", {}, mechanism(), false}};
 }
 
 std::vector<MethodDescription> FakeEngine::methods() const {
@@ -132,7 +140,7 @@ SystemSummary FakeEngine::summary(const std::string& problem, const ParameterVal
         }
     }
     if (const auto bodies = parameters.find("bodies");
-        bodies != parameters.end() && std::get<std::vector<BodyData>>(bodies->second).size() != 2) {
+        problem == "double_pendulum" && std::get<std::vector<BodyData>>(bodies->second).size() != 2) {
         throw ParameterError("/bodies", "expected two bodies");
     }
     SystemSummary summary;

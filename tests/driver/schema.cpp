@@ -16,6 +16,7 @@
 #include "experiments/errors.hpp"
 #include "experiments/json_strict.hpp"
 #include "tests/driver/bad_configs.hpp"
+#include "tests/driver/bad_mechanisms.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;
@@ -39,6 +40,14 @@ class SchemaChecker {
     valijson::Schema schema_;
 };
 
+json mechanism_with(const std::string& place, const std::string& value) {
+    json config = json::parse(good_config());
+    json parameters = json::parse(good_mechanism());
+    parameters[json::json_pointer(place)] = json::parse(value);
+    config["problems"] = {{{"name", "multibody"}, {"parameters", parameters}}};
+    return config;
+}
+
 std::string reader_error(const json& config, const Registry& registry) {
     try {
         read_config(parse_document("m.json", config.dump()), registry);
@@ -53,9 +62,9 @@ bool is_beyond_schema(const std::string& error, const json& config) {
         std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) > 0x7F; });
     if (beyond_ascii && error.find("without control characters") != std::string::npos) { return true; }
     if (error.find(": /figure/") != std::string::npos) { return true; }
-    for (const char* phrase :
-         {" again", "each problem once", "of its own", "divides the end time", "divides every number",
-          "at the finest level", "not symmetric", "different names", "each method once", "each projection once"}) {
+    for (const char* phrase : {" again", "each problem once", "of its own", "divides the end time",
+                               "divides every number", "at the finest level", "not symmetric", "different names",
+                               "norm 1 within", "each method once", "each projection once"}) {
         if (error.find(phrase) != std::string::npos) { return true; }
     }
     return false;
@@ -129,7 +138,10 @@ std::vector<json> shipped_configs() {
         "methods": [{"name": "rkmk/rk4", "dexpinv": [0, "seed"]}, {"name": "baseline/rk4_quaternion", "renormalise": [true, false]},
                     {"name": "fake/relaxed", "rho": 0.25}],
         "projections": ["none", {"name": "terze", "weight": ["mass", "identity"]}],
-        "time": {"end": 1, "step": [0.5, 0.25]}, "metrics": ["defect.*"], "output": {"samples": 2}, "figure": [{"kind": "drift"}]})")};
+        "time": {"end": 1, "step": [0.5, 0.25]}, "metrics": ["defect.*"], "output": {"samples": 2}, "figure": [{"kind": "drift"}]})"),
+                                 mechanism_with("/project_initial", "true"),
+                                 mechanism_with("/joints/0", R"({"type": "rolling", "between": ["ground", "rod"],
+        "points": [[0, 0, 0], [0, 0, 1]], "axes": [[0, 0, 1], [1, 0, 0]], "radius": 1})")};
     return configs;
 }
 
@@ -148,6 +160,13 @@ TEST_CASE("schema and reader agree on good configs and on every bad one") {
         const std::string error = reader_error(config, registry);
         INFO(bad.patch << "\n" << error);
         CHECK((is_beyond_schema(error, config) || schema.accepts(config) == error.empty()));
+    }
+    for (const BadMechanism& bad : bad_mechanisms()) {
+        const json config = mechanism_with(bad.place, bad.value);
+        const std::string error = reader_error(config, registry);
+        INFO(bad.place << " = " << bad.value << "\n" << error);
+        CHECK_FALSE(error.empty());
+        CHECK((is_beyond_schema(error, config) || !schema.accepts(config)));
     }
 }
 

@@ -123,8 +123,10 @@ TEST_CASE("every problem says what its numbers are and where they come from", "[
         for (const ParameterDescription& parameter : about.parameters) {
             INFO(parameter.name);
             CHECK_FALSE(parameter.summary.empty());
-            // Bodies are lists whose entries carry their own units.
-            CHECK(parameter.unit.empty() == (parameter.kind == ParameterKind::bodies));
+            // Entries of lists carry their own units, flags have none.
+            const std::set<ParameterKind> without = {ParameterKind::bodies, ParameterKind::joints, ParameterKind::forces,
+                                                     ParameterKind::flag};
+            CHECK(parameter.unit.empty() == without.contains(parameter.kind));
         }
         check_cites(about.name, about.cites);
         const std::string file = text_of(std::string(build::source_dir) + "/problems/" + about.name + ".cpp");

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lists, matrices and the entries of a mechanism as JSON. Internal to the writer.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "experiments/json_writer.hpp"
+
+namespace kreisel {
+
+template <class Range, class Write>
+std::string json_list(const Range& values, const Write& write) {
+    std::string text;
+    for (const auto& value : values) { text += (text.empty() ? "" : ",") + write(value); }
+    return "[" + text + "]";
+}
+
+template <class Value, class Write>
+std::string json_rows(const std::array<Value, 9>& m, const Write& write) {
+    std::string text;
+    for (std::size_t row = 0; row < 3; ++row) {
+        const std::array<Value, 3> values = {m[3 * row], m[3 * row + 1], m[3 * row + 2]};
+        text += (row == 0 ? "" : ",") + json_list(values, write);
+    }
+    return "[" + text + "]";
+}
+
+/// As a config writes them, with every default that is a value; they read back to the same data.
+std::string json_element(const BodyData& body);
+std::string json_element(const JointData& joint);
+std::string json_element(const ForceData& force);
+
+}  // namespace kreisel

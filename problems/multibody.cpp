@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Any mechanism: rigid bodies and point masses, joints of every kind (mechanics/joint_rows.hpp), springs and loads
+// (mechanics/model.hpp), gravity g (1 + A sin(W t)). Bodies without v get it from the joints. The default is a crank that
+// turns about the y axis, with a rod on a spherical joint at its end, which a spring holds; the data are our own.
+#include "mechanics/formulation.hpp"
+#include "problems/problem.hpp"
+#include "problems/read_model.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+/// Moves the start onto the joints and says by how much, unless that is round-off.
+void project(Model& model) {
+    using reading::text;
+    Real size = 1, speed = 1;
+    for (const Body& body : model.bodies) {
+        size = max(size, Real(body.start.x.norm()));
+        speed = max(speed, Real(body.start.v.norm() + body.start.omega.norm()));
+    }
+    const StartCorrection moved = project_start(model);
+    // The data are decimals that came through double precision, such as R from a quaternion.
+    const Real round_off = Real(1) / 10000000000000;
+    if (max(moved.position, moved.rotation) <= round_off * size &&
+        max(moved.velocity, moved.omega) <= round_off * speed)
+        return;
+    model.warnings.push_back("project_initial moved bodies by up to " + text(moved.position) + " m and " +
+                             text(moved.rotation) + " rad, and changed velocities by up to " + text(moved.velocity) +
+                             " m/s and " + text(moved.omega) + " rad/s");
+}
+
+Model multibody(const Parameters& p) {
+    const bool projected = p.flag("project_initial");
+    Model model;
+    read_bodies(model, p.bodies("bodies"));
+    read_joints(model, p.joints("joints"), projected);
+    read_forces(model, p.forces("forces"));
+    model.gravity = {p.vector("gravity"), p.scalar("gravity_amplitude"), p.scalar("gravity_frequency")};
+    complete_velocities(model, given_velocities(p.bodies("bodies")));
+    if (projected) project(model);
+    return model;
+}
+
+std::vector<BodyData> crank_and_rod() {
+    return {
+        {.name = "crank", .mass = 1.2, .inertia = diagonal(0.004, 0.03, 0.032), .x = {0.3, 0, 0}, .omega = {0, 2, 0}},
+        {.name = "rod",
+         .mass = 0.8,
+         .inertia = diagonal(0.003, 0.05, 0.051),
+         .x = {0.6, 0.4, 0},
+         .R = {0, -1, 0, 1, 0, 0, 0, 0, 1},
+         .omega = {1, 0.5, -0.7}}};
+}
+
+std::vector<JointData> pivot_and_ball() {
+    const Vector3 origin = {0, 0, 0}, end = {0.6, 0, 0}, y = {0, 1, 0};
+    return {{.type = JointType::revolute, .between = {"ground", "crank"}, .points = {origin, origin}, .axes = {y, y}},
+            {.type = JointType::spherical, .between = {"crank", "rod"}, .points = {end, end}}};
+}
+
+std::vector<ForceData> one_spring() {
+    const Vector3 hook = {0.6, 0.8, 0.9}, end = {0.6, 0.8, 0};
+    return {{.type = ForceData::Type::spring,
+             .between = {"ground", "rod"},
+             .points = {hook, end},
+             .stiffness = 25,
+             .rest = 0.7}};
+}
+
+}  // namespace
+
+KREISEL_PROBLEM(
+    multibody,
+    {.name = "multibody",
+     .summary = "any mechanism: bodies, joints and forces as parameters; default: a crank and a rod on a spring",
+     .cites = {},
+     .parameters = {
+         {"bodies", ParameterKind::bodies, "", "rigid bodies and point masses", crank_and_rod()},
+         {"joints", ParameterKind::joints, "", "what holds bodies to each other or to the ground", pivot_and_ball()},
+         {"forces", ParameterKind::forces, "", "springs and loads", one_spring()},
+         {"gravity", ParameterKind::vector, "m/s^2", "gravity, space axes", Vector3{0, 0, -9.81}},
+         {"gravity_amplitude", ParameterKind::scalar, "1", "A in gravity (1 + A sin(W t))", 0.0},
+         {"gravity_frequency", ParameterKind::scalar, "rad/s", "W in gravity (1 + A sin(W t))", 0.0},
+         {"project_initial", ParameterKind::flag, "", "move the start onto the joints, and say by how much", false}}});
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
