@@ -261,6 +261,18 @@ TEST_CASE("a start that does not meet its joints is projected on demand, and tha
     CHECK(plan_with(crooked).warnings.size() == 2);
 }
 
+TEST_CASE("axes that nearly agree are brought together by turning little", "[campaign]") {
+    const ordered_json tilted = changed({{"/joints/1",
+                                          R"({"type": "prismatic", "between": ["crank", "rod"], "point": [1, 0, 0],
+                                             "axes": [[1, 0.001, 0], [1, 0, 0.001]]})"},
+                                         {"/project_initial", "true"}});
+    const Plan plan = plan_with(tilted);
+    REQUIRE(plan.warnings.size() == 2);
+    const double turned = std::stod(plan.warnings[0].substr(plan.warnings[0].find(" m and ") + 7));
+    CHECK(turned > 0.0003);
+    CHECK(turned < 0.002);
+}
+
 TEST_CASE("velocities that are not given follow from the joints", "[campaign]") {
     const ordered_json turning = changed({{"/bodies/0/omega", "[0, 3, 0]"}});
     const Outcome outcome = engine_binary64().run(plan_with(turning).cells.at(0).cell, nullptr, {});
