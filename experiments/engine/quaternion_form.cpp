@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/engine/quaternion_form.hpp"
 
+#include <Eigen/LU>
+
 #include "lie/so3.hpp"
 #include "mechanics/formulation.hpp"
 
@@ -94,6 +96,37 @@ QuaternionForm::Residual QuaternionForm::residual(const Real& t, const Real* w) 
     const Real position = norm(system_->position_constraints());
     system_->velocity_residual(t, y_.data(), y_.data() + system_->group().size(), rows_.data());
     return {position, norm(system_->constraints())};
+}
+
+QuaternionForm::AccelerationScale QuaternionForm::acceleration_scale(const Real& t, const Real* w) {
+    std::vector<Real> lambda;
+    AccelerationScale squares;
+    if (multipliers(t, w, lambda) != Status::ok) return squares;
+    const Real *q = y_.data(), *v = q + system_->group().size();
+    const Eigen::Index n = system_->velocities();
+    VecX applied(n), gyroscopic(n);
+    system_->applied_force(t, q, v, applied.data());
+    system_->gyroscopic_force(q, v, gyroscopic.data());
+    MatX C(static_cast<Eigen::Index>(lambda.size()), n);
+    system_->jacobian(t, q, C.data());
+    for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
+        const auto size = [&](Eigen::Index part) {
+            const Eigen::Index at = 6 * static_cast<Eigen::Index>(b) + part;
+            Real sum = applied.segment<3>(at).norm() + gyroscopic.segment<3>(at).norm();
+            for (Eigen::Index row = 0; row < C.rows(); ++row)
+                sum += C.block<1, 3>(row, at).norm() * abs(lambda[static_cast<std::size_t>(row)]);
+            return sum;
+        };
+        const Real linear = size(0) / model_.bodies[b].mass;
+        const Real angular = size(3) * model_.bodies[b].J.inverse().norm();
+        squares.linear += linear * linear, squares.angular += angular * angular;
+    }
+    return {sqrt(squares.linear), sqrt(squares.angular)};
+}
+
+bool QuaternionForm::has_redundant_rows() const {
+    const ConstraintRank rank = system_->constraint_rank();
+    return rank.rank < rank.rows;
 }
 
 }  // namespace KREISEL_PRECISION

@@ -38,6 +38,13 @@ class QuaternionForm {
         Real position, velocity;
     };
     Residual residual(const Real& t, const Real* w);
+    /// What accelerations are made of: norms over all bodies of the sums of sizes of all forces over the mass, and of all
+    /// moments times |J^{-1}|. Where these cancel, as in a joint that holds fast, velocities are round-off of them.
+    struct AccelerationScale {
+        Real linear = 0, angular = 0;
+    };
+    AccelerationScale acceleration_scale(const Real& t, const Real* w);
+    bool has_redundant_rows() const;
 
   private:
     void load(const Real* w);

@@ -13,6 +13,11 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
+/// Norms over all bodies of x, v and omega.
+struct MotionSize {
+    Real position = 0, velocity = 0, omega = 0;
+};
+
 struct ReferencePoint {
     Real t = 0;
     std::vector<BodyState> states;
@@ -25,9 +30,12 @@ struct ReferencePoint {
 /// are no states and no multipliers.
 struct ReferenceSolution {
     std::vector<BodyState> states;
-    std::vector<Real> multipliers;  ///< rows in space axes, joints in the order of the model
+    std::vector<Real> multipliers;  ///< rows in space axes, joints in the order of the model; none where rows are redundant
     Real position_error = 0, rotation_error = 0, velocity_error = 0, omega_error = 0, multiplier_error = 0;
     Real horizon = 0;     ///< s; last big step up to which both runs agree to 1e-12 of each quantity's largest size
+    /// The largest ones of the finer run, at least what the forces would do to free bodies within a thousandth of a big
+    /// step: a body that is held fast moves by round-off alone.
+    MotionSize sizes;
     std::vector<ReferencePoint> path;  ///< the big steps up to the horizon, the start included
     std::string route;    ///< how it was computed
     std::string stopped;  ///< empty, or the name of the Status that ended the integration

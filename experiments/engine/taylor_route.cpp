@@ -6,18 +6,7 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Sizes of x, v and omega over all bodies; a rotation is of size 1.
-void enlarge(Distance& sizes, const std::vector<BodyState>& states) {
-    Distance squares;
-    for (const BodyState& s : states)
-        squares.position += s.x.squaredNorm(), squares.velocity += s.v.squaredNorm(),
-            squares.omega += s.omega.squaredNorm();
-    sizes.position = max(sizes.position, Real(sqrt(squares.position)));
-    sizes.velocity = max(sizes.velocity, Real(sqrt(squares.velocity)));
-    sizes.omega = max(sizes.omega, Real(sqrt(squares.omega)));
-}
-
-bool agree(const Distance& d, const Distance& sizes) {
+bool agree(const Distance& d, const MotionSize& sizes) {
     const Real limit = Real(1) / 1000000000000;
     return d.position <= limit * sizes.position && d.rotation <= limit && d.velocity <= limit * sizes.velocity &&
            d.omega <= limit * sizes.omega;
@@ -32,13 +21,11 @@ struct Agreement {
 
 Agreement follow(TaylorRoute& route, const ReferenceSolution& first, const std::stop_token& stop) {
     Agreement agreement;
-    Distance sizes{0, 1, 0, 0};
-    for (const ReferencePoint& point : first.path) enlarge(sizes, point.states);
     for (const ReferencePoint& point : first.path) {
         agreement.status = route.advance(point.t, stop);
         if (agreement.status != Status::ok || route.interrupted()) break;
         const Distance d = distance(route.states(), point.states);
-        if (!agree(d, sizes)) break;
+        if (!agree(d, first.sizes)) break;
         agreement.horizon = point.t, agreement.distance = d;
     }
     return agreement;
@@ -99,7 +86,8 @@ ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, con
     std::vector<Real> lambda;
     if (out.horizon != t_end || route.multipliers(lambda) != Status::ok) return out;
     allow_for(out, agreement.distance);
-    out.multiplier_error = max(out.multiplier_error, norm_of_difference(lambda, out.multipliers));
+    if (lambda.size() == out.multipliers.size())
+        out.multiplier_error = max(out.multiplier_error, norm_of_difference(lambda, out.multipliers));
     return out;
 }
 

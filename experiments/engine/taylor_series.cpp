@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/engine/taylor_series.hpp"
 
+#include <Eigen/QR>
 #include <array>
 #include <stdexcept>
 
@@ -9,149 +10,135 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-Eigen::Index row(std::size_t joint) { return 3 * static_cast<Eigen::Index>(joint); }
-
-Real real(std::size_t k) { return static_cast<int>(k); }
-
-/// d^k/dt^k (1 + A sin(W t)) / k!.
-Real modulation(const Real& amplitude, const Real& frequency, const Real& t, std::size_t k) {
-    Real factor = amplitude;
-    for (std::size_t i = 1; i <= k; ++i) factor *= frequency / real(i);
-    const Real phase = frequency * t;
-    const std::array<Real, 4> derivatives = {sin(phase), cos(phase), -sin(phase), -cos(phase)};
-    return (k == 0 ? 1 : 0) + factor * derivatives[k % 4];
-}
+/// Below this ratio of pivots of M^{-1/2} C^T a row counts as dependent: a start may violate its joints by 1e-9.
+const Real dependence = Real(1) / 10000000;
+/// Pivots of S are squares of those: below this share of its diagonal, look closer.
+const Real doubtful = Real(1) / 10000000000;
 
 }  // namespace
 
-TaylorSeries::TaylorSeries(const Model& model, int order) : model_(model), order_(static_cast<std::size_t>(order)) {
+TaylorSeries::TaylorSeries(const Model& model, int order) : order_(static_cast<std::size_t>(order)) {
     if (order < 2) throw std::invalid_argument("a Taylor series of motion needs an order of at least 2");
-    const std::vector<Vec3> zeros(order_ + 1, Vec3::Zero());
-    for (const Body& body : model_.bodies)
-        bodies_.push_back({zeros, zeros, zeros, zeros, std::vector<Mat3>(order_ + 1), body.J.inverse(), Vec3::Zero(), Vec3::Zero()});
-    lambda_.assign(model_.joints.size(), zeros);
-    for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-        const Joint& joint = model_.joints[j];
-        const auto add = [&](int body, const Vec3& r, int sign) {
-            if (body != ground)
-                ends_.push_back({static_cast<std::size_t>(body), j, Real(sign), r, zeros, zeros, Vec3::Zero()});
+    for (const Body& body : model.bodies) bodies_.emplace_back(body, order_ + 2);
+    bodies_.push_back(BodySeries::fixed(order_ + 2));
+    add_forces(model);
+    for (const Joint& joint : model.joints) {
+        joints_.emplace_back(joint, at(joint.first), at(joint.second));
+        for (int row = 0; row < joints_.back().rows(); ++row)
+            rows_.push_back({joints_.size() - 1, row, joints_.back().scale(row)});
+    }
+    reaction_.resize(bodies_.size());
+    A_.resize(6 * static_cast<Eigen::Index>(model.bodies.size()), static_cast<Eigen::Index>(rows_.size()));
+}
+
+void TaylorSeries::add_forces(const Model& model) {
+    for (std::size_t i = 0; i < model.bodies.size(); ++i)
+        forces_.push_back(std::make_unique<GravitySeries>(model.gravity, model.bodies[i].mass, bodies_[i]));
+    for (const Load& load : model.loads) forces_.push_back(std::make_unique<LoadSeries>(load, at(load.body)));
+    for (const Spring& spring : model.springs)
+        forces_.push_back(std::make_unique<SpringSeries>(spring, at(spring.first), at(spring.second)));
+    for (const TorsionSpring& spring : model.torsion_springs)
+        forces_.push_back(std::make_unique<TorsionSpringSeries>(spring, at(spring.first), at(spring.second)));
+}
+
+void TaylorSeries::weigh() {
+    A_.setZero();
+    for (std::size_t c = 0; c < rows_.size(); ++c) {
+        const auto& [index, row, scale] = rows_[c];
+        const JointSeries& joint = joints_[index];
+        const auto add = [&](const BodySeries& body, const JointSeries::Wrench& wrench) {
+            if (body.is_fixed()) return;
+            const auto place = 6 * static_cast<Eigen::Index>(&body - bodies_.data());
+            A_.block<6, 1>(place, static_cast<Eigen::Index>(c)) += body.weighted(wrench.force, wrench.moment) / scale;
         };
-        add(joint.first, joint.r_first, 1), add(joint.second, joint.r_second, -1);
+        add(joint.first(), joint.on_first(row)), add(joint.second(), joint.on_second(row));
     }
-    schur_.resize(row(lambda_.size()), row(lambda_.size()));
-    rhs_.resize(schur_.rows()), solution_.resize(schur_.rows());
 }
 
-/// S = sum over pairs of ends on one body of s s' (I/m - R hat(r) J^{-1} hat(r') R^T).
+/// False where the rank has changed since the first expansion.
+bool TaylorSeries::decompose() {
+    weigh();
+    if ((factored_ = rank_ == A_.cols() && factor())) return true;
+    Eigen::CompleteOrthogonalDecomposition<MatX> decomposition;
+    decomposition.setThreshold(dependence);
+    decomposition.compute(A_);
+    inverse_ = decomposition.pseudoInverse();
+    if (rank_ < 0) rank_ = decomposition.rank();
+    return decomposition.rank() == rank_;
+}
+
+/// S = L L^T, entry by entry: most joints share no body. False where a pivot leaves the rank in doubt.
 bool TaylorSeries::factor() {
-    schur_.setZero();
-    for (const End& a : ends_)
-        for (const End& b : ends_) {
-            if (a.body != b.body) continue;
-            const BodySeries& body = bodies_[a.body];
-            const Mat3 turning = body.R[0] * hat(a.r) * body.inverse_inertia * hat(b.r) * body.R[0].transpose();
-            const Mat3 moving = Mat3::Identity() / model_.bodies[a.body].mass;
-            schur_.block<3, 3>(row(a.joint), row(b.joint)) += a.sign * b.sign * (moving - turning);
+    MatX S = MatX::Zero(A_.cols(), A_.cols());
+    const auto share = [&](std::size_t a, std::size_t b, Eigen::Index i, Eigen::Index j) {
+        for (const BodySeries* body : {&joints_[a].first(), &joints_[a].second()}) {
+            if (body->is_fixed() || (body != &joints_[b].first() && body != &joints_[b].second())) continue;
+            const auto place = 6 * (body - bodies_.data());
+            S(i, j) += A_.block<6, 1>(place, i).dot(A_.block<6, 1>(place, j));
         }
-    if (lambda_.empty()) return true;
-    factors_.compute(schur_);
-    return factors_.isInvertible();
+    };
+    for (Eigen::Index i = 0; i < S.rows(); ++i)
+        for (Eigen::Index j = 0; j <= i; ++j)
+            share(rows_[static_cast<std::size_t>(i)].joint, rows_[static_cast<std::size_t>(j)].joint, i, j);
+    cholesky_.compute(S);
+    const auto& L = cholesky_.matrixLLT();
+    bool sound = cholesky_.info() == Eigen::Success;
+    for (Eigen::Index i = 0; i < S.rows(); ++i) sound = sound && L(i, i) * L(i, i) > doubtful * S(i, i);
+    return sound;
 }
 
-/// d^k/dt^k g(t) / k!.
-Vec3 TaylorSeries::gravity(const Real& t, std::size_t k) const {
-    return model_.gravity.g * modulation(model_.gravity.amplitude, model_.gravity.frequency, t, k);
+VecX TaylorSeries::solve(const VecX& residual) const {
+    return factored_ ? VecX(cholesky_.solve(residual)) : VecX(inverse_ * (inverse_.transpose() * residual));
 }
 
-/// Coefficients k of a load: the product of its modulation with R for what has to change axes.
-void TaylorSeries::add_load(const Load& load, const Real& t, std::size_t k) {
-    BodySeries& body = bodies_[static_cast<std::size_t>(load.body)];
-    Mat3 R = Mat3::Zero();
-    for (std::size_t j = 0; j <= k; ++j) R += body.R[j] * modulation(load.amplitude, load.frequency, t, k - j);
-    const Real factor = modulation(load.amplitude, load.frequency, t, k);
-    const bool turns = load.axes == Load::Axes::body;
-    const Vec3 force = turns ? Vec3(R * load.force) : Vec3(factor * load.force);
-    body.free += force / model_.bodies[static_cast<std::size_t>(load.body)].mass;
-    body.torque += turns ? Vec3(factor * load.torque) : Vec3(R.transpose() * load.torque);
+/// Whether more than round-off and drift of the residual lies outside the range of S.
+bool TaylorSeries::contradicts(const VecX& residual) const {
+    if (rank_ == A_.cols()) return false;
+    const Real rest = (residual - A_.transpose() * (inverse_.transpose() * residual)).norm();
+    return rest > residual.norm() / 1000 + Real(1) / 1000000000;
 }
 
-/// -(omega x J omega)_k.
-void TaylorSeries::prepare_body(BodySeries& body, std::size_t k) const {
-    body.torque.setZero();
-    for (std::size_t j = 0; j <= k; ++j) body.torque -= body.omega[j].cross(body.momentum[k - j]);
-}
-
-/// All of (R p)_k and (R^T lambda)_k that lower coefficients decide.
-void TaylorSeries::prepare_end(End& end, std::size_t k) {
-    BodySeries& body = bodies_[end.body];
-    const Vectors& lambda = lambda_[end.joint];
-    end.velocity[k] = body.omega[k].cross(end.r);
-    end.p[k].setZero();
-    for (std::size_t j = 0; j <= k; ++j) end.p[k] += body.omega[j].cross(end.velocity[k - j]);
-    end.known = body.R[0] * end.p[k];
-    Vec3 force = Vec3::Zero();
-    for (std::size_t j = 1; j <= k; ++j) {
-        end.known += body.R[j] * end.p[k - j];
-        force += body.R[j].transpose() * lambda[k - j];
+/// Coefficient k of the multipliers, and what they change.
+Status TaylorSeries::react(std::size_t k) {
+    for (JointSeries& joint : joints_) joint.update(k);
+    if (k == 0 && !decompose()) return Status::singular_kkt;
+    VecX residual(A_.cols());
+    for (std::size_t c = 0; c < rows_.size(); ++c)
+        residual[static_cast<Eigen::Index>(c)] = joints_[rows_[c].joint].acceleration(rows_[c].row, k) / rows_[c].scale;
+    if (k == 0 && contradicts(residual)) return Status::singular_kkt;
+    const VecX lambda = solve(residual);
+    for (JointSeries::Wrench& sum : reaction_) sum = {Vec3::Zero(), Vec3::Zero()};
+    for (std::size_t c = 0; c < rows_.size(); ++c) {
+        const auto& [index, row, scale] = rows_[c];
+        JointSeries& joint = joints_[index];
+        const Real value = lambda[static_cast<Eigen::Index>(c)] / scale;
+        joint.set_multiplier(row, k, value);
+        const auto add = [&](BodySeries& body, const JointSeries::Wrench& wrench) {
+            if (k == 0) body.notice(value * wrench.force, value * wrench.moment);
+            JointSeries::Wrench& sum = reaction_[static_cast<std::size_t>(&body - bodies_.data())];
+            sum.force -= value * wrench.force, sum.moment -= value * wrench.moment;
+        };
+        add(joint.first(), joint.on_first(row)), add(joint.second(), joint.on_second(row));
     }
-    body.torque -= end.sign * end.r.cross(force);
-}
-
-/// Coefficients k of lambda, v' and omega'.
-void TaylorSeries::solve(std::size_t k) {
-    rhs_.setZero();
-    for (const End& end : ends_) {
-        const BodySeries& body = bodies_[end.body];
-        const Vec3 alpha = body.inverse_inertia * body.torque;
-        rhs_.segment<3>(row(end.joint)) += end.sign * (body.free + body.R[0] * alpha.cross(end.r) + end.known);
-    }
-    if (!lambda_.empty()) solution_ = factors_.solve(rhs_);
-    for (BodySeries& body : bodies_) body.v[k + 1] = body.free;
-    for (const End& end : ends_) {
-        BodySeries& body = bodies_[end.body];
-        const Vec3 lambda = solution_.segment<3>(row(end.joint));
-        lambda_[end.joint][k] = lambda;
-        body.v[k + 1] -= end.sign / model_.bodies[end.body].mass * lambda;
-        body.torque -= end.sign * end.r.cross(body.R[0].transpose() * lambda);
-    }
-    for (BodySeries& body : bodies_) body.omega[k + 1] = body.inverse_inertia * body.torque;
-    for (End& end : ends_) end.p[k] += bodies_[end.body].omega[k + 1].cross(end.r);
-}
-
-/// Coefficients k + 1 of the state from coefficients k of its derivative.
-void TaylorSeries::raise(BodySeries& body, std::size_t k) const {
-    const Real next = real(k + 1);
-    body.v[k + 1] /= next, body.omega[k + 1] /= next;
-    body.x[k + 1] = body.v[k] / next;
-    body.R[k + 1].setZero();
-    for (std::size_t j = 0; j <= k; ++j)
-        for (int i = 0; i < 3; ++i) {
-            const Vec3 r = body.R[j].row(i);
-            body.R[k + 1].row(i) += r.cross(body.omega[k - j]).transpose();
-        }
-    body.R[k + 1] /= next;
+    for (std::size_t i = 0; i + 1 < bodies_.size(); ++i) bodies_[i].correct(reaction_[i].force, reaction_[i].moment, k);
+    for (JointSeries& joint : joints_) joint.update(k);
+    return Status::ok;
 }
 
 Status TaylorSeries::expand(const Real& t, const std::vector<BodyState>& states) {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        BodySeries& body = bodies_[i];
-        body.x[0] = states[i].x, body.R[0] = states[i].R, body.v[0] = states[i].v, body.omega[0] = states[i].omega;
-    }
     Real sum = 0;
-    for (const BodySeries& body : bodies_)
-        sum += body.x[0].sum() + body.R[0].sum() + body.v[0].sum() + body.omega[0].sum();
+    for (const BodyState& s : states) sum += s.x.sum() + s.R.sum() + s.v.sum() + s.omega.sum();
     if (!isfinite(sum)) return Status::non_finite;
-    if (!factor()) return Status::singular_kkt;
+    for (std::size_t i = 0; i < states.size(); ++i) bodies_[i].start(states[i]);
+    for (const auto& force : forces_) force->start(t);
+    for (JointSeries& joint : joints_) joint.start(t);
     for (std::size_t k = 0; k < order_; ++k) {
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            bodies_[i].momentum[k] = model_.bodies[i].J * bodies_[i].omega[k];
-            prepare_body(bodies_[i], k);
-            bodies_[i].free = gravity(t, k);
-        }
-        for (const Load& load : model_.loads) add_load(load, t, k);
-        for (End& end : ends_) prepare_end(end, k);
-        solve(k);
-        for (BodySeries& body : bodies_) raise(body, k);
+        for (BodySeries& body : bodies_) body.begin(k);
+        for (const auto& force : forces_) force->act(k);
+        for (JointSeries& joint : joints_) joint.react(k);
+        for (std::size_t i = 0; i < states.size(); ++i) bodies_[i].advance(k);
+        if (joints_.empty()) continue;
+        if (const Status status = react(k); status != Status::ok) return status;
     }
     for (const BodySeries& body : bodies_)
         for (const Real& last : {body.v[order_].sum(), body.omega[order_].sum(), body.R[order_].sum()})
@@ -167,10 +154,16 @@ Real TaylorSeries::reach(const Real& limit) const {
             squares[k][0] += body.x[k].squaredNorm(), squares[k][1] += body.R[k].squaredNorm();
             squares[k][2] += body.v[k].squaredNorm(), squares[k][3] += body.omega[k].squaredNorm();
         }
+    Real linear = 0, angular = 0;
+    for (const BodySeries& body : bodies_) {
+        const Real a = body.acceleration_size(), alpha = body.turning_size();
+        linear += a * a, angular += alpha * alpha;
+    }
     const auto small = [&](const Real& s) {
-        std::array<Real, 4> largest{};
+        const Real square = s * s;
+        std::array<Real, 4> largest = {linear * square * square, 0, linear * square, angular * square};
         Real power = 1;
-        for (std::size_t k = 0; k <= order_; ++k, power *= s * s)
+        for (std::size_t k = 0; k <= order_; ++k, power *= square)
             for (std::size_t part = 0; part < largest.size(); ++part) {
                 const Real term = squares[k][part] * power;
                 if (k + 1 >= order_ && term > epsilon * epsilon * largest[part]) return false;
@@ -185,7 +178,8 @@ Real TaylorSeries::reach(const Real& limit) const {
 
 std::vector<BodyState> TaylorSeries::states(const Real& s) const {
     std::vector<BodyState> result;
-    for (const BodySeries& body : bodies_) {
+    for (std::size_t i = 0; i + 1 < bodies_.size(); ++i) {
+        const BodySeries& body = bodies_[i];
         BodyState state{body.x[order_], body.R[order_], body.v[order_], body.omega[order_]};
         for (std::size_t k = order_; k-- > 0;) {
             state.x = state.x * s + body.x[k], state.R = state.R * s + body.R[k];
@@ -197,9 +191,12 @@ std::vector<BodyState> TaylorSeries::states(const Real& s) const {
 }
 
 std::vector<Real> TaylorSeries::multipliers() const {
-    std::vector<Real> rows;
-    for (const Vectors& lambda : lambda_) rows.insert(rows.end(), {lambda[0][0], lambda[0][1], lambda[0][2]});
-    return rows;
+    std::vector<Real> lambda;
+    for (const bool velocity : {false, true})
+        for (const Row& row : rows_)
+            if (joints_[row.joint].is_velocity(row.row) == velocity)
+                lambda.push_back(joints_[row.joint].multiplier(row.row));
+    return lambda;
 }
 
 }  // namespace KREISEL_PRECISION

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The Taylor series in time of a model's motion, straight from its bodies, joints, gravity and loads. For each body, with
-// R in R^{3x3} (nothing orthonormalises it) and the sum over the joint ends e on it (sign s = 1 at the first body of
-// a joint, -1 at the second; point r in body axes),
-//   x' = v,   R' = R hat(omega),   m v' = m g(t) + f - sum s lambda,   J omega' = tau - omega x J omega - sum s r x R^T lambda,
-// with the loads' force f in space axes and torque tau in body axes, and
-//   sum over the two ends of a joint of s (v' + R (omega' x r + omega x (omega x r))) = 0.
-// Products of series are Cauchy products, so coefficient k of (v', omega', lambda) solves a linear system whose matrix,
-// S = C M^{-1} C^T at the expansion point, is the same for every k: it is factored once [hairer1993, Sec. I.8]. Steps end
-// where the last terms sink into round-off [jorbazou2005].
+// The Taylor series in time of a model's motion, straight from its bodies, joints and forces (taylor_bodies.hpp,
+// taylor_joints.hpp, taylor_forces.hpp). Products of series are Cauchy products. Coefficient by coefficient,
+//   free motion   coefficients k of v' and omega' from the forces and from lambda_0 ... lambda_{k-1},
+//   residual      Phi_{k+2} of every joint row, from x_{k+2} and R_{k+2} of that motion,
+//   multipliers   S lambda_k = (k+1) (k+2) Phi_{k+2},  S = C M^{-1} C^T at the expansion point,
+//   reaction      v', omega' -= M^{-1} C^T lambda_k.
+// S is the same for every k: it is decomposed once [hairer1993, Sec. I.8]. Rows may depend on each other: multipliers are
+// those of least norm, each row divided by its scale. Steps end where the last terms sink into round-off [jorbazou2005].
 #pragma once
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
+#include <memory>
 #include <vector>
 
+#include "experiments/engine/taylor_forces.hpp"
+#include "experiments/engine/taylor_joints.hpp"
 #include "lie/status.hpp"
-#include "mechanics/model.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -25,8 +26,11 @@ class TaylorSeries {
   public:
     /// Throws std::invalid_argument for an order below 2.
     TaylorSeries(const Model& model, int order);
+    TaylorSeries(const TaylorSeries&) = delete;
+    TaylorSeries& operator=(const TaylorSeries&) = delete;
 
-    /// The series of the motion that passes through `states` at time t (s).
+    /// The series of the motion that passes through `states` at time t (s). The answer is singular_kkt where the rank of
+    /// the constraints is not that of the first expansion, or where rows that depend on each other contradict each other.
     Status expand(const Real& t, const std::vector<BodyState>& states);
 
     /// The largest s = limit, 7/8 limit, ... for which the last two terms of x, R, v and omega (each over all bodies)
@@ -34,43 +38,36 @@ class TaylorSeries {
     Real reach(const Real& limit) const;
     /// The states at a time s after that of the expansion; |s| within reach.
     std::vector<BodyState> states(const Real& s) const;
-    /// At the time of the expansion: lambda (N), rows in space axes, joints in the order of the model.
+    /// At the time of the expansion: lambda (N, or N m where rows compare directions), joints in the order of the model;
+    /// rows without a position level after all others.
     std::vector<Real> multipliers() const;
 
   private:
-    using Vectors = std::vector<Vec3>;
-    struct BodySeries {
-        Vectors x, v, omega, momentum;  // momentum: J omega
-        std::vector<Mat3> R;
-        Mat3 inverse_inertia;
-        Vec3 torque;  // coefficient k of J omega', without that of lambda
-        Vec3 free;    // coefficient k of v', without that of lambda
-    };
-    /// Where a joint holds a moving body: its body-axis acceleration p = omega' x r + omega x (omega x r).
-    struct End {
-        std::size_t body, joint;
-        Real sign;
-        Vec3 r;
-        Vectors velocity, p;  // velocity: omega x r
-        Vec3 known;           // coefficient k of R p, without that of omega'
-    };
-
+    void add_forces(const Model& model);
+    BodySeries& at(int body) { return body == ground ? bodies_.back() : bodies_[static_cast<std::size_t>(body)]; }
+    void weigh();
+    bool decompose();
     bool factor();
-    void prepare_body(BodySeries& body, std::size_t k) const;
-    void prepare_end(End& end, std::size_t k);
-    void add_load(const Load& load, const Real& t, std::size_t k);
-    void solve(std::size_t k);
-    void raise(BodySeries& body, std::size_t k) const;
-    Vec3 gravity(const Real& t, std::size_t k) const;
+    VecX solve(const VecX& residual) const;
+    bool contradicts(const VecX& residual) const;
+    Status react(std::size_t k);
 
-    Model model_;
     std::size_t order_;
-    std::vector<BodySeries> bodies_;
-    std::vector<End> ends_;
-    std::vector<Vectors> lambda_;  // of each joint
-    MatX schur_;
-    VecX rhs_, solution_;
-    Eigen::FullPivLU<MatX> factors_;
+    std::vector<BodySeries> bodies_;  // the last is the ground
+    std::vector<std::unique_ptr<ForceSeries>> forces_;
+    std::vector<JointSeries> joints_;
+    struct Row {
+        std::size_t joint;
+        int row;
+        Real scale;
+    };
+    std::vector<Row> rows_;
+    MatX A_;                  // M^{-1/2} C^T, columns divided by the rows' scale, so that S = A^T A
+    Eigen::LLT<MatX> cholesky_;
+    bool factored_ = false;   // S by Cholesky's factors; else by
+    MatX inverse_;            // the pseudoinverse of A
+    Eigen::Index rank_ = -1;  // of the first expansion
+    std::vector<JointSeries::Wrench> reaction_;  // on each body
 };
 
 }  // namespace KREISEL_PRECISION

@@ -100,4 +100,15 @@ inline Model closed_loop() {
     return model;
 }
 
+/// n hinges on one line between two bodies, or a body and the ground: 5 independent rows however many.
+inline Model hinges_in_line(int first, int n) {
+    Model model = bodies_in_a_row(2);
+    const Vec3 axis(1, -2, 4);
+    if (first != ground) join(model, ground, 0, JointType::spherical, Vec3(-1, 0, 1));
+    for (int i = 0; i < n; ++i) model.join(first, 1, Vec3(1, 1, 1) + axis * i / 4, JointType::revolute, axis);
+    model.gravity.g = Vec3(1, -2, -9);
+    project_start(model);
+    return model;
+}
+
 }  // namespace models

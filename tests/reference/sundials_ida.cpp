@@ -13,6 +13,7 @@
 
 #include "experiments/engine/report.hpp"
 #include "experiments/engine/taylor_route.hpp"
+#include "tests/mechanics/jointed.hpp"
 #include "tests/reference/named_problem.hpp"
 
 using namespace kreisel;
@@ -25,13 +26,18 @@ using Mat = Eigen::Matrix3d;
 
 constexpr int body_size = 18;  // x, R column by column, v, omega
 
-/// The residual F(t, y, y') of a model; y = (x, R, v, omega of each body; lambda of each joint).
+/// The residual F(t, y, y') of a model on spherical and revolute joints; y = (x, R, v, omega of each body; lambda of each
+/// joint).
 class Residual {
   public:
     explicit Residual(Model model) : model_(std::move(model)) {}
 
     int bodies() const { return static_cast<int>(model_.bodies.size()); }
-    int size() const { return body_size * bodies() + 3 * static_cast<int>(model_.joints.size()); }
+    int size() const {
+        int rows = 0;
+        for (const Joint& joint : model_.joints) rows += rows_of(joint);
+        return body_size * bodies() + rows;
+    }
     bool is_differential(int i) const { return i < body_size * bodies(); }
 
     void start(double* y) const {
@@ -59,12 +65,13 @@ class Residual {
             put(F + at + 12, to_double(body.mass) * (vec(dy + at + 12) - g));
             put(F + at + 15, J * vec(dy + at + 15) + w.cross(J * w));
         }
-        for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-            const Joint& joint = model_.joints[j];
-            const std::size_t row = body_size * model_.bodies.size() + 3 * j;
+        std::size_t row = body_size * model_.bodies.size();
+        for (const Joint& joint : model_.joints) {
             put(F + row, Vec::Zero());
             add_end(joint.first, joint.r_first, 1, row, y, dy, F);
             add_end(joint.second, joint.r_second, -1, row, y, dy, F);
+            for (int k = 0; k < rows_of(joint) - 3; ++k) add_angle(joint, k, row + 3 + static_cast<std::size_t>(k), y, dy, F);
+            row += static_cast<std::size_t>(rows_of(joint));
         }
     }
 
@@ -96,6 +103,32 @@ class Residual {
         put(F + at + 15, vec(F + at + 15) + sign * r.cross(R.transpose() * lambda));
         const Vec acceleration = vec(dy + at + 12) + R * (vec(dy + at + 15).cross(r) + w.cross(w.cross(r)));
         put(F + row, vec(F + row) + sign * acceleration);
+    }
+
+    static int rows_of(const Joint& joint) { return joint.type == JointType::revolute ? 5 : 3; }
+    /// A direction fixed in a body, its first and its second rate, in space axes.
+    struct Direction {
+        Vec at, rate, rate2;
+    };
+    static Direction direction(int index, const Vec3& axis, const double* y, const double* dy) {
+        const Vec a = rounded(axis);
+        if (index == ground) return {a, Vec::Zero(), Vec::Zero()};
+        const std::size_t at = body_size * static_cast<std::size_t>(index);
+        const Mat R = mat(y + at + 3);
+        const Vec w = vec(y + at + 15), alpha = vec(dy + at + 15);
+        return {R * a, R * w.cross(a), R * (alpha.cross(a) + w.cross(w.cross(a)))};
+    }
+    /// The second rate of a.b, a the axis of the first body and b axis k of the second; the couple along a x b.
+    static void add_angle(const Joint& joint, int k, std::size_t row, const double* y, const double* dy, double* F) {
+        const Direction a = direction(joint.first, joint.axes_first.col(2), y, dy);
+        const Direction b = direction(joint.second, joint.axes_second.col(k), y, dy);
+        F[row] = a.rate2.dot(b.at) + 2 * a.rate.dot(b.rate) + a.at.dot(b.rate2);
+        const auto turn = [&](int index, double sign) {
+            if (index == ground) return;
+            const std::size_t at = body_size * static_cast<std::size_t>(index);
+            put(F + at + 15, vec(F + at + 15) + sign * y[row] * mat(y + at + 3).transpose() * a.at.cross(b.at));
+        };
+        turn(joint.first, 1), turn(joint.second, -1);
     }
 
     Model model_;
@@ -144,19 +177,28 @@ std::vector<BodyState> by_ida(const Model& model, double t_end, double tolerance
     return problem.states(N_VGetArrayPointer(y.get()));
 }
 
+/// Two bodies without symmetry on hinges that are not parallel.
+Model hinged_pair() {
+    Model model = models::bodies_in_a_row(2);
+    models::join(model, ground, 0, JointType::revolute, Vec3(1, -1, 2) / 3);
+    models::join(model, 1, 0, JointType::revolute, Vec3(1, 2, 0) / 3);
+    model.gravity = {Vec3(1, -2, -9), Real(1) / 2, 3};
+    project_start(model);
+    return model;
+}
+
 double largest(const Distance& d) { return to_double(max(max(d.position, d.rotation), max(d.velocity, d.omega))); }
 
-double difference(const std::string& name, double tolerance) {
-    const Model model = standard_model(name);
+double difference(const Model& model, double tolerance) {
     return largest(distance(by_ida(model, 1, tolerance), confirmed_reference(model, Real(1)).states));
 }
 
 }  // namespace
 
 TEST_CASE("the references are what IDA of SUNDIALS finds, to its tolerance") {
-    for (const char* name : {"double_pendulum", "forced_heavy_top"}) {
-        const double rough = difference(name, 1e-7), fine = difference(name, 1e-10);
-        CAPTURE(name, rough, fine);
+    for (const Model& model : {standard_model("double_pendulum"), standard_model("forced_heavy_top"), hinged_pair()}) {
+        const double rough = difference(model, 1e-7), fine = difference(model, 1e-10);
+        CAPTURE(model.bodies.back().name, rough, fine);
         CHECK(fine < 1e-7);
         CHECK(fine < rough / 20);
     }
@@ -168,4 +210,7 @@ TEST_CASE("control: IDA sees a joint that is off by a millionth") {
     const Distance d =
         distance(by_ida(model, 1, 1e-10), confirmed_reference(standard_model("double_pendulum"), Real(1)).states);
     CHECK(largest(d) > 1e-7);
+    Model pair = hinged_pair();
+    pair.joints[1].axes_first.col(2) += Vec3(1, 2, 0) / 1000000;
+    CHECK(largest(distance(by_ida(pair, 1, 1e-10), confirmed_reference(hinged_pair(), Real(1)).states)) > 1e-7);
 }
