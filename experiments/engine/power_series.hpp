@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Arithmetic of power series c_0 + c_1 s + c_2 s^2 + ..., one coefficient at a time: each function gives coefficient k from
-// coefficients up to k of its arguments (`rate`: k + 1), so that a series may depend on itself through lower coefficients
-// [griewankwalther2008, Sec. 13.2]. No function allocates.
+// Arithmetic of power series c_0 + c_1 s + c_2 s^2 + ..., one coefficient at a time: each function gives coefficient k
+// from coefficients up to k of its arguments (`rate`: k + 1), so that a series may depend on itself through lower
+// coefficients [griewankwalther2008, Chap. 13]. No function allocates.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,8 @@ inline Vec3 product(const Series<Mat3>& a, const Vectors& b, std::size_t k) {
 }
 /// (a^T b)_k.
 inline Vec3 transposed_product(const Series<Mat3>& a, const Vectors& b, std::size_t k) {
-    return convolve(Vec3(Vec3::Zero()), a, b, k, [](const Mat3& x, const Vec3& y) -> Vec3 { return x.transpose() * y; });
+    return convolve(Vec3(Vec3::Zero()), a, b, k,
+                    [](const Mat3& x, const Vec3& y) -> Vec3 { return x.transpose() * y; });
 }
 /// (a . b)_k.
 inline Real dot(const Vectors& a, const Vectors& b, std::size_t k) {

@@ -2,8 +2,8 @@
 //
 // A model as an ordinary differential equation in R^{13 n}, n bodies, each w = (x, a, v, omega) with a quaternion a:
 //   x' = v,   a' = 1/2 a (0, omega),   (v', omega') from the index-1 form,
-// which no method under test uses. R(a) is the rotation of a/|a|, so the right-hand side is defined for every a != 0 and
-// does not depend on |a|; the exact flow keeps |a|, and nothing renormalises it.
+// which no method under test uses. R(a) is the rotation of a/|a|, so the right-hand side is defined for every a != 0
+// and does not depend on |a|; the exact flow keeps |a|, and nothing renormalises it.
 #pragma once
 
 #include <memory>
@@ -38,8 +38,8 @@ class QuaternionForm {
         Real position, velocity;
     };
     Residual residual(const Real& t, const Real* w);
-    /// What accelerations are made of: norms over all bodies of the sums of sizes of all forces over the mass, and of all
-    /// moments times |J^{-1}|. Where these cancel, as in a joint that holds fast, velocities are round-off of them.
+    /// What accelerations are made of: norms over all bodies of the sums of sizes of all forces over the mass, and of
+    /// all moments times |J^{-1}|. Where these cancel, as in a joint that holds fast, velocities are round-off of them.
     struct AccelerationScale {
         Real linear = 0, angular = 0;
     };

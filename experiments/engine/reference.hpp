@@ -30,7 +30,7 @@ struct ReferencePoint {
 /// are no states and no multipliers.
 struct ReferenceSolution {
     std::vector<BodyState> states;
-    std::vector<Real> multipliers;  ///< rows in space axes, joints in the order of the model; none where rows are redundant
+    std::vector<Real> multipliers;  ///< rows in space axes, joints in the order of the model; none if rows are redundant
     Real position_error = 0, rotation_error = 0, velocity_error = 0, omega_error = 0, multiplier_error = 0;
     Real horizon = 0;     ///< s; last big step up to which both runs agree to 1e-12 of each quantity's largest size
     /// The largest ones of the finer run, at least what the forces would do to free bodies within a thousandth of a big

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The rows of a joint and what they exert as power series in time. The rows are those that mechanics/joint_rows.hpp
-// documents, written down a second time: a row says that its residual vanishes (a length, a cosine, or for two rows of a
-// rolling joint a velocity), and its multiplier lambda exerts on the first body
+// documents, written down a second time: a row says that its residual vanishes (a length, a cosine, or for two rows of
+// a rolling joint a velocity), and its multiplier lambda exerts on the first body
 //   -lambda n at the joint's point and the couple -lambda t,
-// the opposite on the second, where n and t are the gradients of the residual. Accelerations enter through coefficients of x
-// and R alone: nothing is differentiated by hand.
+// the opposite on the second, where n and t are the gradients of the residual. Accelerations enter through coefficients
+// of x and R alone: nothing is differentiated by hand.
 #pragma once
 
 #include <initializer_list>
@@ -22,8 +22,8 @@ class JointSeries {
     JointSeries(const Joint& joint, BodySeries& first, BodySeries& second);
 
     int rows() const { return static_cast<int>(forces_.size() + turns_.size()); }
-    /// The length by which a row and its residuals are divided where multipliers of least norm are asked for: that of the
-    /// longest arm, of the rod or the radius; 1 for rows that compare directions.
+    /// The length by which a row and its residuals are divided where multipliers of least norm are asked for: that of
+    /// the longest arm, of the rod or the radius; 1 for rows that compare directions.
     Real scale(int row) const;
 
     /// Whether the residual of a row is a velocity.
@@ -37,7 +37,8 @@ class JointSeries {
     void update(std::size_t k) { follow(k + 2); }
     /// Coefficient k of the second derivative of a row's residual, or of the first one where that is a velocity.
     Real acceleration(int row, std::size_t k) const;
-    /// What a unit multiplier exerts at the expansion point, with the opposite sign: on the first body and on the second.
+    /// What a unit multiplier exerts at the expansion point, with the opposite sign: on the first body and on the
+    /// second.
     struct Wrench {
         Vec3 force, moment;
     };

@@ -6,8 +6,9 @@
 //   residual      Phi_{k+2} of every joint row, from x_{k+2} and R_{k+2} of that motion,
 //   multipliers   S lambda_k = (k+1) (k+2) Phi_{k+2},  S = C M^{-1} C^T at the expansion point,
 //   reaction      v', omega' -= M^{-1} C^T lambda_k.
-// S is the same for every k: it is decomposed once [hairer1993, Sec. I.8]. Rows may depend on each other: multipliers are
-// those of least norm, each row divided by its scale. Steps end where the last terms sink into round-off [jorbazou2005].
+// S is the same for every k: it is decomposed once [hairer1993, Sec. I.8]. Rows may depend on each other: multipliers
+// are those of least norm, each row divided by its scale. Steps end where the last terms sink into round-off
+// [jorbazou2005].
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -29,8 +30,9 @@ class TaylorSeries {
     TaylorSeries(const TaylorSeries&) = delete;
     TaylorSeries& operator=(const TaylorSeries&) = delete;
 
-    /// The series of the motion that passes through `states` at time t (s). The answer is singular_kkt where the rank of
-    /// the constraints is not that of the first expansion, or where rows that depend on each other contradict each other.
+    /// The series of the motion that passes through `states` at time t (s). The answer is singular_kkt where the rank
+    /// of the constraints is not that of the first expansion, or where rows that depend on each other contradict each
+    /// other.
     Status expand(const Real& t, const std::vector<BodyState>& states);
 
     /// The largest s = limit, 7/8 limit, ... for which the last two terms of x, R, v and omega (each over all bodies)
@@ -38,8 +40,8 @@ class TaylorSeries {
     Real reach(const Real& limit) const;
     /// The states at a time s after that of the expansion; |s| within reach.
     std::vector<BodyState> states(const Real& s) const;
-    /// At the time of the expansion: lambda (N, or N m where rows compare directions), joints in the order of the model;
-    /// rows without a position level after all others.
+    /// At the time of the expansion: lambda (N, or N m where rows compare directions), joints in the order of the
+    /// model; rows without a position level after all others.
     std::vector<Real> multipliers() const;
 
   private:

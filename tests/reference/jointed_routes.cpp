@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The two routes on joints of every kind, springs, dampers, loads off the mass centre, driven lengths, rolling, closed loops
-// and redundant rows.
+// The two routes on joints of every kind, springs, dampers, loads off the mass centre, driven lengths, rolling, closed
+// loops and redundant rows.
 #include <functional>
 #include <string>
 
@@ -74,7 +74,8 @@ TEST_CASE("both routes know the multipliers of least norm") {
     std::vector<Real> one, other;
     REQUIRE(form.multipliers(0, form.start().data(), one) == Status::ok);
     REQUIRE(TaylorRoute(model).multipliers(other) == Status::ok);
-    CHECK(norm_of_difference(one, other) < Real("1e-27") * norm_of_difference(one, std::vector<Real>(one.size(), Real(0))));
+    CHECK(norm_of_difference(one, other) <
+          Real("1e-27") * norm_of_difference(one, std::vector<Real>(one.size(), Real(0))));
 }
 
 TEST_CASE("control: a fault of 1e-20 in a joint, a spring or a load is seen") {

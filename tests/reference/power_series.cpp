@@ -59,8 +59,9 @@ TEST_CASE("products of series have the product of the values") {
     CHECK(abs(value_of([&](K k) { return dot(u, v, k); }, s) - value(u, s).dot(value(v, s))) < round_off);
     CHECK((value_of([&](K k) { return cross(u, v, k); }, s) - value(u, s).cross(value(v, s))).norm() < round_off);
     CHECK((value_of([&](K k) { return product(R, u, k); }, s) - value(R, s) * value(u, s)).norm() < round_off);
-    CHECK((value_of([&](K k) { return transposed_product(R, u, k); }, s) - value(R, s).transpose() * value(u, s)).norm() <
-          round_off);
+    CHECK(
+        (value_of([&](K k) { return transposed_product(R, u, k); }, s) - value(R, s).transpose() * value(u, s)).norm() <
+        round_off);
 }
 
 TEST_CASE("quotients and square roots undo products") {

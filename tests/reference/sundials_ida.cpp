@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// An outside oracle: IDA of SUNDIALS [hindmarsh2005], variable-order BDF in double, on the index-1 differential-algebraic
-// equations of a model in rotation matrices, written down here once more.
+// An outside oracle: IDA of SUNDIALS [hindmarsh2005], variable-order BDF in double, on the index-1
+// differential-algebraic equations of a model in rotation matrices, written down here once more.
 #include <ida/ida.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_dense.h>
@@ -26,8 +26,8 @@ using Mat = Eigen::Matrix3d;
 
 constexpr int body_size = 18;  // x, R column by column, v, omega
 
-/// The residual F(t, y, y') of a model on spherical and revolute joints; y = (x, R, v, omega of each body; lambda of each
-/// joint).
+/// The residual F(t, y, y') of a model on spherical and revolute joints; y = (x, R, v, omega of each body; lambda of
+/// each joint).
 class Residual {
   public:
     explicit Residual(Model model) : model_(std::move(model)) {}
@@ -70,7 +70,8 @@ class Residual {
             put(F + row, Vec::Zero());
             add_end(joint.first, joint.r_first, 1, row, y, dy, F);
             add_end(joint.second, joint.r_second, -1, row, y, dy, F);
-            for (int k = 0; k < rows_of(joint) - 3; ++k) add_angle(joint, k, row + 3 + static_cast<std::size_t>(k), y, dy, F);
+            for (int k = 0; k < rows_of(joint) - 3; ++k)
+                add_angle(joint, k, row + 3 + static_cast<std::size_t>(k), y, dy, F);
             row += static_cast<std::size_t>(rows_of(joint));
         }
     }

@@ -27,8 +27,8 @@ inline Taylor taylor(const Model& model, const Real& t) {
     return end;
 }
 
-/// The largest difference of the routes relative to the size of each quantity, which is that of the reference's own errors;
-/// multipliers count where the reference has some.
+/// The largest difference of the routes relative to the size of each quantity, which is that of the reference's own
+/// errors; multipliers count where the reference has some.
 inline Real relative_difference(const ReferenceSolution& a, const Taylor& b) {
     const Distance d = distance(a.states, b.states);
     const auto ratio = [](const Real& x, const Real& y) { return x == 0 ? Real(0) : Real(x / y); };
