@@ -95,7 +95,7 @@ VecX TaylorSeries::solve(const VecX& residual) const {
 bool TaylorSeries::contradicts(const VecX& residual) const {
     if (rank_ == A_.cols()) return false;
     const Real rest = (residual - A_.transpose() * (inverse_.transpose() * residual)).norm();
-    return rest > residual.norm() / 1000 + Real(1) / 1000000000;
+    return rest > residual.norm() / 1000000 + Real(1) / 1000000000;
 }
 
 /// Coefficient k of the multipliers, and what they change.
