@@ -34,7 +34,7 @@ std::string statement_before(const std::string& code, std::size_t end) {
 /// A literal may be any decimal where it becomes a double by its type, which `decimal` reads exactly later on.
 bool becomes_decimal_data(const std::string& code, std::size_t at) {
     static const std::regex data(
-        R"(\b(decimal|Vector3|Matrix3|BodyData|JointData|ForceData|ParameterDescription|ParameterValues?|KREISEL_PROBLEM|double)\b)");
+        R"(\b(decimal|moments|Vector3|Matrix3|BodyData|JointData|ForceData|ParameterDescription|ParameterValues?|KREISEL_PROBLEM|double)\b)");
     return std::regex_search(statement_before(code, at), data);
 }
 

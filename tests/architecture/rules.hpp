@@ -31,8 +31,8 @@ std::vector<Finding> check_licences(const std::vector<Source>& tree);
 
 /// `literal`: no floating literal in numerical code but dyadic ones (0.5, 2.0, 1e3), which are the same number in every
 /// precision. Exempt are statements whose literals become doubles by their type and are read as decimals later on:
-/// problem data (KREISEL_PROBLEM, ParameterDescription, BodyData, JointData, ForceData, Vector3, Matrix3), `decimal(...)` and
-/// plain `double`.
+/// problem data (KREISEL_PROBLEM, ParameterDescription, BodyData, JointData, ForceData, Vector3, Matrix3), `decimal(...)`,
+/// `moments(...)` and plain `double`.
 std::vector<Finding> check_literals(const std::vector<Source>& tree);
 
 /// `qualified`: no std::sqrt and its like in numerical code: for quad it would round to double, silently.
