@@ -48,14 +48,14 @@ class Oscillator final : public System {
 };
 
 using State = std::vector<Real>;
-const State start = {1, Real(1) / 3, Real(-1) / 2, Real(2) / 5};
+const State initial = {1, Real(1) / 3, Real(-1) / 2, Real(2) / 5};
 const Real h = Real(1) / 10;
 constexpr int steps = 10;
 
 State ours(const Method& method, const OptionValues& options) {
     Oscillator system;
     const auto integrator = method.factory.make(system, options, method.description);
-    State y = start;
+    State y = initial;
     for (int step = 0; step < steps; ++step) REQUIRE(integrator->step(step * h, h, y.data()) == Status::ok);
     return y;
 }
@@ -66,7 +66,7 @@ State theirs(Stepper stepper) {
     const auto field = [&](const State& y, State& dy, const Real& t) {
         REQUIRE(system.vector_field(t, y.data(), dy.data()) == Status::ok);
     };
-    State y = start;
+    State y = initial;
     for (int step = 0; step < steps; ++step) stepper.do_step(field, y, step * h, h);
     return y;
 }
