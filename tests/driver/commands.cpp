@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The command line: exit codes, help, what list, info and plan tell.
+#include <array>
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
+#include "experiments/cli.hpp"
 #include "experiments/progress.hpp"
 #include "tests/driver/command_line.hpp"
+#include "tests/driver/other_engine.hpp"
 
 using namespace kreisel;
 
@@ -85,6 +91,14 @@ TEST_CASE("durations and progress in a log") {
     CHECK(out.str().ends_with("\r\x1b[K"));
 }
 
+TEST_CASE("a log gets whole lines, and not too often") {
+    std::ostringstream out;
+    Progress progress(out, "name", false);
+    progress.show({3, 10, 0, 0, 0, 1, 4});
+    progress.clear();
+    CHECK(out.str().empty());
+}
+
 TEST_CASE("list tells all, or one topic") {
     const auto all = run_program({"list"}).out;
     for (const char* name : {"heavy_top", "rkmk/rk4", "position_velocity", "SE3", "error.rotation"}) {
@@ -126,4 +140,83 @@ TEST_CASE("plan tells the cells, for people and for scripts") {
     REQUIRE(json["cells"].size() == 12);
     CHECK(json["cells"][5]["method"] == "rkmk/rk4");
     CHECK(json["cells"][5].contains("reference"));
+}
+
+TEST_CASE("each topic is listed for itself") {
+    const std::vector<std::pair<std::string, std::string>> topics = {{"problems", "heavy_top"},
+                                                                     {"methods", "rkmk/rk4"},
+                                                                     {"projections", "position_velocity"},
+                                                                     {"formulations", "SO3xR3"},
+                                                                     {"metrics", "invariant.<integral>.slope_error"}};
+    for (const auto& [topic, entry] : topics) {
+        const auto result = run_program({"list", topic});
+        INFO(result.out);
+        CHECK(result.code == 0);
+        CHECK(tells(result.out, entry));
+        for (const auto& [other, foreign] : topics) { CHECK((other == topic || !tells(result.out, "  " + foreign))); }
+    }
+}
+
+TEST_CASE("info tells the unit of a first integral's metric and which problem has it") {
+    const auto result = run_program({"info", "invariant.energy.slope"});
+    CHECK(result.code == 0);
+    CHECK(tells(result.out, "invariant.energy.slope: secular rate"));
+    CHECK(tells(result.out, "[as the integral per s; the integral in J]\n"));
+    CHECK(tells(result.out, "A first integral of double_pendulum: forces have a potential\n"));
+    CHECK(run_program({"info", "invariant.spin"}).code == 2);
+    CHECK(tells(run_program({"info", "fake/nan"}).out, "Options: none\n"));
+}
+
+TEST_CASE("the schema is JSON for a checker") {
+    const auto result = run_program({"schema"});
+    CHECK(result.code == 0);
+    const auto schema = nlohmann::json::parse(result.out);
+    CHECK(schema["$schema"] == "http://json-schema.org/draft-07/schema#");
+    CHECK(schema["properties"].contains("problems"));
+}
+
+TEST_CASE("check tells of each good config how much it computes, and all errors of the bad ones") {
+    const ScratchFolder scratch;
+    const std::string good = scratch.file("good.json", good_config()), bad = scratch.file("bad.json", "{}"),
+                      worse = scratch.file("worse.json", "[");
+    const auto result = run_program({"check", good});
+    CHECK(result.code == 0);
+    CHECK(result.out == good + ": good; 12 cells: 12 to run, 0 skipped; 1 reference solution\n");
+    const auto refused = run_program({"check", good, bad, worse});
+    CHECK(refused.code == 2);
+    CHECK(refused.out.empty());
+    CHECK(tells(refused.messages, "bad.json:1:1: /"));
+    CHECK(tells(refused.messages, "\n" + worse + ":1:"));
+}
+
+TEST_CASE("an engine that breaks is an internal error, and a disk that does is not") {
+    class Broken final : public OtherEngine {
+      public:
+        std::vector<ProblemDescription> problems() const override { throw std::runtime_error("this engine is broken"); }
+        std::vector<MethodDescription> methods() const override {
+            throw std::filesystem::filesystem_error("cannot look", std::make_error_code(std::errc::io_error));
+        }
+    };
+    const auto internal = run_program({"list", "problems"}, Broken());
+    CHECK(internal.code == 4);
+    CHECK(internal.messages == "internal error: this engine is broken\n");
+    const auto disk = run_program({"list", "methods"}, Broken());
+    CHECK(disk.code == 3);
+    CHECK(tells(disk.messages, "cannot look"));
+}
+
+TEST_CASE("a standard output that cannot be written is an error") {
+    struct Full final : std::streambuf {
+        int overflow(int) override { return traits_type::eof(); }
+        int sync() override { return -1; }
+    } full;
+    std::ostringstream messages;
+    std::streambuf* const out = std::cout.rdbuf(&full);
+    std::streambuf* const err = std::cerr.rdbuf(messages.rdbuf());
+    const std::array<const char*, 3> words = {"kreisel", "list", "methods"};
+    const int code = kreisel_main(3, words.data(), plain_engine, plain_engine);
+    std::cout.rdbuf(out), std::cerr.rdbuf(err);
+    std::cout.clear();
+    CHECK(code == 3);
+    CHECK(messages.str() == "standard output: cannot be written\n");
 }

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // From a config to its cells.
+#include <array>
 #include <catch2/catch.hpp>
 #include <regex>
 #include <set>
 
+#include "experiments/diagnostics.hpp"
+#include "experiments/errors.hpp"
 #include "experiments/hash.hpp"
 #include "experiments/json_strict.hpp"
 #include "experiments/metric_names.hpp"
 #include "experiments/plan.hpp"
 #include "tests/driver/command_line.hpp"
+#include "tests/driver/other_engine.hpp"
 
 using namespace kreisel;
 
@@ -166,4 +170,76 @@ TEST_CASE("patterns") {
     CHECK_FALSE(matches("error.position", "error.positions"));
     CHECK_FALSE(matches("", "x"));
     CHECK_FALSE(matches(std::string(30, '*') + "b", std::string(5000, 'a')));
+}
+
+TEST_CASE("a warning of the engine is said once for all formulations and precisions") {
+    const Plan plan = plan_from(one_cell(R"({"name": "heavy_top", "label": "anvil", "parameters": {"mass": 2000}})",
+                                         R"(, "formulations": ["SO3xR3", "SE3"], "precision": ["double", "quad"])"));
+    CHECK(plan.warnings == std::vector<std::string>{"anvil: a very heavy top"});
+}
+
+TEST_CASE("a trajectory that keeps no samples is warned of") {
+    const std::string text = R"({"name": "n", "kind": "trajectory", "problems": ["heavy_top"], "methods": ["rkmk/rk4"],
+        "time": {"end": 2, "steps": 4})";
+    const Plan plan = plan_from(text + "}");
+    REQUIRE(plan.warnings.size() == 1);
+    CHECK(plan.warnings.front() == "a trajectory without \"output\": {\"samples\": ...} keeps its final state only");
+    CHECK(plan_from(text + R"(, "output": {"samples": 2}})").warnings.empty());
+}
+
+TEST_CASE("what the engine refuses for a cell stands at its problem or option, once") {
+    class Choosy final : public OtherEngine {
+      public:
+        std::string skip_reason(const Cell& cell) const override {
+            if (cell.problem == "free_top") { throw ParameterError("/mass", "expected a top that is lighter"); }
+            if (cell.projection == "terze") { throw OptionError("weight", "expected another weight here"); }
+            return OtherEngine::skip_reason(cell);
+        }
+    } const choosy;
+    const Engines engines{choosy, choosy};
+    const auto refusal = [&](const std::string& problem, const std::string& rest) {
+        try {
+            plan_of(parse_document("test.json", one_cell(problem, rest)), engines);
+        } catch (const UsageError& error) { return std::string(error.what()); }
+        return std::string();
+    };
+    CHECK(refusal("\"heavy_top\"", "") == "");
+    const std::string formulations = R"(, "formulations": ["SO3xR3", "SE3"])";
+    const std::string mass = refusal(R"({"name": "free_top", "parameters": {"mass": 3}})", formulations);
+    CHECK_THAT(mass, Catch::EndsWith(": /problems/0/parameters/mass: expected a top that is lighter"));
+    CHECK(mass.find('\n') == std::string::npos);
+    CHECK_THAT(refusal("\"heavy_top\"", R"(, "projections": [{"name": "terze", "weight": "mass"}])"),
+               Catch::EndsWith(": /projections/0/weight: expected another weight here"));
+}
+
+TEST_CASE("a figure may select what the experiment crosses, and nothing else") {
+    const auto refusal = [](const std::string& select) {
+        try {
+            plan_from(R"({"name": "n", "kind": "convergence", "precision": ["double", "quad"],
+                "problems": [{"name": "heavy_top", "label": "top"}], "formulations": ["SO3xR3", "SE3"],
+                "methods": ["rkmk/rk4", "rkmk/midpoint"], "projections": ["none", "terze"],
+                "time": {"end": 1, "steps": [4, 8]}, "figure": {"kind": "convergence", "select": )" +
+                      select + "}}");
+        } catch (const UsageError& error) { return std::string(error.what()); }
+        return std::string();
+    };
+    CHECK(refusal(R"({"problem": ["top", "heavy_top"], "formulation": "SE3", "method": "rkmk/rk4", "steps": 8,
+                      "projection": ["terze", "none"], "precision": "quad"})") == "");
+    CHECK(refusal(R"({"method": "rkmk/rk4 dexpinv=0", "projection": "terze weight=mass"})") == "");
+    const std::vector<std::array<std::string, 3>> cases = {
+        {"problem", "\"free_top\"", "a problem of this experiment, got \"free_top\""},
+        {"method", "\"rkmk/rk5\"", "a method of this experiment, got \"rkmk/rk5\"; did you mean \"rkmk/rk4\"?"},
+        {"projection", "\"position\"", "a projection of this experiment, got \"position\""},
+        {"precision", "\"duoble\"", "a precision of this experiment, got \"duoble\"; did you mean \"double\"?"}};
+    for (const auto& [key, value, message] : cases) {
+        const std::string text = refusal("{\"" + key + "\": " + value + "}");
+        CHECK_THAT(text, Catch::Contains(": /figure/select/" + key + ": expected " + message));
+    }
+}
+
+TEST_CASE("a long value is cut between characters") {
+    std::string text;
+    for (int i = 0; i < 20; ++i) { text += "ä"; }
+    CHECK(in_quotes("x" + text + text) == "\"x" + text + "äääääääää...\"");
+    CHECK(in_quotes(text) == "\"" + text + "\"");
 }

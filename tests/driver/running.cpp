@@ -310,3 +310,25 @@ TEST_CASE("verify finds results that were changed") {
     CHECK(result.code == 1);
     CHECK(result.out.find("1 differ") != std::string::npos);
 }
+
+TEST_CASE("an interrupted shard says how it is continued") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("slow.json", R"({"name": "slow", "kind": "drift", "problems": ["heavy_top"],
+        "methods": ["fake/slow"], "formulations": ["SO3xR3", "SE3"], "time": {"end": 1, "steps": [3000, 3001]}})");
+    const auto folder = scratch / "out";
+    const std::jthread interrupter([&](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            // Signals are caught before the manifest is written.
+            if (std::filesystem::exists(folder / "manifest.2-of-2.json")) {
+                ::kill(::getpid(), SIGTERM);
+                return;
+            }
+        }
+    });
+    const auto result = run(config, folder, {"--shard", "2/2", "-j", "1"});
+    CHECK(result.code == 130);
+    CHECK(result.messages.find("interrupted with 2 cells to go; continue with: kreisel run " + config + " -o " +
+                               folder.string() + " --shard 2/2 --resume\n") != std::string::npos);
+    CHECK(nlohmann::json::parse(contents(folder / "manifest.2-of-2.json"))["cells"]["missing"] == 2);
+}

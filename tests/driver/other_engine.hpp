@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The small engine, for a test that overrides a part of it.
+#pragma once
+
+#include "tests/driver/fake_engine.hpp"
+
+namespace kreisel {
+
+class OtherEngine : public Engine {
+  public:
+    std::vector<ProblemDescription> problems() const override { return fake_.problems(); }
+    std::vector<MethodDescription> methods() const override { return fake_.methods(); }
+    std::vector<ProjectionDescription> projections() const override { return fake_.projections(); }
+    std::vector<FormulationDescription> formulations() const override { return fake_.formulations(); }
+    SystemSummary summary(const std::string& problem, const ParameterValues& values,
+                          const std::string& formulation) const override {
+        return fake_.summary(problem, values, formulation);
+    }
+    Order declared_order(const std::string& method, const OptionValues& options) const override {
+        return fake_.declared_order(method, options);
+    }
+    std::string skip_reason(const Cell& cell) const override { return fake_.skip_reason(cell); }
+    Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop) const override {
+        return fake_.run(cell, reference, stop);
+    }
+    Reference reference(const std::string& problem, const ParameterValues& values, double t_end,
+                        const std::stop_token& stop) const override {
+        return fake_.reference(problem, values, t_end, stop);
+    }
+    ReferenceCheck check_reference(const std::string& problem, const ParameterValues& values,
+                                   const Reference& reference) const override {
+        return fake_.check_reference(problem, values, reference);
+    }
+    std::string reference_digest() const override { return fake_.reference_digest(); }
+
+  private:
+    FakeEngine fake_;
+};
+
+}  // namespace kreisel
