@@ -1,5 +1,6 @@
 # One Catch2 program per folder of tests and precision. A new test file is found by the glob.
 include(CTest)
+set(KREISEL_TEST_TIMEOUT 900 CACHE STRING "seconds that one suite may take; counting branches makes them slower")
 find_package(Catch2 2.13 REQUIRED)
 add_library(kreisel_test_main OBJECT ${CMAKE_SOURCE_DIR}/tests/main.cpp)
 target_link_libraries(kreisel_test_main PUBLIC Catch2::Catch2)
@@ -23,7 +24,7 @@ function(kreisel_suite suite variant)
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
   target_link_libraries(${target} PRIVATE kreisel_test_main Catch2::Catch2 ${arg_LIBRARIES})
   add_test(NAME ${suite}.${variant} COMMAND ${target})
-  set_tests_properties(${suite}.${variant} PROPERTIES LABELS ${suite} TIMEOUT 900)
+  set_tests_properties(${suite}.${variant} PROPERTIES LABELS ${suite} TIMEOUT ${KREISEL_TEST_TIMEOUT})
 endfunction()
 
 # The rule of observed orders, without the rest of the driver.
