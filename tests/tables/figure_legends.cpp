@@ -124,6 +124,7 @@ TEST_CASE("select names cells by step count, label, problem, method, options and
     CHECK(cells({{"steps", 128}}) == "1");
     CHECK(cells({{"problem", "heavy"}}) == "1");
     CHECK(cells({{"problem", {"heavy_top"}}, {"steps", 64}}) == "0234");
+    CHECK(cells({{"problem", "heavy_top"}, {"steps", 128}}) == "1");
     CHECK(cells({{"method", "rkmk/rk4"}}) == "01234");
     CHECK(cells({{"projection", "terze"}}) == "34");
     CHECK(cells({{"projection", {"none", "terze"}}, {"formulation", "SO3xR3"}}) == "01234");
