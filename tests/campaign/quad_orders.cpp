@@ -28,12 +28,12 @@ const Reference& reference(const std::string& problem, double t_end) {
     return found;
 }
 
-using Curves = std::map<std::string, std::vector<ErrorPoint>>;
+using ErrorCurves = std::map<std::string, std::vector<ErrorPoint>>;
 
 /// Empty where the pair does not run.
-Curves measure(const std::string& problem, const std::string& formulation, const MethodDescription& method,
-               double t_end) {
-    Curves curves;
+ErrorCurves measure(const std::string& problem, const std::string& formulation, const MethodDescription& method,
+                    double t_end) {
+    ErrorCurves curves;
     for (int level = 0; level < levels; ++level) {
         const Cell cell{.problem = problem,
                         .parameters = defaults(problem),
@@ -94,7 +94,7 @@ TEST_CASE("declared orders are observed in quad, below the round-off of double",
 TEST_CASE("quad turns down a method that claims one order more", "[campaign][control]") {
     for (const MethodDescription& method : engine_binary128().methods())
         if (method.name == "rkmk/kutta3") {
-            const Curves curves = measure("forced_heavy_top", "SO3xR3", method, end_time(3));
+            const ErrorCurves curves = measure("forced_heavy_top", "SO3xR3", method, end_time(3));
             const Reference& exact = reference("forced_heavy_top", end_time(3));
             CHECK(objection(curves.at("error.rotation"), "error.rotation", exact, 3) == "");
             CHECK(objection(curves.at("error.rotation"), "error.rotation", exact, 4) != "");
