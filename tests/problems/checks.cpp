@@ -17,7 +17,7 @@ const Real e = Real(1) / 131072;
 const Real e = Real(1) / 512;
 #endif
 const Real difference_tolerance = 400 * epsilon / e;
-const Real tolerance = 4000 * epsilon;
+const Real tolerance = 16000 * epsilon;  // complements have the square of the condition of M^{-1/2} C^T
 
 /// d f(x)/dx at 0.
 VecX derivative(const std::function<VecX(const Real&)>& f) {
