@@ -8,9 +8,9 @@
 set -euo pipefail
 
 shared=(
-    Cell Column Cost Engine Number Outcome Reference ReferenceCheck ReportedBody ReportedState           # engine.hpp
+    Cell Column ConstraintSummary Cost Engine Number Outcome Reference ReferenceCheck ReportedBody ReportedState           # engine.hpp
     SystemSummary Trajectory
-    BodyData ParameterError                                                                    # mechanics/data.hpp
+    BodyData ForceData JointData JointType ParameterError                                                                    # mechanics/data.hpp
     Elimination eliminate                                       # mechanics/elimination.hpp: the joint graph, integers
     MethodDescription OptionDescription OptionError Order ProjectionDescription             # methods/description.hpp
     Coefficient Tableau                                                                           # methods/tableau.hpp

@@ -9,6 +9,7 @@
 
 #include "lie/pair.hpp"
 #include "lie/rn.hpp"
+#include "lie/s3.hpp"
 #include "lie/se3.hpp"
 #include "lie/so3.hpp"
 
@@ -40,6 +41,13 @@ struct Representation;
 template <>
 struct Representation<SO3> {
     static MatX element(const Mat3& R) { return R; }
+    static MatX algebra(const Vec3& u) { return hat(u); }
+};
+
+/// By rotations, which do not tell a from -a: that is left to the laws.
+template <>
+struct Representation<S3> {
+    static MatX element(const S3::Element& a) { return S3::rotation(a); }
     static MatX algebra(const Vec3& u) { return hat(u); }
 };
 

@@ -31,6 +31,8 @@ inline std::vector<Named> groups() {
     const auto body = std::make_shared<Power<Pair<Rn<3>, SO3>>>(1);
     return {{"SO(3)", so3, {0}},
             {"SE(3)", se3, {3}},
+            {"S^3", std::make_shared<Power<S3>>(1), {0}},
+            {"R^3 x S^3", std::make_shared<Power<Pair<Rn<3>, S3>>>(1), {3}},
             {"R^3", std::make_shared<Power<Rn<3>>>(1), {}},
             {"R^3 x SO(3)", body, {3}},
             {"SO(3)^2", std::make_shared<Power<SO3>>(2), {0, 3}},

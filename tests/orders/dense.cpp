@@ -7,6 +7,7 @@
 #include "lie/pair.hpp"
 #include "lie/power.hpp"
 #include "lie/rn.hpp"
+#include "lie/s3.hpp"
 #include "lie/se3.hpp"
 
 namespace kreisel {
@@ -69,6 +70,19 @@ MatrixGroup matrix_so3xr3() {
             .hat = hat,
             .vee = vee,
             .matrix = matrix};
+}
+
+MatrixGroup matrix_s3xr3() {
+    MatrixGroup group = matrix_so3xr3();
+    const auto matrix = [](const Real* q) {  // stored x, then (w, v): R = I + 2 w hat(v) + 2 hat(v)^2
+        MatX g = MatX::Identity(7, 7);
+        const MatX V = skew(Eigen::Map<const VecX>(q + 4, 3));
+        g.block(3, 6, 3, 1) = Eigen::Map<const Vec3>(q);
+        g.topLeftCorner(3, 3) += 2 * q[3] * V + 2 * MatX(V * V);
+        return g;
+    };
+    group.name = "S3xR3", group.group = std::make_shared<Power<Pair<Rn<3>, S3>>>(1), group.matrix = matrix;
+    return group;
 }
 
 MatrixGroup matrix_se3() {

@@ -65,8 +65,8 @@ TEST_CASE("methods with multipliers take no steps but those of their equations",
 
 TEST_CASE("steps are checked in every formulation, with and without constraints", "[one_step]") {
     const auto top = models::applicable(models::standard("forced_heavy_top"));
-    CHECK(top == std::vector<std::string>{"SO3xR3", "SE3", "SO3"});  // on SO3 no constraint is left
-    CHECK(models::applicable(models::standard("forced_free_body")).size() == 2);
+    CHECK(top == std::vector<std::string>{"SO3xR3", "SE3", "S3xR3", "SO3"});  // on SO3 no constraint is left
+    CHECK(models::applicable(models::standard("forced_free_body")).size() == 3);
     CHECK(make_system(models::standard("forced_free_body"), "SE3")->constraints() == 0);
     CHECK(make_system(models::standard("double_pendulum"), "SE3")->constraints() == 6);
 }
@@ -84,7 +84,7 @@ TEST_CASE("baselines take no steps but those of their coordinates", "[one_step]"
 TEST_CASE("the dense logarithm is the inverse of the dense exponential", "[one_step]") {
     VecX u(6);
     u << 3, -2, 1, 1, Real(-3) / 2, Real(1) / 2;
-    for (const MatrixGroup& group : {matrix_so3xr3(), matrix_se3()}) {
+    for (const MatrixGroup& group : {matrix_so3xr3(), matrix_s3xr3(), matrix_se3()}) {
         const MatX U = group.hat(u);
         CHECK((dense_log(dense_exp(U)) - U).cwiseAbs().maxCoeff() < 1000 * epsilon);
         CHECK((group.vee(U) - u).cwiseAbs().maxCoeff() == 0);

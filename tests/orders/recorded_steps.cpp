@@ -5,13 +5,15 @@
 #include <Eigen/QR>
 #include <stdexcept>
 
+#include "lie/s3.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 namespace {
 
 MatrixGroup matrix_group(const std::string& formulation) {
-    for (const MatrixGroup& group : {matrix_so3(), matrix_so3xr3(), matrix_se3()})
+    for (const MatrixGroup& group : {matrix_so3(), matrix_so3xr3(), matrix_s3xr3(), matrix_se3()})
         if (group.name == formulation) return group;
     throw std::out_of_range("no dense matrices for formulation " + formulation);
 }
@@ -20,8 +22,11 @@ MatrixGroup matrix_group(const std::string& formulation) {
 VecX stored(const MatX& g, Eigen::Index size) {
     VecX q(size);
     const Mat3 R = g.topLeftCorner(3, 3);
-    q.tail(9) = Eigen::Map<const VecX>(R.data(), 9);
-    if (size == 12) q.head(3) = g.block(g.rows() - 4, g.cols() - 1, 3, 1);
+    if (size == 7)
+        q.tail(4) = S3::of_rotation(R);
+    else
+        q.tail(9) = Eigen::Map<const VecX>(R.data(), 9);
+    if (size != 9) q.head(3) = g.block(g.rows() - 4, g.cols() - 1, 3, 1);
     return q;
 }
 
