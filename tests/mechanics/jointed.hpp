@@ -88,7 +88,7 @@ inline Model rolling() {
     return model;
 }
 
-/// Four bars, the ground one of them: one row of a closed loop of three hinges and a cylindrical joint would be too many.
+/// A closed loop of four bars, the ground one of them: hinge, spherical, universal and cylindrical joint, 16 rows for 18.
 inline Model closed_loop() {
     Model model = bodies_in_a_row(3);
     join(model, ground, 0, JointType::revolute, Vec3(-1, 1, 0));
