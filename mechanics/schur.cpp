@@ -43,12 +43,13 @@ std::vector<std::set<int>> joint_graph(const std::vector<std::vector<Touch>>& to
 /// det S / (tr S)^2 bounds from below up to a factor of 4, is round-off of `size`, the trace before elimination: a
 /// dependent row leaves round-off there, never exactly zero, and the inverse alone is blind to that.
 bool invert_pivot(const Mat3& pivot, const Real& size, Mat3& inverse) {
-    const Mat3 S = pivot / size;  // free of units: products of three entries neither overflow nor vanish
+    const Real unit = 1 / size;
+    const Mat3 S = unit * pivot;  // free of units: products of three entries neither overflow nor vanish
     const Vec3 c0 = S.col(1).cross(S.col(2)), c1 = S.col(2).cross(S.col(0)), c2 = S.col(0).cross(S.col(1));
-    const Real determinant = S.col(0).dot(c0), trace = S.trace();
-    inverse.row(0) = c0 / determinant / size;
-    inverse.row(1) = c1 / determinant / size;
-    inverse.row(2) = c2 / determinant / size;
+    const Real determinant = S.col(0).dot(c0), trace = S.trace(), factor = unit / determinant;
+    inverse.row(0) = factor * c0;
+    inverse.row(1) = factor * c1;
+    inverse.row(2) = factor * c2;
     return determinant > 64 * epsilon * trace * trace;
 }
 
