@@ -27,10 +27,10 @@ void remove_results(const std::filesystem::path& folder) {
 }
 
 // Starts the workers and waits; true if some of them did not stop in time.
-bool run_workers(const std::shared_ptr<Campaign>& campaign, const RunSettings& settings, Progress& progress) {
+bool run_workers(const std::shared_ptr<Campaign>& campaign, unsigned workers, double grace, Progress& progress) {
     std::vector<std::jthread> threads;
-    campaign->working = settings.workers;
-    for (unsigned i = 0; i < settings.workers; ++i) {
+    campaign->working = workers;
+    for (unsigned i = 0; i < workers; ++i) {
         threads.emplace_back([campaign] {
             try {
                 campaign->work(campaign->stop.get_token());
@@ -40,7 +40,7 @@ bool run_workers(const std::shared_ptr<Campaign>& campaign, const RunSettings& s
     }
     const auto pause = std::chrono::milliseconds(20);
     double waited = 0;
-    while (campaign->working > 0 && waited < settings.grace) {
+    while (campaign->working > 0 && waited < grace) {
         std::this_thread::sleep_for(pause);
         progress.show(campaign->progress());
         if (InterruptGuard::requested()) {
@@ -132,7 +132,9 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
                    count_cells(plan, campaign->finished(), settings));
     Progress progress(messages, plan.config.name, settings.terminal);
     const auto start = std::chrono::steady_clock::now();
-    report.workers_left_behind = run_workers(campaign, settings, progress);
+    // Timed cells beside each other would measure each other's memory and share the caches.
+    const unsigned workers = plan.config.is_timed() ? 1 : settings.workers;
+    report.workers_left_behind = run_workers(campaign, workers, settings.grace, progress);
     if (const auto error = campaign->error()) { std::rethrow_exception(error); }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (const std::string complaint = campaign->cache_complaint(); !complaint.empty()) {

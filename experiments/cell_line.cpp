@@ -75,13 +75,14 @@ std::string trajectory_text(const Trajectory& trajectory) {
 
 FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, const Reference* reference) {
     FinishedCell cell{
-        planned.hash, outcome.status, outcome.detail, outcome.t_reached, planned.identity, outcome.cost.cpu_s, ""};
+        planned.hash, outcome.status, outcome.detail, outcome.t_reached, planned.identity, outcome.cost, ""};
     cell.line += member("status", json_text(outcome.status));
     if (!outcome.detail.empty()) { cell.line += member("detail", json_text(outcome.detail)); }
     if (cell.failed()) {
         cell.line += member("steps_done", fmt::format("{}", outcome.steps_done));
         cell.line += member("t_reached", json_number(outcome.t_reached));
     }
+    if (planned.cell.timed && outcome.bodies > 0) { cell.line += member("bodies", fmt::format("{}", outcome.bodies)); }
     if (outcome.final) { cell.line += member("final", json_value(*outcome.final, planned.quad())); }
     if (outcome.constraints.rows > 0) {
         cell.line += member("constraints", constraints_text(outcome.constraints, planned.quad()));
@@ -99,7 +100,10 @@ FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, c
 
 std::string journal_line(const FinishedCell& cell, const std::string& build) {
     std::string text = cell.line.substr(0, cell.line.size() - 2);  // both braces: cost's and the line's
-    text += fmt::format("{}{}}}", cpu_key, json_number(cell.cpu_s));
+    text += fmt::format("{}{}", cpu_key, json_number(cell.cost.cpu_s));
+    if (cell.cost.step_s) { text += member("step_s", json_number(*cell.cost.step_s)); }
+    if (cell.cost.memory) { text += member("memory", json_number(*cell.cost.memory)); }
+    text += "}";
     text += member("build", json_text(build));
     return fmt::format("{}{}{}\"}}", text, sum_key, hash_text(text));
 }
@@ -117,7 +121,10 @@ std::optional<FinishedCell> read_journal_line(const std::string& line, const std
     cell.status = value.at("status");
     cell.detail = value.value("detail", "");
     cell.t_reached = value.value("t_reached", 0.0);
-    cell.cpu_s = value.at("cost").at("cpu_s");
+    const auto& cost = value.at("cost");
+    cell.cost.cpu_s = cost.at("cpu_s");
+    if (cost.contains("step_s")) { cell.cost.step_s = cost.at("step_s").get<double>(); }
+    if (cost.contains("memory")) { cell.cost.memory = cost.at("memory").get<double>(); }
     cell.trajectory_sum = value.value("trajectory_sum", "");
     cell.line = line.substr(0, cpu_at) + "}}";
     return cell;

@@ -17,7 +17,7 @@ struct FinishedCell {
     std::string detail;
     double t_reached = 0;
     std::string line;
-    double cpu_s = 0;
+    Cost cost;
     std::string trajectory_sum;  ///< hash of the trajectory file; empty where there is none
     bool failed() const { return status != "ok" && status != "skipped"; }
 };
@@ -31,7 +31,7 @@ std::string trajectory_text(const Trajectory& trajectory);
 /// Throws std::logic_error if the outcome holds a number that is not finite.
 FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, const Reference* reference);
 
-/// The journal line of a cell: its result line, then cpu_s, build and check sum.
+/// The journal line of a cell: its result line, then its times, build and check sum.
 std::string journal_line(const FinishedCell& cell, const std::string& build);
 
 /// What a journal line holds, or nothing if it is torn, damaged, or was written by another build.

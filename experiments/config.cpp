@@ -103,15 +103,7 @@ std::string read_label(const Node& entry, const std::string& standard) {
     return label.value_or(standard);
 }
 
-void add_problem(const Node& entry, const ProblemDescription& description, Config& config) {
-    ProblemEntry problem{description.name, read_label(entry, description.name), default_parameters(description),
-                         entry.pointer()};
-    if (entry.is_object()) {
-        entry.only_keys({"name", "label", "parameters"});
-        if (const auto parameters = entry.find("parameters")) {
-            problem.parameters = read_parameters(*parameters, description);
-        }
-    }
+void add_problem(const Node& entry, ProblemEntry problem, Config& config) {
     for (const ProblemEntry& other : config.problems) {
         if (other.label == problem.label) {
             entry.error("a \"label\" of its own for each problem",
@@ -126,12 +118,25 @@ void add_problem(const Node& entry, const ProblemDescription& description, Confi
     config.problems.push_back(std::move(problem));
 }
 
+void add_problems(const Node& entry, const ProblemDescription& description, Config& config) {
+    const std::string series = read_label(entry, description.name);
+    std::vector<ParameterPoint> points = {{default_parameters(description), ""}};
+    if (entry.is_object()) {
+        entry.only_keys({"name", "label", "parameters"});
+        if (const auto parameters = entry.find("parameters")) { points = read_parameters(*parameters, description); }
+    }
+    for (ParameterPoint& point : points) {
+        add_problem(entry, {description.name, series, series + point.listed, std::move(point.values), entry.pointer()},
+                    config);
+    }
+}
+
 void read_problems(const Node& root, const Registry& registry, Config& config) {
     const auto node = root.require("problems", "a list of at least one problem");
     const auto entries = node ? node->elements("a list of at least one problem") : std::nullopt;
     for (const Node& entry : entries.value_or(std::vector<Node>())) {
         if (const auto* description = described(entry, "problem", registry.problems)) {
-            add_problem(entry, *description, config);
+            add_problems(entry, *description, config);
         }
     }
 }
@@ -210,10 +215,14 @@ void read_output(const Node& root, Config& config) {
     }
 }
 
+std::vector<std::string> standard_metrics(const std::string& kind) {
+    if (kind == "scaling") { return {}; }
+    if (kind == "convergence") { return {"error.*", "defect.*", "invariant.*"}; }
+    return {"defect.*", "invariant.*"};
+}
+
 void read_metrics(const Node& root, Config& config) {
-    const bool errors = config.kind == "convergence";
-    config.metrics = errors ? std::vector<std::string>{"error.*", "defect.*", "invariant.*"}
-                            : std::vector<std::string>{"defect.*", "invariant.*"};
+    config.metrics = standard_metrics(config.kind);
     const auto node = root.find("metrics");
     if (!node) { return; }
     config.metrics_given = true;
@@ -229,6 +238,19 @@ void read_metrics(const Node& root, Config& config) {
         } else if (pattern) {
             config.metrics.push_back(*pattern);
         }
+    }
+}
+
+// What would be measured along the way would be measured with the steps.
+void check_timed(const Node& root, const Config& config) {
+    if (!config.is_timed()) { return; }
+    if (!config.metrics.empty()) {
+        root.find("metrics")->error("no metrics (an empty list, or none): this kind measures the steps alone",
+                                    listed(config.metrics));
+    }
+    if (config.samples > 0) {
+        root.find("output")->find("samples")->error("0: this kind measures the steps alone",
+                                                    fmt::format("{}", config.samples));
     }
 }
 
@@ -248,12 +270,12 @@ void read_description(const Node& root, Config& config) {
 }  // namespace
 
 const std::vector<std::string>& runnable_kinds() {
-    static const std::vector<std::string> kinds = {"trajectory", "convergence", "drift"};
+    static const std::vector<std::string> kinds = {"trajectory", "convergence", "drift", "scaling"};
     return kinds;
 }
 
 const std::vector<std::string>& reserved_kinds() {
-    static const std::vector<std::string> kinds = {"work_precision", "scaling"};
+    static const std::vector<std::string> kinds = {"work_precision"};
     return kinds;
 }
 
@@ -283,6 +305,7 @@ Config read_config(const Document& document, const Registry& registry) {
     read_output(root, config);
     read_metrics(root, config);
     read_figure(root, config);
+    check_timed(root, config);
     sink.raise();
     return config;
 }

@@ -14,7 +14,8 @@ namespace kreisel {
 
 struct ProblemEntry {
     std::string name;
-    std::string label;
+    std::string series;          ///< the label as written; entries that one list of values made share it
+    std::string label;           ///< of its own: the series, and the values of listed parameters
     ParameterValues parameters;  ///< complete
     std::string pointer;         ///< where it stands in the config
 };
@@ -41,6 +42,8 @@ struct Config {
     std::vector<std::string> metrics;
     bool metrics_given = false;  ///< false: the defaults of the kind hold
     nlohmann::json figure;       ///< as written; null where there is none
+    /// True if cells measure the time and memory of their steps: then they run one at a time.
+    bool is_timed() const { return kind == "scaling"; }
 };
 
 /// Reads a config. Throws UsageError with every error found; physical validity is checked when the plan is made.

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "experiments/config_parts.hpp"
+#include "experiments/json_writer.hpp"
 #include "experiments/model_keys.hpp"
 
 namespace kreisel {
@@ -29,6 +32,37 @@ std::optional<ParameterValue> read_value(const Node& node, ParameterKind kind) {
             return widened(node.flag());
     }
     return std::nullopt;
+}
+
+bool is_number(ParameterKind kind) { return kind == ParameterKind::scalar || kind == ParameterKind::positive; }
+
+std::vector<double> read_list(const Node& list, ParameterKind kind) {
+    std::vector<double> values;
+    for (const Node& entry :
+         list.elements(expectation(kind) + ", or a list of such numbers").value_or(std::vector<Node>())) {
+        const auto value = read_value(entry, kind);
+        if (!value) { continue; }
+        const double number = std::get<double>(*value);
+        if (std::find(values.begin(), values.end(), number) != values.end()) {
+            entry.error("each value once", json_number(number) + " again");
+        } else {
+            values.push_back(number);
+        }
+    }
+    return values;
+}
+
+std::vector<ParameterPoint> crossed(const std::vector<ParameterPoint>& points, const std::string& name,
+                                    const std::vector<double>& values) {
+    std::vector<ParameterPoint> all;
+    for (const ParameterPoint& point : points) {
+        for (const double value : values) {
+            all.push_back(point);
+            all.back().values[name] = value;
+            if (values.size() > 1) { all.back().listed += ", " + name + " = " + json_number(value); }
+        }
+    }
+    return all;
 }
 
 }  // namespace
@@ -63,16 +97,20 @@ ParameterValues default_parameters(const ProblemDescription& problem) {
     return values;
 }
 
-ParameterValues read_parameters(const Node& written, const ProblemDescription& problem) {
-    ParameterValues values = default_parameters(problem);
-    if (!written.require_object("an object of parameters")) { return values; }
+std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDescription& problem) {
+    std::vector<ParameterPoint> points = {{default_parameters(problem), ""}};
+    if (!written.require_object("an object of parameters")) { return points; }
     written.only_keys(names_of(problem.parameters));
     for (const ParameterDescription& parameter : problem.parameters) {
-        if (const auto node = written.find(parameter.name)) {
-            if (const auto value = read_value(*node, parameter.kind)) { values[parameter.name] = *value; }
+        const auto node = written.find(parameter.name);
+        if (!node) { continue; }
+        if (is_number(parameter.kind) && node->is_array()) {
+            points = crossed(points, parameter.name, read_list(*node, parameter.kind));
+        } else if (const auto value = read_value(*node, parameter.kind)) {
+            for (ParameterPoint& point : points) { point.values[parameter.name] = *value; }
         }
     }
-    return values;
+    return points;
 }
 
 }  // namespace kreisel

@@ -14,8 +14,15 @@ namespace kreisel {
 /// What a parameter of this kind is written as, in words.
 std::string expectation(ParameterKind kind);
 
-/// Fills in what `written` (an object) gives; what it does not give keeps its default.
-ParameterValues read_parameters(const Node& written, const ProblemDescription& problem);
+/// One combination of listed parameters.
+struct ParameterPoint {
+    ParameterValues values;  ///< complete
+    std::string listed;      ///< ", links = 8": the values of the parameters that vary
+};
+
+/// Fills in what `written` (an object) gives; what it does not give keeps its default. A number given as a list is an
+/// axis: all combinations, the last parameter of the description varying fastest.
+std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDescription& problem);
 ParameterValues default_parameters(const ProblemDescription& problem);
 
 /// Vectors, matrices row by row, and inertias (three numbers or a symmetric matrix).

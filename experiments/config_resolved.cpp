@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "experiments/config.hpp"
 #include "experiments/json_writer.hpp"
 
@@ -15,12 +17,38 @@ std::string list_of(const Entries& entries, const Write& write) {
     return "[" + text + "]";
 }
 
-std::string problem_text(const ProblemEntry& problem) {
+// The values that a number takes among entries, in order of first appearance: one, or those of a list.
+std::string number_text(const std::vector<ProblemEntry>& entries, const std::string& name) {
+    std::vector<double> values;
+    for (const ProblemEntry& entry : entries) {
+        const double value = std::get<double>(entry.parameters.at(name));
+        if (std::find(values.begin(), values.end(), value) == values.end()) { values.push_back(value); }
+    }
+    return values.size() == 1 ? json_number(values.front()) : list_of(values, json_number);
+}
+
+// Entries that came from one, as one again.
+std::string problem_text(const std::vector<ProblemEntry>& entries) {
+    const ProblemEntry& first = entries.front();
+    ObjectWriter parameters;
+    for (const auto& [name, value] : first.parameters) {
+        const bool number = std::holds_alternative<double>(value);
+        parameters.member(name, number ? number_text(entries, name) : json_value(value));
+    }
     return ObjectWriter()
-        .member("name", json_text(problem.name))
-        .member("label", json_text(problem.label))
-        .member("parameters", json_value(problem.parameters))
+        .member("name", json_text(first.name))
+        .member("label", json_text(first.series))
+        .member("parameters", parameters.text())
         .text();
+}
+
+std::vector<std::vector<ProblemEntry>> as_written(const std::vector<ProblemEntry>& problems) {
+    std::vector<std::vector<ProblemEntry>> entries;
+    for (const ProblemEntry& problem : problems) {
+        if (entries.empty() || entries.back().front().pointer != problem.pointer) { entries.emplace_back(); }
+        entries.back().push_back(problem);
+    }
+    return entries;
 }
 
 std::string optioned_text(const OptionedEntry& entry) {
@@ -37,7 +65,7 @@ std::string resolved_config(const Config& config) {
     object.member("name", json_text(config.name));
     if (!config.description.empty()) { object.member("description", json_text(config.description)); }
     object.member("kind", json_text(config.kind)).member("precision", json_value(config.precisions));
-    object.member("problems", list_of(config.problems, problem_text));
+    object.member("problems", list_of(as_written(config.problems), problem_text));
     object.member("formulations", json_value(config.formulations));
     object.member("methods", list_of(config.methods, optioned_text));
     object.member("projections", list_of(config.projections, optioned_text));

@@ -69,6 +69,7 @@ struct Cell {
     long steps = 1;
     long samples = 0;                  ///< K: K+1 equidistant samples are kept; divides `steps`
     std::vector<std::string> metrics;  ///< names or patterns with `*`
+    bool timed = false;                ///< measure time and memory of the steps, and nothing else
 };
 
 struct Cost {
@@ -76,6 +77,8 @@ struct Cost {
     long projection_iterations = 0;   ///< Gauss-Newton iterations, all steps
     long output_evaluations = 0;      ///< solves for start, metrics and samples
     double cpu_s = 0;
+    std::optional<double> step_s;  ///< of a timed cell: CPU time per step in the fastest of several runs, s
+    std::optional<double> memory;  ///< of a timed cell: what system, method, projection and state occupy, bytes
 };
 
 struct Column {
@@ -99,10 +102,12 @@ struct ConstraintSummary {
 };
 
 /// What a cell came to. `status` is "ok", "skipped", "interrupted", or the name of a Status (lie/status.hpp);
-/// `detail` says when and where in words. A failed cell keeps what it measured up to `t_reached`.
+/// `detail` says when and where in words. A failed cell keeps what it measured up to `t_reached`. A timed cell has no final
+/// state: that of ten thousand bodies would fill the results.
 struct Outcome {
     std::string status = "ok";
     std::string detail;
+    int bodies = 0;
     long steps_done = 0;
     double t_reached = 0;
     std::optional<ReportedState> final;

@@ -12,7 +12,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const Names kinds = {"path3d", "motion", "components", "convergence", "drift", "invariants"};
+const Names kinds = {"path3d", "motion", "components", "convergence", "drift", "invariants", "scaling"};
 const Names axes = {"problem", "formulation", "method", "projection", "precision"};
 
 // The keys that each kind understands, besides kind, name, title, select.
@@ -23,6 +23,7 @@ const Names& keys_of(const std::string& kind) {
         {"components", {"body", "until", "quantity", "stacked", "columns"}},
         {"convergence", {"metric", "facet", "columns"}},
         {"drift", {"metric", "facet", "columns"}},
+        {"scaling", {"metric", "facet", "columns"}},
         {"invariants", {"metric", "facet", "columns", "relative"}}};
     return keys.at(kind);
 }
@@ -72,8 +73,11 @@ void read_name(const Node& node, FigureSpec& spec) {
 }
 
 void read_metrics(const Node& node, FigureSpec& spec) {
-    const std::string family = spec.kind == "convergence" ? "error." : spec.kind == "drift" ? "defect." : "invariant.";
-    const std::string expected = fmt::format("{} metric {}*, or a list of them", family == "defect." ? "a" : "an", family);
+    static const std::map<std::string, std::string> families = {
+        {"convergence", "error."}, {"drift", "defect."}, {"invariants", "invariant."}, {"scaling", "cost."}};
+    const std::string& family = families.at(spec.kind);
+    const std::string expected =
+        fmt::format("{} metric {}*, or a list of them", family == "defect." || family == "cost." ? "a" : "an", family);
     spec.metrics.clear();
     for (const Node& entry : node.elements_or_self()) {
         const auto metric = entry.text(expected, 100);
@@ -136,7 +140,7 @@ bool is_figure_name(const std::string& name) {
     return letters && !name.empty() && name.size() <= 80 && name[0] != '-';
 }
 
-bool draws_samples(const std::string& kind) { return kind != "convergence"; }
+bool draws_samples(const std::string& kind) { return kind != "convergence" && kind != "scaling"; }
 
 FigureSpec standard_figure(const std::string& kind, const std::string& experiment) {
     FigureSpec spec;
@@ -144,6 +148,7 @@ FigureSpec standard_figure(const std::string& kind, const std::string& experimen
     spec.name = is_figure_name(experiment) ? experiment : "figure";
     if (spec.kind == "convergence") { spec.metrics = {"error.position"}; }
     if (spec.kind == "drift") { spec.metrics = {"defect.position", "defect.velocity"}; }
+    if (spec.kind == "scaling") { spec.metrics = {"cost.step", "cost.memory"}; }
     if (spec.kind == "invariants") { spec.metrics = {"invariant.energy"}; }
     return spec;
 }

@@ -2,13 +2,13 @@
 //
 // What a config may ask for under "figure": one object or a list of them. Each gives one figure.
 //
-//   kind      path3d, motion, components, convergence, drift, invariants
+//   kind      path3d, motion, components, convergence, drift, invariants, scaling
 //   name      file name without extension: small letters, digits, "_", "-"; default: the name of the experiment
 //   title     text above the figure; default none
 //   select    cells to draw: {"problem": "slow", "formulation": ["SO3xR3", "SE3"], "steps": 1000, ...}, keys: problem
 //             (the label), formulation, method, projection, precision, steps; default all
-//   facet     convergence, drift, invariants: one panel per value of problem, formulation, method, projection, precision
-//   metric    convergence, drift, invariants: one metric, or a list, a panel each
+//   facet     convergence, drift, invariants, scaling: one panel per value of problem, formulation, method, projection, precision
+//   metric    convergence, drift, invariants, scaling: one metric, or a list, a panel each
 //   relative  invariants: divide by |I0| (false)
 //   body      path3d, motion, components: name of the body; default the first
 //   quantity  components: x, v, omega or multipliers ("x")

@@ -9,6 +9,7 @@
 
 #include "experiments/table_drift.hpp"
 #include "experiments/table_orders.hpp"
+#include "experiments/table_scaling.hpp"
 
 namespace kreisel {
 
@@ -117,6 +118,18 @@ std::string growth_text(const std::optional<GrowthLaw>& law, double largest, dou
     if (law && std::abs(law->exponent) < 0.005) { return "constant"; }
     if (law) { return fmt::format("∝ t^{{{:.2f} ± {:.2f}}}", law->exponent, law->spread); }
     return largest <= roundoff ? "round-off" : "no growth law";
+}
+
+std::string scaling_text(const std::optional<ScalingLaw>& law) {
+    return law ? fmt::format(": ∝ N^{{{:.3f} ± {:.3f}}}", law->exponent, law->error) : "";
+}
+
+std::vector<Point> scaling_line(const ScalingLaw& law) {
+    const auto at = [&](long n) {
+        const auto bodies = static_cast<double>(n);
+        return Point{bodies, law.coefficient * std::pow(bodies, law.exponent)};
+    };
+    return {at(law.from), at(law.to)};
 }
 
 std::vector<Point> zipped(const std::vector<double>& x, const std::vector<double>& y, double factor = 1) {
@@ -259,6 +272,49 @@ PanelFigure invariants_figure(const FigureSpec& spec, const Results& results, co
     }
     if (figure.panels.empty()) {
         throw FigureError(fmt::format("{}: the selected cells hold no such invariant", spec.name));
+    }
+    return figure;
+}
+
+PanelFigure scaling_figure(const FigureSpec& spec, const Results& results) {
+    const auto rows = by_series(selected_rows(spec, results));
+    const CellNames names(rows);
+    const auto axes = legend_axes(spec, names);
+    const auto curves = scaling_curves(rows);
+    Styles styles;
+    PanelFigure figure = empty_figure(spec);
+    for (const PanelKey& key : panel_keys(spec, names, rows)) {
+        const auto& quantities = scaling_quantities();
+        const auto quantity = std::find_if(quantities.begin(), quantities.end(),
+                                           [&](const ScalingQuantity& one) { return one.name == key.metric; });
+        if (quantity == quantities.end()) { continue; }
+        Panel panel{
+            facet_title(spec, key), "number of bodies N", quantity->label, true, !quantity->per_body, {}, {}, {}};
+        for (const CellGroup& group : curves) {
+            if (!in_panel(spec, names, group.front(), key)) { continue; }
+            // Constant or not is what a curve per body shows by itself, above zero.
+            const auto law = quantity->per_body ? std::nullopt : scaling_law(group, key.metric);
+            const std::string label = names.legend(group.front(), axes);
+            Curve curve{enhanced_escape(label) + scaling_text(law), {}, styles.of(label)};
+            for (const ResultRow* row : group.rows) {
+                if (const auto value = scaling_value(*row, key.metric)) {
+                    curve.points.push_back({static_cast<double>(row->bodies), *value / quantity->unit});
+                }
+            }
+            if (curve.points.empty()) { continue; }
+            if (quantity->per_body) {
+                panel.guides.push_back({{curve.points.front().x, 0}, {curve.points.back().x, 0}});
+            }
+            if (law) { panel.guides.push_back(scaling_line(*law)); }
+            panel.curves.push_back(std::move(curve));
+        }
+        if (!panel.curves.empty()) { figure.panels.push_back(std::move(panel)); }
+    }
+    if (figure.panels.empty()) {
+        throw FigureError(
+            fmt::format("{}: the selected cells hold no such cost; the times stand in the journals beside "
+                        "the results",
+                        spec.name));
     }
     return figure;
 }

@@ -16,6 +16,8 @@ PanelFigure convergence_figure(const FigureSpec& spec, const Results& results);
 PanelFigure drift_figure(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder);
 /// Running maxima of |I - I0|, or of |I - I0|/|I0|, against time.
 PanelFigure invariants_figure(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder);
+/// Time and memory against the number of bodies, with the exponent of each curve in the legend.
+PanelFigure scaling_figure(const FigureSpec& spec, const Results& results);
 /// The components of x, v, omega or the multipliers against time.
 PanelFigure components_figure(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder);
 

@@ -96,8 +96,8 @@ std::string content_of(const PlannedCell& planned) {
     const Cell& cell = planned.cell;
     std::vector<std::string> metrics = cell.metrics;
     std::sort(metrics.begin(), metrics.end());
-    return ObjectWriter()
-        .member("problem", json_text(cell.problem))
+    ObjectWriter object;
+    object.member("problem", json_text(cell.problem))
         .member("parameters", json_value(cell.parameters))
         .member("formulation", json_text(cell.formulation))
         .member("method", json_text(cell.method))
@@ -108,8 +108,9 @@ std::string content_of(const PlannedCell& planned) {
         .member("t_end", json_number(cell.t_end))
         .member("steps", fmt::format("{}", cell.steps))
         .member("samples", fmt::format("{}", cell.samples))
-        .member("metrics", json_value(metrics))
-        .text();
+        .member("metrics", json_value(metrics));
+    if (cell.timed) { object.member("timed", "true"); }
+    return object.text();
 }
 
 std::string json_order(const Order& order) {
@@ -124,7 +125,9 @@ std::string identity_of(const PlannedCell& planned, const Order& order) {
     const Cell& cell = planned.cell;
     ObjectWriter object;
     object.member("cell", json_text(planned.hash)).member("problem", json_text(cell.problem));
-    object.member("label", json_text(planned.label)).member("parameters", json_value(cell.parameters));
+    object.member("label", json_text(planned.label));
+    if (planned.series != planned.label) { object.member("series", json_text(planned.series)); }
+    object.member("parameters", json_value(cell.parameters));
     object.member("formulation", json_text(cell.formulation)).member("method", json_text(cell.method));
     object.member("options", json_value(cell.options)).member("order", json_order(order));
     object.member("projection", json_text(cell.projection));
@@ -161,7 +164,8 @@ class Crossing {
                 PlannedCell planned;
                 planned.cell = {problem.name,   problem.parameters, formulation,        method.name,
                                 method.options, projection.name,    projection.options, config.t_end,
-                                steps,          config.samples,     config.metrics};
+                                steps,          config.samples,     config.metrics,     config.is_timed()};
+                planned.series = problem.series;
                 planned.label = problem.label;
                 planned.precision = precision;
                 add(std::move(planned), problem, method, projection);

@@ -14,6 +14,7 @@ namespace kreisel {
 
 struct PlannedCell {
     Cell cell;
+    std::string series;
     std::string label;
     std::string precision;
     std::string hash;         ///< 16 hexadecimal digits over all that decides the numbers

@@ -8,6 +8,7 @@
 #include "experiments/figure.hpp"
 #include "experiments/metric_names.hpp"
 #include "experiments/nearest.hpp"
+#include "experiments/table_scaling.hpp"
 
 namespace kreisel {
 
@@ -31,7 +32,7 @@ std::vector<std::string> selectable(const std::string& key, const Config& config
     }
     if (key == "problem") {
         for (const ProblemEntry& problem : config.problems) {
-            values.insert(values.end(), {problem.label, problem.name});
+            values.insert(values.end(), {problem.label, problem.series, problem.name});
         }
     }
     if (key == "formulation") { values = config.formulations; }
@@ -47,6 +48,13 @@ class FigureCheck {
         : document_(document), config_(plan.config), metrics_(metrics), sink_(sink) {}
 
     void check(const FigureSpec& spec) {
+        if ((spec.kind == "scaling") != config_.is_timed()) {
+            sink_.add({spec.pointer + "/kind",
+                       config_.is_timed() ? "\"scaling\", the figure of an experiment of this kind"
+                                          : "a figure of states or errors (\"scaling\" draws experiments of that kind)",
+                       in_quotes(spec.kind)});
+            return;
+        }
         if (draws_samples(spec.kind) && config_.samples == 0) {
             sink_.add({spec.pointer + "/kind",
                        "an experiment that stores samples (\"output\": {\"samples\": K}), since this figure draws them",
@@ -69,14 +77,23 @@ class FigureCheck {
     void check_metric(const FigureSpec& spec, std::size_t i) {
         const std::string& metric = spec.metrics[i];
         const std::string pointer = place(spec.pointer + "/metric", i);
+        if (spec.kind == "scaling") { return check_cost(metric, pointer); }
         if (!in_list(metrics_, metric)) {
             sink_.add({pointer, "a metric of these problems (see kreisel list metrics)", in_quotes(metric),
                        nearest_name(metric, metrics_)});
         } else if (std::none_of(config_.metrics.begin(), config_.metrics.end(),
                                 [&](const std::string& pattern) { return matches(pattern, metric); })) {
-            sink_.add({pointer, "a metric that this experiment measures (key \"metrics\"; here " +
-                                    (config_.metrics.empty() ? "none" : listed(config_.metrics)) + ")",
+            sink_.add({pointer,
+                       "a metric that this experiment measures (key \"metrics\"; here " +
+                           (config_.metrics.empty() ? "none" : listed(config_.metrics)) + ")",
                        in_quotes(metric)});
+        }
+    }
+
+    void check_cost(const std::string& metric, const std::string& pointer) {
+        const auto names = names_of(scaling_quantities());
+        if (!in_list(names, metric)) {
+            sink_.add({pointer, "one of " + listed(names), in_quotes(metric), nearest_name(metric, names)});
         }
     }
 

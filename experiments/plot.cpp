@@ -32,6 +32,7 @@ void write_data(const FigureSpec& spec, const Results& results, const std::files
     if (spec.kind == "convergence") { return write_panels(plotdata, convergence_figure(spec, results)); }
     if (spec.kind == "drift") { return write_panels(plotdata, drift_figure(spec, results, folder)); }
     if (spec.kind == "invariants") { return write_panels(plotdata, invariants_figure(spec, results, folder)); }
+    if (spec.kind == "scaling") { return write_panels(plotdata, scaling_figure(spec, results)); }
     if (spec.kind == "components") { return write_panels(plotdata, components_figure(spec, results, folder)); }
     throw FigureError(fmt::format("{}: no figure shows an experiment of kind {}; describe one under \"figure\"",
                                   spec.name, spec.kind));

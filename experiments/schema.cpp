@@ -111,9 +111,9 @@ Schema element_list(ParameterKind kind, std::size_t least) {
 Schema parameter(ParameterKind kind) {
     switch (kind) {
         case ParameterKind::scalar:
-            return number();
+            return one_or_list(number());
         case ParameterKind::positive:
-            return positive();
+            return one_or_list(positive());
         case ParameterKind::vector:
             return list_of_three(number());
         case ParameterKind::inertia:
@@ -191,6 +191,13 @@ Schema time() {
     return schema;
 }
 
+// A kind other than scaling, or nothing measured beside the steps.
+Schema not_timed() { return {{"properties", {{"kind", {{"not", {{"const", "scaling"}}}}}}}}; }
+Schema measures_nothing_else() {
+    return {{"properties",
+             {{"metrics", {{"maxItems", 0}}}, {"output", {{"properties", {{"samples", {{"maximum", 0}}}}}}}}}};
+}
+
 }  // namespace
 
 Schema config_schema(const Registry& registry) {
@@ -210,6 +217,7 @@ Schema config_schema(const Registry& registry) {
                 {"output", object({{"samples", integer(0, 10'000'000)}}, {})},
                 {"figure", {{"anyOf", {figure, list(figure, 0)}}}}},
                {"name", "kind", "problems", "methods", "time"});
+    schema["anyOf"] = Schema::array({not_timed(), measures_nothing_else()});
     schema["$schema"] = "http://json-schema.org/draft-07/schema#";
     schema["title"] = "kreisel config";
     return schema;

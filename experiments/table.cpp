@@ -10,6 +10,7 @@
 #include "experiments/table_drift.hpp"
 #include "experiments/table_orders.hpp"
 #include "experiments/table_references.hpp"
+#include "experiments/table_scaling.hpp"
 
 namespace kreisel {
 
@@ -63,6 +64,11 @@ Exit table_command(const std::filesystem::path& folder) {
         writer.write(references_table(results), false);
         writer.write(orders_in_full(results), orders_in_brief(results), true);
         writer.write(errors_in_full(results), errors_in_brief(results), true);
+    }
+    const bool scaling = results.config.is_object() && results.config.value("kind", "") == "scaling";
+    if (scaling) {
+        writer.write(scaling_table(results, exact_number), scaling_table(results, short_number), true);
+        writer.write(scaling_laws_table(results), true);
     }
     writer.write(drift_table(results, folder, exact_number), drift_table(results, folder, short_number), !convergence);
     writer.write(invariants_table(results, exact_number), invariants_table(results, short_number), !convergence);

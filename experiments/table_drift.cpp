@@ -5,41 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "experiments/order.hpp"
-#include "experiments/table_orders.hpp"
 
 namespace kreisel {
 
 namespace {
 
-double metric(const ResultRow& row, const std::string& name) {
-    const auto found = row.metrics.find(name);
-    return found == row.metrics.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
-}
-
-TextTable table_of(std::string name, std::string title, const std::vector<std::string>& columns) {
-    TextTable table{std::move(name), std::move(title), CellNames::axes(), {}};
-    table.columns.insert(table.columns.end(), columns.begin(), columns.end());
-    return table;
-}
-
-void add(TextTable& table, const CellNames& names, const ResultRow& row, const std::vector<std::string>& cells) {
-    auto line = identity(names, row);
-    line.insert(line.end(), cells.begin(), cells.end());
-    table.rows.push_back(std::move(line));
-}
+double metric(const ResultRow& row, const std::string& name) { return value_or_nan(row.metrics, name); }
 
 std::vector<std::string> growth_cells(const std::optional<GrowthLaw>& growth) {
     if (!growth) { return {"-", "-", "-"}; }
     return {fmt::format("{:.2f}", growth->exponent), fmt::format("{:.2f}", growth->spread),
             fmt::format("{:.4g}–{:.4g}", growth->from, growth->to)};
 }
-
-}  // namespace
-
-namespace {
 
 // max |omega| |v| over all samples and bodies: the size of the accelerations of a body that is whirled about a joint.
 double largest_acceleration(const TrajectoryTable& trajectory) {
@@ -93,8 +72,8 @@ std::vector<std::string> plain_metrics(const std::vector<ResultRow>& rows, const
 
 TextTable drift_table(const Results& results, const std::filesystem::path& folder, std::string (*number)(double)) {
     const CellNames names(results.rows);
-    TextTable table = table_of("drift", "Constraint and orthogonality defects: " + results.name,
-                               {"steps", "h [s]", "defect", "maximum", "final", "exponent", "spread", "range [s]"});
+    TextTable table = cell_table("drift", "Constraint and orthogonality defects: " + results.name,
+                                 {"steps", "h [s]", "defect", "maximum", "final", "exponent", "spread", "range [s]"});
     table.notes = {
         "Growth law: the running maximum of the defect grows like t^exponent over the given range of t (least squares "
         "in log-log over the last two octaves); spread: largest distance of an octave's own exponent from it. None is "
@@ -110,7 +89,7 @@ TextTable drift_table(const Results& results, const std::filesystem::path& folde
             for (std::string& cell : growth_cells(growth_of(trajectory, name, row.precision))) {
                 cells.push_back(std::move(cell));
             }
-            add(table, names, row, cells);
+            add_row(table, names, row, cells);
         }
     }
     return table;
@@ -118,18 +97,18 @@ TextTable drift_table(const Results& results, const std::filesystem::path& folde
 
 TextTable invariants_table(const Results& results, std::string (*number)(double)) {
     const CellNames names(results.rows);
-    TextTable table = table_of("invariants", "First integrals: " + results.name,
-                               {"steps", "h [s]", "integral", "maximum", "relative", "slope [1/s]", "slope error"});
+    TextTable table = cell_table("invariants", "First integrals: " + results.name,
+                                 {"steps", "h [s]", "integral", "maximum", "relative", "slope [1/s]", "slope error"});
     table.notes = {
         "Largest |I - I0| and |I - I0|/|I0| over all steps; slope: least-squares secular rate of I - I0, in the "
         "unit of the integral per second, with its standard error."};
     for (const ResultRow& row : results.rows) {
         if (row.status == "skipped") { continue; }
         for (const std::string& name : plain_metrics({row}, "invariant.")) {
-            add(table, names, row,
-                {fmt::format("{}", row.steps), number(row.h), name.substr(10), number(metric(row, name)),
-                 number(metric(row, name + ".relative")), number(metric(row, name + ".slope")),
-                 number(metric(row, name + ".slope_error"))});
+            add_row(table, names, row,
+                    {fmt::format("{}", row.steps), number(row.h), name.substr(10), number(metric(row, name)),
+                     number(metric(row, name + ".relative")), number(metric(row, name + ".slope")),
+                     number(metric(row, name + ".slope_error"))});
         }
     }
     return table;
@@ -137,8 +116,8 @@ TextTable invariants_table(const Results& results, std::string (*number)(double)
 
 TextTable cost_table(const Results& results) {
     const CellNames names(results.rows);
-    TextTable table = table_of("cost", "Cost: " + results.name,
-                               {"steps", "evaluations", "per step", "projection iterations", "iterations per step"});
+    TextTable table = cell_table("cost", "Cost: " + results.name,
+                                 {"steps", "evaluations", "per step", "projection iterations", "iterations per step"});
     table.notes = {
         "Evaluations are solves of the dynamics inside the steps; those of start, projection and output are "
         "counted apart."};
@@ -148,7 +127,8 @@ TextTable cost_table(const Results& results) {
         const auto found = row.cost.find("projection_iterations");
         const double iterations = found == row.cost.end() ? 0 : found->second;
         const auto steps = static_cast<double>(row.steps);
-        add(table, names, row,
+        add_row(
+            table, names, row,
             {fmt::format("{}", row.steps), fmt::format("{}", evaluations), fmt::format("{:.3g}", evaluations / steps),
              fmt::format("{}", iterations), fmt::format("{:.3g}", iterations / steps)});
     }
@@ -157,9 +137,9 @@ TextTable cost_table(const Results& results) {
 
 TextTable failures_table(const Results& results) {
     const CellNames names(results.rows);
-    TextTable table = table_of("not_ok", "Cells failed or skipped: " + results.name, {"steps", "status", "reason"});
+    TextTable table = cell_table("not_ok", "Cells failed or skipped: " + results.name, {"steps", "status", "reason"});
     for (const ResultRow& row : results.rows) {
-        if (!row.ok()) { add(table, names, row, {fmt::format("{}", row.steps), row.status, row.detail}); }
+        if (!row.ok()) { add_row(table, names, row, {fmt::format("{}", row.steps), row.status, row.detail}); }
     }
     return table;
 }

@@ -5,9 +5,8 @@
 
 #include <filesystem>
 
+#include "experiments/table_cells.hpp"
 #include "experiments/table_fit.hpp"
-#include "experiments/table_names.hpp"
-#include "experiments/table_text.hpp"
 
 namespace kreisel {
 

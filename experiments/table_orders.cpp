@@ -113,12 +113,6 @@ std::vector<std::string> without_prefix(const std::vector<std::string>& metrics)
 
 }  // namespace
 
-std::vector<std::string> identity(const CellNames& names, const ResultRow& row) {
-    std::vector<std::string> cells;
-    for (const std::string& axis : CellNames::axes()) { cells.push_back(names.axis(row, axis)); }
-    return cells;
-}
-
 ObservedOrder order_of(const CellGroup& group, const std::string& metric) {
     std::vector<ErrorPoint> points;
     OrderLimits limits;

@@ -4,8 +4,7 @@
 #pragma once
 
 #include "experiments/order.hpp"
-#include "experiments/table_names.hpp"
-#include "experiments/table_text.hpp"
+#include "experiments/table_cells.hpp"
 
 namespace kreisel {
 
@@ -24,8 +23,5 @@ TextTable orders_in_brief(const Results& results);
 TextTable errors_in_full(const Results& results);
 /// The finest cell of each group.
 TextTable errors_in_brief(const Results& results);
-
-/// The names of a group in the columns problem, formulation, method, projection, precision.
-std::vector<std::string> identity(const CellNames& names, const ResultRow& row);
 
 }  // namespace kreisel

@@ -11,7 +11,9 @@
 
 #include "experiments/errors.hpp"
 #include "experiments/files.hpp"
+#include "experiments/journal.hpp"
 #include "experiments/json_strict.hpp"
+#include "experiments/manifest.hpp"
 
 namespace kreisel {
 
@@ -92,6 +94,20 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
+// What differs from run to run stands in the journals alone.
+void add_times(const std::filesystem::path& folder, Results& results) {
+    if (!results.config.is_object() || results.config.value("kind", "") != "scaling") { return; }
+    const JournalContents journals = read_journals(folder, read_manifest(folder / "manifest.json").build);
+    results.damage.insert(results.damage.end(), journals.complaints.begin(), journals.complaints.end());
+    for (ResultRow& row : results.rows) {
+        const auto found = journals.cells.find(row.cell);
+        if (found == journals.cells.end()) { continue; }
+        const Cost& cost = found->second.cost;
+        if (cost.step_s) { row.cost["step_s"] = *cost.step_s; }
+        if (cost.memory) { row.cost["memory"] = *cost.memory; }
+    }
+}
+
 void read_manifest_into(const std::filesystem::path& folder, Results& results) {
     const auto file = folder / "manifest.json";
     results.name = folder.filename().string();
@@ -133,6 +149,7 @@ ResultRow read_result_line(const std::string& text) {
     row.problem = line.at("problem");
     row.label = line.value("label", row.problem);
     if (row.label.empty()) { row.label = row.problem; }
+    row.series = line.value("series", row.label);
     row.parameters = line.value("parameters", json::object());
     row.formulation = line.at("formulation");
     row.method = line.at("method");
@@ -141,6 +158,7 @@ ResultRow read_result_line(const std::string& text) {
     row.projection_options = texts(line, "projection_options");
     row.precision = line.at("precision");
     row.steps = line.at("steps");
+    row.bodies = line.value("bodies", 0L);
     row.h = number(line.at("h"));
     row.t_end = number(line.at("t_end"));
     row.status = line.at("status");
@@ -169,6 +187,7 @@ Results read_results(const std::filesystem::path& folder) {
             results.damage.push_back(fmt::format("results.jsonl:{}: not a result line: {}", i + 1, error.what()));
         }
     }
+    add_times(folder, results);
     return results;
 }
 

@@ -14,16 +14,17 @@ namespace kreisel {
 
 /// One cell. Numbers of quad cells are rounded to double: enough for tables, slopes and drawings.
 struct ResultRow {
-    std::string cell, problem, label, formulation, method, projection, precision, status, detail;
+    std::string cell, problem, series, label, formulation, method, projection, precision, status, detail;
     std::map<std::string, std::string> options, projection_options;
     nlohmann::json parameters;
     long steps = 0;
+    long bodies = 0;  ///< 0 where the line does not tell
     double h = 0, t_end = 0;
     std::map<std::string, double> metrics;
     std::map<std::string, double> reference_error;  ///< by error.* metric; empty without a reference
     double reference_horizon = 0;                   ///< s; 0 without a reference
     std::map<std::string, double> scale;            ///< by error.* metric: size of the final state, same unit
-    std::map<std::string, double> cost;
+    std::map<std::string, double> cost;             ///< of timed cells with what the journals tell: "step_s", "memory"
     std::map<std::string, int> declared_order;      ///< by error.* metric; empty where the method declares none
     bool has_trajectory = false;
 
@@ -37,7 +38,7 @@ struct Results {
     std::string name;                 ///< of the experiment
 };
 
-/// Reads DIR/results.jsonl and DIR/manifest.json. A damaged line is left out and named in `damage`. Throws FileError
+/// Reads DIR/results.jsonl and DIR/manifest.json, and for a scaling experiment the times in DIR/journal*.jsonl. A damaged line is left out and named in `damage`. Throws FileError
 /// where results.jsonl cannot be read.
 Results read_results(const std::filesystem::path& folder);
 

@@ -79,3 +79,25 @@ TEST_CASE("a body cannot be called ground", "[campaign]") {
     std::get<std::vector<BodyData>>(values["bodies"])[0].name = "ground";
     CHECK_THROWS_AS(engine_binary64().summary("double_pendulum", values, "SE3"), ParameterError);
 }
+
+TEST_CASE("a timed cell tells time and memory, counts one run, and keeps no state", "[campaign]") {
+    Cell cell = cell_of("chain", "rkmk/rk4", 1e-3, 10);
+    cell.formulation = "SO3xR3";
+    cell.metrics.clear();
+    cell.timed = true;
+    const auto measured = [&](double links) {
+        cell.parameters["links"] = links;
+        return engine_binary64().run(cell, nullptr, {});
+    };
+    const Outcome few = measured(50), many = measured(400);
+    REQUIRE(many.status == "ok");
+    CHECK(many.bodies == 400);
+    CHECK(many.cost.evaluations == 40);
+    CHECK(many.steps_done == 10);
+    CHECK_FALSE(many.final.has_value());
+    REQUIRE(many.cost.step_s);
+    CHECK(*many.cost.step_s > 0);
+    CHECK(*many.cost.step_s * 10 * 5 <= many.cost.cpu_s);
+    REQUIRE(many.cost.memory);
+    CHECK(*many.cost.memory / *few.cost.memory == Approx(8).epsilon(0.1));
+}

@@ -184,6 +184,12 @@ Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std:
     if (cell.method == "fake/deaf") { sleep_milliseconds(cell.steps); }
     outcome.steps_done = cell.steps;
     outcome.t_reached = cell.t_end;
+    outcome.bodies = 1;
+    if (cell.timed) {
+        outcome.cost.step_s = 1e-6 * (1 + 0.01 * runs);
+        outcome.cost.memory = 1000;
+        return misbehave(cell, outcome);
+    }
     outcome.final = state_at(cell.t_end, mass_of(cell.parameters));
     if (reference != nullptr && cell.t_end <= reference->horizon) {
         outcome.metrics.emplace_back("error.position", number(std::pow(static_cast<double>(cell.steps), -4)));

@@ -243,3 +243,34 @@ TEST_CASE("a long value is cut between characters") {
     CHECK(in_quotes("x" + text + text) == "\"x" + text + "äääääääää...\"");
     CHECK(in_quotes(text) == "\"" + text + "\"");
 }
+
+TEST_CASE("a number given as a list is an axis of the problem") {
+    const Plan plan =
+        plan_from(R"({"name": "n", "kind": "drift", "methods": ["rkmk/rk4"], "time": {"end": 1, "steps": 4},
+        "problems": [{"name": "heavy_top", "label": "top", "parameters": {"mass": [3, 1.5, 2]}}, "free_top",
+                     {"name": "heavy_top", "parameters": {"mass": [7]}}]})");
+    REQUIRE(plan.cells.size() == 5);
+    const std::array<std::string, 5> labels = {"top, mass = 3", "top, mass = 1.5", "top, mass = 2", "free_top",
+                                               "heavy_top"};
+    for (std::size_t i = 0; i < labels.size(); ++i) { CHECK(plan.cells[i].label == labels[i]); }
+    CHECK(plan.cells[1].series == "top");
+    CHECK(plan.cells[3].series == "free_top");
+    CHECK(plan.cells[1].cell.parameters.at("mass") == ParameterValue(1.5));
+    CHECK(plan.cells[1].identity.find(R"("label":"top, mass = 1.5","series":"top")") != std::string::npos);
+    CHECK(plan.cells[3].identity.find("series") == std::string::npos);
+
+    const Plan again = plan_from(resolved_config(plan.config));
+    REQUIRE(again.cells.size() == plan.cells.size());
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) { CHECK(again.cells[i].identity == plan.cells[i].identity); }
+}
+
+TEST_CASE("cells that are timed are others than those that are not") {
+    const auto planned = [](const std::string& kind) {
+        return plan_from(R"({"name": "n", "kind": ")" + kind + R"(", "problems": ["heavy_top"], "methods": ["rkmk/rk4"],
+                             "metrics": [], "time": {"end": 1, "steps": 4}})")
+            .cells.at(0);
+    };
+    CHECK(planned("scaling").cell.timed);
+    CHECK_FALSE(planned("drift").cell.timed);
+    CHECK(planned("scaling").hash != planned("drift").hash);
+}
