@@ -50,6 +50,9 @@ kreisel_suite(architecture plain)
 target_link_libraries(test_architecture_plain PRIVATE fmt::fmt)
 if(NOT KREISEL_SANITIZE)  # exact rationals compile slowly there
   kreisel_suite(orders binary64 LIBRARIES kreisel_binary64 kreisel_controls_binary64 kreisel_order)
+  include(cmake/simbody.cmake)
+  kreisel_suite(outside binary64 LIBRARIES kreisel_binary64 kreisel_simbody
+                SOURCES ${CMAKE_SOURCE_DIR}/tests/problems/states.cpp)
 endif()
 if(KREISEL_BINARY128)
   kreisel_suite(series binary128 LIBRARIES kreisel_lie_binary128)
