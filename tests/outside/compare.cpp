@@ -12,7 +12,7 @@ namespace outside {
 
 namespace {
 
-/// Largest difference of two lists of vectors, relative to the largest vector.
+/// Largest difference of two lists of vectors, relative to the largest vector, which may vanish, or to 1.
 class Largest {
   public:
     void add(const Vec3& a, const Vec3& b) {
@@ -22,11 +22,11 @@ class Largest {
     }
     Real relative() const {
         REQUIRE(std::isfinite(difference_));
-        return size_ > 0 ? difference_ / size_ : 0;
+        return difference_ / size_;
     }
 
   private:
-    Real difference_ = 0, size_ = 0;
+    Real difference_ = 0, size_ = 1;
 };
 
 std::vector<Real> state(const System& system, const std::vector<BodyState>& bodies) {

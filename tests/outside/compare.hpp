@@ -10,7 +10,7 @@
 
 namespace outside {
 
-/// Largest differences over all bodies, relative to the largest value of any body.
+/// Largest differences over all bodies, relative to the largest value of any body or to 1 (SI units), where that is larger.
 struct Difference {
     Real state = 0;         ///< of what each side holds for the state: the joints let Simbody have it
     Real acceleration = 0;  ///< x'' and omega'

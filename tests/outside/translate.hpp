@@ -19,6 +19,7 @@ inline std::string why_not(const Model& model) {
         if (joint.type == JointType::rolling) return "rolling joints";
         if (joint.amplitude != 0) return "driven lengths";
     }
+    if (!model.warnings.empty()) return "inertias that no body has";
     if (!model.gravity.is_constant()) return "gravity that depends on time";
     if (!model.torsion_springs.empty()) return "torsion springs";
     for (const Load& load : model.loads)
