@@ -1,5 +1,6 @@
 # Simbody, which tests and benchmarks compare with. Its headers are C++17 (ambiguous in C++20) and warn: one file sees them,
 # as system headers.
+include_guard(GLOBAL)
 find_package(Simbody 3.7 REQUIRED)
 add_library(kreisel_simbody OBJECT ${CMAKE_SOURCE_DIR}/tests/outside/simbody/simbody.cpp)
 set_target_properties(kreisel_simbody PROPERTIES CXX_STANDARD 17)
