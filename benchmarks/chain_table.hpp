@@ -38,7 +38,6 @@ class Table : public benchmark::ConsoleReporter {
             const std::size_t slash = name.rfind('/');
             const double time = 1e9 * run.cpu_accumulated_time / static_cast<double>(run.iterations);
             const std::string contender = name.substr(0, slash);
-            if (times_.count(contender) == 0) order_.push_back(contender);
             const auto [at, is_new] = times_[contender].insert({std::stol(name.substr(slash + 1)), time});
             if (!is_new) at->second = std::min(at->second, time);
         }
@@ -52,8 +51,7 @@ class Table : public benchmark::ConsoleReporter {
                     "N");
         for (const auto& [size, there] : sizes) std::printf("%8ld", size);
         std::printf("%8s\n", "p");
-        for (const std::string& contender : order_) {
-            const auto& times = times_.at(contender);
+        for (const auto& [contender, times] : times_) {
             std::printf("%-34s", contender.c_str());
             for (const auto& [size, there] : sizes) {
                 const auto at = times.find(size);
@@ -67,7 +65,6 @@ class Table : public benchmark::ConsoleReporter {
     }
 
   private:
-    std::vector<std::string> order_;
     std::map<std::string, std::map<long, double>> times_;
 };
 
