@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The problem `chain` with N links: forward dynamics and steps of kreisel, of Simbody [sherman2011] and of two kernels
-// written by hand, for any chain and for this one alone, in one run. All forward dynamics must agree before any is timed. Debian's Simbody is compiled
-// for any x86-64 and with its assertions; it is measured as users get it.
+// The problem `chain` with N links: forward dynamics and steps of kreisel, of Simbody [sherman2011] and of a kernel
+// written by hand for this chain alone, in one run. All forward dynamics must agree before any is timed. Debian's Simbody
+// is compiled for any x86-64 and with its assertions; it is measured as users get it.
 // Use --benchmark_filter=/64$ to choose, --benchmark_repetitions=5
 // --benchmark_enable_random_interleaving=true on a loaded machine.
 #include <benchmark/benchmark.h>
@@ -11,7 +11,6 @@
 #include <random>
 
 #include "benchmarks/chain_kernel.hpp"
-#include "benchmarks/chain_recursion.hpp"
 #include "benchmarks/chain_table.hpp"
 #include "lie/so3.hpp"
 #include "mechanics/formulation.hpp"
@@ -97,9 +96,8 @@ std::vector<Real> in_space(std::vector<Real> dv, const std::vector<BodyState>& b
     return dv;
 }
 
-template <class Kernel>
 std::vector<Real> by_hand(const Model& model, const Kreisel& at) {
-    Kernel kernel(model);
+    bench::ChainKernel kernel(model);
     std::vector<Real> dv(at.dv.size(), std::nan(""));
     kernel.evaluate(at.y.data(), at.y.data() + at.system->group().size(), dv.data());
     return dv;
@@ -111,8 +109,7 @@ void check(const Model& model, bool with_simbody) {
     Kreisel mixed(model, bodies, "SO3xR3"), screws(model, bodies, "SE3");
     if (mixed.evaluate() != Status::ok || screws.evaluate() != Status::ok) std::exit(1);
     must_agree("SE3", bodies.size(), mixed.dv, in_space(screws.dv, bodies));
-    must_agree("the kernel", bodies.size(), mixed.dv, by_hand<bench::ChainKernel>(model, mixed));
-    must_agree("the recursion", bodies.size(), mixed.dv, by_hand<bench::ChainRecursion>(model, mixed));
+    must_agree("the kernel", bodies.size(), mixed.dv, by_hand(model, mixed));
     if (!with_simbody) return;
     outside::Simbody simbody(outside::translate(model));
     simbody.set(outside::translate(bodies));
@@ -136,11 +133,10 @@ void dynamics(benchmark::State& state, int links, const std::string& formulation
     });
 }
 
-template <class Kernel>
 void dynamics_by_hand(benchmark::State& state, int links) {
     const Model model = chain(links);
     Kreisel kreisel(model, tangle(model), "SO3xR3");
-    Kernel kernel(model);
+    bench::ChainKernel kernel(model);
     time(state, links, [&] {
         kernel.evaluate(kreisel.y.data(), kreisel.y.data() + kreisel.system->group().size(), kreisel.dv.data());
         benchmark::DoNotOptimize(kreisel.dv.data());
@@ -194,8 +190,7 @@ void register_all() {
         const bool with_simbody = links <= largest_of_simbody;
         check(chain(links), with_simbody);
         for (const char* formulation : {"SO3xR3", "SE3"}) add("dynamics/kreisel", links, dynamics, formulation);
-        add("dynamics/by hand, any chain", links, dynamics_by_hand<bench::ChainRecursion>);
-        add("dynamics/by hand, this chain", links, dynamics_by_hand<bench::ChainKernel>);
+        add("dynamics/by hand", links, dynamics_by_hand);
         if (with_simbody) add("dynamics/Simbody", links, simbody_dynamics);
         for (const char* formulation : {"SO3xR3", "SE3"}) add("step of rkmk/rk4", links, step, formulation);
         if (with_simbody) add("step of RK4/Simbody", links, simbody_step);

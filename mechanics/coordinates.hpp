@@ -34,8 +34,10 @@ struct SplitCoordinates {
     static Vec3 from_body(const auto& R, const Vec3& a) { return R * a; }
     static Vec3 to_body(const auto& R, const Vec3& a) { return R.transpose() * a; }
     static Vec3 from_space(const auto&, const Vec3& a) { return a; }
-    /// Linear part of v' from A.
+    static Vec3 to_space(const auto&, const Vec3& a) { return a; }
+    /// Linear part of v' from A, and from x''.
     static Vec3 acceleration(const auto& R, const Vec3& A, const Vec3&, const Vec3&) { return R * A; }
+    static Vec3 from_space_acceleration(const auto&, const Vec3& a, const Vec3&, const Vec3&) { return a; }
     /// d(linear velocity)/dt - its body-axis image is A: the centripetal part of the body frame, none here.
     static Vec3 gyroscopic(const Real&, const Vec3&, const Vec3&) { return Vec3::Zero(); }
 };
@@ -51,8 +53,12 @@ struct ScrewCoordinates {
     static Vec3 from_body(const auto&, const Vec3& a) { return a; }
     static Vec3 to_body(const auto&, const Vec3& a) { return a; }
     static Vec3 from_space(const auto& R, const Vec3& a) { return R.transpose() * a; }
+    static Vec3 to_space(const auto& R, const Vec3& a) { return R * a; }
     /// V' = R^T x'' - omega x V.
     static Vec3 acceleration(const auto&, const Vec3& A, const Vec3& omega, const Vec3& V) { return A - omega.cross(V); }
+    static Vec3 from_space_acceleration(const auto& R, const Vec3& a, const Vec3& omega, const Vec3& V) {
+        return R.transpose() * a - omega.cross(V);
+    }
     /// -m omega x V.
     static Vec3 gyroscopic(const Real& mass, const Vec3& omega, const Vec3& V) { return -mass * omega.cross(V); }
 };

@@ -14,14 +14,11 @@ namespace {
 
 std::string always(const Model&) { return ""; }
 
-/// Spherical joints with independent rows have a solver of their own.
+/// Spherical joints without loops have a solver of their own.
 template <class Coordinates>
 std::unique_ptr<System> make_bodies(const Model& model) {
-    const bool spherical = SphericalBodies<Coordinates>::fits(model);
-    if (spherical && is_forest(model)) return std::make_unique<SphericalBodies<Coordinates>>(model);
-    auto jointed = std::make_unique<JointedBodies<Coordinates>>(model);
-    if (!spherical || jointed->constraint_rank().rank < jointed->constraints()) return jointed;
-    return std::make_unique<SphericalBodies<Coordinates>>(model);
+    if (SphericalBodies<Coordinates>::fits(model)) return std::make_unique<SphericalBodies<Coordinates>>(model);
+    return std::make_unique<JointedBodies<Coordinates>>(model);
 }
 
 std::unique_ptr<System> make_pivoted(const Model& model) { return std::make_unique<PivotedBodies>(model); }

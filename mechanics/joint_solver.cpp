@@ -6,6 +6,7 @@
 #include <map>
 
 #include "mechanics/forces.hpp"
+#include "mechanics/forest.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -3,7 +3,6 @@
 
 #include <Eigen/QR>
 #include <Eigen/SparseQR>
-#include <numeric>
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -43,22 +42,6 @@ RowChoice choose_rows(const MatX& A, int most) {
     if (A.cols() == 0) return {};
     const MatX scaled = A.colwise().normalized();
     return scaled.cols() > most_dense_columns ? choose_sparse(scaled, most) : choose_dense(scaled, most);
-}
-
-bool is_forest(const Model& model) {
-    std::vector<std::size_t> root(model.bodies.size() + 1);  // the last is the ground
-    std::iota(root.begin(), root.end(), std::size_t{0});
-    const auto find = [&](int body) {
-        std::size_t i = body == ground ? model.bodies.size() : static_cast<std::size_t>(body);
-        while (root[i] != i) i = root[i] = root[root[i]];
-        return i;
-    };
-    for (const Joint& joint : model.joints) {
-        const std::size_t first = find(joint.first), second = find(joint.second);
-        if (first == second) return false;
-        root[first] = second;
-    }
-    return true;
 }
 
 }  // namespace KREISEL_PRECISION

@@ -26,9 +26,5 @@ struct RowChoice {
 /// The columns of A = M^{-1/2} C^T that pivoting takes first, at most `most` of them.
 RowChoice choose_rows(const MatX& A, int most);
 
-/// Whether the joint graph, the ground one of its vertices, has no cycle. Then all rows are independent: in an order from the
-/// leaves inwards, each joint meets a body that no later joint touches, and its rows are independent on that body alone.
-bool is_forest(const Model& model);
-
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

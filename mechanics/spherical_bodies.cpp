@@ -3,48 +3,101 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
+
+#include "mechanics/forest.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
+namespace {
+
+/// R hat(r)^T: column k is R (e_k x r).
+Mat3 arm(const auto& R, const Vec3& r) {
+    Mat3 A;
+    A << r[1] * R.col(2) - r[2] * R.col(1), r[2] * R.col(0) - r[0] * R.col(2), r[0] * R.col(1) - r[1] * R.col(0);
+    return A;
+}
+
+/// D^{-1} = adjugate / determinant of a symmetric D: products with the adjugate need not wait for the division.
+struct SymmetricInverse {
+    explicit SymmetricInverse(const Mat3& D) {
+        const Vec3 c0 = D.col(1).cross(D.col(2)), c1 = D.col(2).cross(D.col(0));
+        adjugate << c0[0], c0[1], c0[2], c0[1], c1[1], c1[2], c0[2], c1[2], D(0, 0) * D(1, 1) - D(0, 1) * D(0, 1);
+        factor = 1 / D.col(0).dot(c0);
+    }
+    Mat3 adjugate;
+    Real factor;
+};
+
+/// M -= factor H B^T, which is symmetric.
+void subtract_symmetric(Mat3& M, const Mat3& H, const Mat3& B, const Real& factor) {
+    for (int j = 0; j < 3; ++j)
+        for (int i = j; i < 3; ++i) M(j, i) = M(i, j) -= factor * H.row(i).dot(B.row(j));
+}
+
+/// D += Z^T Y, which is symmetric.
+void add_symmetric(Mat3& D, const Mat3& Z, const Mat3& Y) {
+    for (int j = 0; j < 3; ++j)
+        for (int i = j; i < 3; ++i) D(j, i) = D(i, j) += Z.col(i).dot(Y.col(j));
+}
+
+/// a with M a + f = 0.
+Vec3 free_acceleration(const Mat3& M, const Vec3& f) {
+    const SymmetricInverse inverse(M);
+    return -inverse.factor * (inverse.adjugate * f);
+}
+
+Vec3 centripetal(const auto& R, const Vec3& omega, const Vec3& r) { return R * omega.cross(omega.cross(r)); }
+
+}  // namespace
+
 template <class Coordinates>
 bool SphericalBodies<Coordinates>::fits(const Model& model) {
-    return std::all_of(model.joints.begin(), model.joints.end(), [](const Joint& joint) {
-        return joint.type == JointType::spherical && joint.second != ground;
-    });
+    const bool spherical = std::all_of(model.joints.begin(), model.joints.end(),
+                                       [](const Joint& joint) { return joint.type == JointType::spherical; });
+    return spherical && is_forest(model);
 }
 
 template <class Coordinates>
 SphericalBodies<Coordinates>::SphericalBodies(Model data)
-    : Base(std::move(data)),
-      complement_(this->model()),
-      relative_(this->model().joints.size(), Mat3::Identity()),
-      mu_(relative_.size(), Vec3::Zero()),
-      forces_(has_forces(this->model())) {
-    for (const Body& body : this->model().bodies) nodes_.push_back({1 / body.mass, body.J, body.J.inverse()});
-    for (const Joint& joint : this->model().joints) {
-        const auto node = [&](int body) { return body == ground ? nullptr : &nodes_[static_cast<std::size_t>(body)]; };
-        links_.push_back({node(joint.first), node(joint.second), joint.r_first, joint.r_second});
-    }
+    : Base(std::move(data)), wrenches_(this->model().bodies.size()), forces_(has_forces(this->model())) {
+    for (const Branch& branch : branches(this->model())) add_node(branch);
     find_anchored();
 }
 
 template <class Coordinates>
-void SphericalBodies<Coordinates>::find_anchored() {
-    if (forces_) return;
-    std::vector<const Link*> anchor(nodes_.size(), nullptr);
-    for (const Link& link : links_) {
-        const Link*& mine = anchor[static_cast<std::size_t>(link.second - nodes_.data())];
-        if (link.first || mine || complement_.status() != Status::ok) return;
-        mine = &link;
+void SphericalBodies<Coordinates>::add_node(const Branch& branch) {
+    const Body& body = this->model().bodies[static_cast<std::size_t>(branch.body)];
+    Node node{.body = branch.body, .joint = branch.joint, .rooted = branch.parent == none, .mass = body.mass, .J = body.J};
+    if (branch.joint != none) {
+        const Joint& joint = this->model().joints[static_cast<std::size_t>(branch.joint)];
+        const bool second = joint.second == branch.body;
+        const Vec3 &own = second ? joint.r_second : joint.r_first, &others = second ? joint.r_first : joint.r_second;
+        node.sign = second ? 1 : -1;
+        node.d = -own;
+        node.J = inertia_about(body, node.d);
+        if (branch.parent != none) {
+            Node& parent = nodes_[static_cast<std::size_t>(branch.parent)];
+            node.s = others + parent.d;
+            node.sibling = std::exchange(parent.child, static_cast<int>(nodes_.size()));
+        }
     }
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        const Node& node = nodes_[i];
-        const Vec3 r = anchor[i] ? anchor[i]->r_second : Vec3(Vec3::Zero());
-        const Mat3 J_inverse_r = node.J_inverse * hat(r);
-        const Mat3 S = node.inverse_mass * Mat3::Identity() - hat(r) * J_inverse_r;
-        anchored_.push_back({node.inverse_mass, node.J, node.J_inverse, J_inverse_r,
-                             anchor[i] ? Mat3(S.inverse()) : Mat3(Mat3::Zero()), r});
+    nodes_.push_back(node);
+}
+
+template <class Coordinates>
+void SphericalBodies<Coordinates>::find_anchored() {
+    const bool apart = std::all_of(nodes_.begin(), nodes_.end(), [](const Node& node) { return node.rooted; });
+    if (forces_ || !apart) return;
+    anchored_.resize(nodes_.size());
+    for (const Node& node : nodes_) {
+        const Body& body = this->model().bodies[static_cast<std::size_t>(node.body)];
+        const Vec3 r = -node.d;
+        const Mat3 J_inverse = body.J.inverse(), J_inverse_r = J_inverse * hat(r);
+        const Mat3 S = Mat3::Identity() / body.mass - hat(r) * J_inverse_r;
+        anchored_[static_cast<std::size_t>(node.body)] = {
+            1 / body.mass, body.J, J_inverse, J_inverse_r, node.joint == none ? Mat3(Mat3::Zero()) : Mat3(S.inverse()), r};
     }
 }
 
@@ -72,25 +125,55 @@ KREISEL_HOT Status SphericalBodies<Coordinates>::anchored_accelerations(const Re
 }
 
 template <class Coordinates>
-Status SphericalBodies<Coordinates>::refactor() {
-    Mat3* E = relative_.data();
-    for (const Link& link : links_) {
-        if (link.first) E->noalias() = link.second->R.transpose() * link.first->R;
-        ++E;
+template <class Act, class Shift>
+void SphericalBodies<Coordinates>::inwards(const Real* q, Act act, Shift shift) {
+    for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node) {
+        const auto R = rotation(q, node->body);
+        const Action action = act(*node, R);
+        const Mat3 X = arm(R, node->d);
+        node->c_d = centripetal(R, action.omega, node->d);
+        Mat3 D = node->J, B = node->mass * X, M = node->mass * Mat3::Identity();
+        Vec3 h = action.omega.cross(node->J * action.omega) - action.torque - X.transpose() * action.force;
+        Vec3 f = node->mass * node->c_d - action.force;
+        for (int c = node->child; c != none; c = nodes_[static_cast<std::size_t>(c)].sibling) {
+            Node& child = nodes_[static_cast<std::size_t>(c)];
+            child.c_s = shift(child, R, action.omega);
+            const Mat3 Z = arm(R, child.s), Y = child.M * Z;
+            const Vec3 force = child.M * child.c_s + child.f;
+            add_symmetric(D, Z, Y), B += Y, M += child.M;
+            h += Z.transpose() * force, f += force;
+        }
+        const SymmetricInverse inverse(D);
+        const Mat3 H = B * inverse.adjugate;
+        subtract_symmetric(M, H, B, inverse.factor);
+        node->M = M, node->f = f - inverse.factor * (H * h);
+        node->G = inverse.factor * H, node->k = inverse.factor * (inverse.adjugate * h);
     }
-    return complement_.factor(relative_.data());
 }
 
 template <class Coordinates>
-void SphericalBodies<Coordinates>::apply_reactions() {
-    complement_.solve(mu_.data());
-    const Vec3* mu = mu_.data();
-    const Mat3* E = relative_.data();
-    for (const Link& link : links_) {
-        link.second->apply(*mu, link.r_second);
-        if (link.first) link.first->apply(-(E->transpose() * *mu), link.r_first);
-        ++mu, ++E;
+template <class Put>
+void SphericalBodies<Coordinates>::outwards(const Real* q, Put put) {
+    for (Node& node : nodes_) {
+        if (node.rooted) node.a = node.joint == none ? free_acceleration(node.M, node.f) : node.c_s;
+        const auto R = rotation(q, node.body);
+        const Vec3 dw = -(node.G.transpose() * node.a) - node.k;
+        for (int c = node.child; c != none; c = nodes_[static_cast<std::size_t>(c)].sibling) {
+            Node& child = nodes_[static_cast<std::size_t>(c)];
+            child.a = node.a + R * dw.cross(child.s) + child.c_s;
+        }
+        put(node, R, Vec3(node.a + R * dw.cross(node.d) + node.c_d), dw);
     }
+}
+
+template <class Coordinates>
+void SphericalBodies<Coordinates>::add_wrenches(const Real& t, const Real* q, const Real* v) {
+    std::fill(wrenches_.begin(), wrenches_.end(), Wrench());
+    for_each_wrench(this->model(), t, [&](int body) { return motion(q, v, body); },
+                    [&](int body, const Wrench& wrench) {
+                        wrenches_[static_cast<std::size_t>(body)].force += rotation(q, body) * wrench.force;
+                        wrenches_[static_cast<std::size_t>(body)].torque += wrench.torque;
+                    });
 }
 
 template <class Coordinates>
@@ -98,35 +181,28 @@ KREISEL_HOT Status SphericalBodies<Coordinates>::accelerations(const Real& t, co
                                                                Real* lambda) {
     if (!anchored_.empty() && !lambda) return anchored_accelerations(t, q, v, dv);
     const Vec3 g = this->model().gravity.at(t);
-    const Real* pose = q;
-    const Real* velocity = v;
-    for (Node& node : nodes_) {
-        node.R = Coordinates::Rotations::rotation(pose + 3);
-        node.omega = vec3(velocity + 3);
-        const Vec3 Jw = node.J * node.omega;
-        node.A = node.R.transpose() * g;
-        node.dw = node.J_inverse * Jw.cross(node.omega);
-        pose += Factor::size, velocity += 6;
-    }
-    if (forces_)
-        for_each_wrench(this->model(), t, [&](int body) { return motion(q, v, body); },
-                        [&](int body, const Wrench& wrench) { nodes_[static_cast<std::size_t>(body)].push(wrench); });
-    if (const Status status = prepare_joints(); status != Status::ok) return status;
-    Vec3* rho = mu_.data();
-    const Mat3* E = relative_.data();
-    for (const Link& link : links_) {
-        *rho = -link.second->point_acceleration(link.r_second);
-        if (link.first) *rho += *E * link.first->point_acceleration(link.r_first);
-        ++rho, ++E;
-    }
-    if (!links_.empty()) apply_reactions();
+    const bool forces = forces_;
+    if (forces) add_wrenches(t, q, v);
+    for (Node& node : nodes_)
+        if (node.rooted) node.c_s.setZero();  // the ground does not move
+    inwards(
+        q,
+        [&](const Node& node, const auto&) {
+            Action action{angular(v, node.body), node.mass * g, Vec3::Zero()};
+            if (forces) {
+                const Wrench& wrench = wrenches_[static_cast<std::size_t>(node.body)];
+                action.force += wrench.force, action.torque = wrench.torque;
+            }
+            return action;
+        },
+        [](const Node& child, const auto& R, const Vec3& omega) { return centripetal(R, omega, child.s); });
     Real sum = 0;
-    for (const Node& node : nodes_) {
-        const Vec3 a = Coordinates::acceleration(node.R, node.A, vec3(v + 3), vec3(v));
-        sum += a.sum() + node.dw.sum();
-        store(a, dv), store(node.dw, dv + 3);
-        v += 6, dv += 6;
-    }
+    outwards(q, [&](const Node& node, const auto& R, const Vec3& acceleration, const Vec3& dw) {
+        const Vec3 a =
+            Coordinates::from_space_acceleration(R, acceleration, angular(v, node.body), linear(v, node.body));
+        sum += a.sum() + dw.sum();
+        store(a, dv + 6 * node.body), store(dw, dv + 6 * node.body + 3);
+    });
     if (lambda) report_multipliers(lambda);
     return isfinite(sum) ? Status::ok : Status::non_finite;
 }
@@ -134,36 +210,29 @@ KREISEL_HOT Status SphericalBodies<Coordinates>::accelerations(const Real& t, co
 template <class Coordinates>
 Status SphericalBodies<Coordinates>::solve_kkt(const Real&, const Real* q, const Real* f, const Real* c, Real* a,
                                                Real* lambda) {
-    for (Node& node : nodes_) {
-        node.R = Coordinates::Rotations::rotation(q + 3);
-        node.omega.setZero();
-        node.A = node.inverse_mass * Coordinates::to_body(node.R, vec3(f));
-        node.dw = node.J_inverse * vec3(f + 3);
-        q += Factor::size, f += 6;
-    }
-    if (const Status status = prepare_joints(); status != Status::ok) return status;
-    Vec3* rho = mu_.data();
-    const Mat3* E = relative_.data();
-    for (const Link& link : links_) {
-        *rho = -link.second->point_acceleration(link.r_second) - link.second->R.transpose() * vec3(c);
-        if (link.first) *rho += *E * link.first->point_acceleration(link.r_first);
-        ++rho, ++E, c += 3;
-    }
-    if (!links_.empty()) apply_reactions();
+    const auto row = [&](const Node& node) { return Vec3(-node.sign * vec3(c + 3 * node.joint)); };
+    for (Node& node : nodes_)
+        if (node.joint != none) node.c_s = row(node);
+    inwards(
+        q,
+        [&](const Node& node, const auto& R) {
+            return Action{Vec3::Zero(), Coordinates::to_space(R, vec3(f + 6 * node.body)), vec3(f + 6 * node.body + 3)};
+        },
+        [&](const Node& child, const auto&, const Vec3&) { return child.c_s; });
     Real sum = 0;
-    for (const Node& node : nodes_) {
-        const Vec3 out = Coordinates::from_body(node.R, node.A);
-        sum += out.sum() + node.dw.sum();
-        store(out, a), store(node.dw, a + 3);
-        a += 6;
-    }
+    outwards(q, [&](const Node& node, const auto& R, const Vec3& acceleration, const Vec3& dw) {
+        const Vec3 out = Coordinates::from_space(R, acceleration);
+        sum += out.sum() + dw.sum();
+        store(out, a + 6 * node.body), store(dw, a + 6 * node.body + 3);
+    });
     if (lambda) report_multipliers(lambda);
     return isfinite(sum) ? Status::ok : Status::non_finite;
 }
 
 template <class Coordinates>
 void SphericalBodies<Coordinates>::report_multipliers(Real* lambda) const {
-    for (std::size_t j = 0; j < links_.size(); ++j) store(Vec3(links_[j].second->R * mu_[j]), lambda + 3 * j);
+    for (const Node& node : nodes_)
+        if (node.joint != none) store(Vec3(node.sign * (node.M * node.a + node.f)), lambda + 3 * node.joint);
 }
 
 template <class Coordinates>

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bodies with spherical joints alone: the kinematics are those of Bodies, the solves use what such joints have.
-// Everything is solved in body axes: per body A = R^T x'' and omega', per joint the force mu = R_second^T lambda on
-// the second body. The linear algebra of one evaluation is
-//   free motion      A = R^T f/m,  omega' = J^{-1} (torque - omega x J omega)      (gravity and other forces)
-//   joint residual   rho = E (A + omega' x r + omega x (omega x r))_first - (the same)_second
-//   complement       S mu = rho
-//   reaction         A -+ E^T mu / m,  omega' -+ J^{-1} (r x E^T mu)      (- first, + second)
-// with E = R_second^T R_first for the first body and the identity for the second. Where every body hangs on the ground
-// by at most one joint and carries no load, S is block diagonal and each body is solved on its own, in registers.
+// Bodies that hang by spherical joints, from the ground or from each other, without loops: the kinematics are those of
+// Bodies, the solve is a recursion from the tips (articulated bodies [featherstone2008, Ch. 7], with a point in place of a
+// body at each joint). In each body d leads from the joint to its parent to the mass centre, s_c to the joint with child c,
+// and J is the inertia about the joint to the parent, all in body axes. Child c answers the acceleration a_c of its joint
+// with the force M_c a_c + f_c. With X = R hat(d)^T, Z_c = R hat(s_c)^T, c_r = R (omega x (omega x r)), force F (space axes)
+// and torque tau (body axes) from outside,
+//   x'' = a + X omega' + c_d,   a_c = a + Z_c omega' + c_s,   D omega' = -B^T a - h,
+//   D = J + sum Z_c^T M_c Z_c,   B = m X + sum M_c Z_c,   h = omega x J omega - tau - X^T F + sum Z_c^T (M_c c_s + f_c),
+// and seen from the joint to the parent
+//   M = m I + sum M_c - B D^{-1} B^T,   f = m c_d - F + sum (M_c c_s + f_c) - B D^{-1} h.
+// M and f are in space axes, X and Z map from body to space: nothing is turned from one body to the next. D is positive
+// definite: there is no singular position. A body without a parent is taken at its mass centre, where M a + f = 0.
+// Where every body hangs on the ground by at most one joint and carries no load, D is constant, and each body is solved in
+// registers.
 #pragma once
 
 #include "mechanics/bodies.hpp"
-#include "mechanics/schur.hpp"
+#include "mechanics/forest.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -20,7 +25,7 @@ inline namespace KREISEL_PRECISION {
 template <class Coordinates>
 class SphericalBodies final : public Bodies<Coordinates> {
   public:
-    /// Whether a model has spherical joints alone, with a moving second body each.
+    /// Whether a model has spherical joints alone and no loops.
     static bool fits(const Model& model);
     explicit SphericalBodies(Model model);
 
@@ -28,36 +33,31 @@ class SphericalBodies final : public Bodies<Coordinates> {
     Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
     void position_residual(const Real& t, const Real* q, Real* phi) const override;
     void velocity_residual(const Real& t, const Real* q, const Real* v, Real* residual) const override;
-    std::string singularity() const override { return complement_.singularity(this->model()); }
 
   private:
     using Base = Bodies<Coordinates>;
     using Factor = typename Coordinates::Factor;
     using Base::angular, Base::linear, Base::motion, Base::position, Base::rotation;
+    static constexpr int none = -1;
 
-    /// A body with what one evaluation computes for it: A = R^T x'' and omega'.
+    /// A body, with what one evaluation finds for it. Parents come before their children.
     struct Node {
-        Real inverse_mass;
-        Mat3 J, J_inverse;
-        Mat3 R = Mat3::Identity();
-        Vec3 omega = Vec3::Zero(), A = Vec3::Zero(), dw = Vec3::Zero();
-        /// Body-axis acceleration of a point fixed in the body.
-        Vec3 point_acceleration(const Vec3& r) const { return A + dw.cross(r) + omega.cross(omega.cross(r)); }
-        void push(const Wrench& wrench) {
-            A += inverse_mass * wrench.force;
-            dw += J_inverse * wrench.torque;
-        }
-        /// A force at r, both in body axes.
-        void apply(const Vec3& force, const Vec3& r) {
-            A += inverse_mass * force;
-            dw += J_inverse * r.cross(force);
-        }
+        int body = none;
+        int joint = none;                   ///< to the parent or the ground; none for a free body
+        int sign = 1;                       ///< of the multipliers: 1 where the body is the second of its joint
+        int child = none, sibling = none;   ///< nodes: its first child, the next child of its parent
+        bool rooted = true;                 ///< has no parent: hangs on the ground or is free
+        Real mass = 1;
+        Vec3 d = Vec3::Zero(), s = Vec3::Zero();  ///< s lies in the parent
+        Mat3 J = Mat3::Identity();
+        Mat3 M = Mat3::Zero(), G = Mat3::Zero();  ///< G = B D^{-1}
+        Vec3 f = Vec3::Zero(), k = Vec3::Zero();  ///< k = D^{-1} h
+        Vec3 c_d = Vec3::Zero(), c_s = Vec3::Zero();
+        Vec3 a = Vec3::Zero();
     };
-    /// A joint with pointers to its bodies; `first` is null for the ground.
-    struct Link {
-        Node* first;
-        Node* second;
-        Vec3 r_first, r_second;
+    /// What acts on a body: its angular velocity, the force in space axes and the torque in body axes.
+    struct Action {
+        Vec3 omega, force, torque;
     };
     /// A body that hangs on the ground by one joint at r, or by none (then r and S^{-1} are zero).
     struct Anchored {
@@ -66,20 +66,22 @@ class SphericalBodies final : public Bodies<Coordinates> {
         Vec3 r;
     };
 
-    /// Relative rotations and the factors of the complement at the poses of the nodes.
-    Status prepare_joints() { return complement_.is_constant() ? complement_.status() : refactor(); }
-    Status refactor();
+    void add_node(const Branch& branch);
     void find_anchored();
     Status anchored_accelerations(const Real& t, const Real* q, const Real* v, Real* dv) const;
-    /// Solves for the joint forces (on entry mu_ holds the residual) and applies them to the bodies.
-    void apply_reactions();
+    void add_wrenches(const Real& t, const Real* q, const Real* v);
+
+    /// From the tips: M, f, G, k of all nodes. `act(node, R)` is an Action, `shift(child, R, omega)` what the acceleration of
+    /// a joint exceeds a + Z omega' by.
+    template <class Act, class Shift>
+    void inwards(const Real* q, Act act, Shift shift);
+    /// Back: calls put(node, R, x'', omega').
+    template <class Put>
+    void outwards(const Real* q, Put put);
     void report_multipliers(Real* lambda) const;
 
-    SchurComplement complement_;
     std::vector<Node> nodes_;
-    std::vector<Link> links_;
-    std::vector<Mat3> relative_;
-    std::vector<Vec3> mu_;
+    std::vector<Wrench> wrenches_;    // by body, in space and body axes
     std::vector<Anchored> anchored_;  // all bodies, or empty
     bool forces_;                     // whether anything but gravity acts
 };
