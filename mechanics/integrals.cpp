@@ -17,10 +17,11 @@ using States = std::span<const BodyState>;
 using Shared = std::shared_ptr<const Model>;
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
-Motion motion(States states, int body) {
+/// Without velocities, on which no stored energy depends.
+Motion pose(States states, int body) {
     if (body == ground) return {};
     const BodyState& s = states[static_cast<std::size_t>(body)];
-    return {s.x, s.R, s.R.transpose() * s.v, s.omega};
+    return {s.x, s.R};
 }
 
 /// A quantity and the sum of the sizes of its terms, which its round-off scales with.
@@ -38,7 +39,7 @@ Terms energy(const Model& model, States states) {
         sum.add(body.mass * s.v.squaredNorm() / 2 + s.omega.dot(body.J * s.omega) / 2);
         sum.add(-body.mass * model.gravity.g.dot(s.x), body.mass * model.gravity.g.norm() * s.x.norm());
     }
-    sum.add(stored_energy(model, [&](int body) { return motion(states, body); }));
+    sum.add(stored_energy(model, [&](int body) { return pose(states, body); }));
     return sum;
 }
 

@@ -93,7 +93,6 @@ class RowWriter {
             const Vec3 e = first_.direction(joint_.axes_first.col(k));
             push(k == 2 ? Real(e.dot(c - d_)) : Real(0), 0, e.dot(bias));
             act(second_, e, arm, column(rows_.second));
-            rows_.first.col(rows_.count - 1).setZero();
         }
     }
 

@@ -37,7 +37,7 @@ using Mat6 = Eigen::Matrix<Real, 6, 6>;
 using Vec6 = Eigen::Matrix<Real, 6, 1>;
 
 /// The rows of a joint at (t, q, v). Column k of `first` and `second` is row k of C with respect to (V, omega) of that
-/// body, or the force and the torque in body axes that make up C^T: nothing for the ground.
+/// body, or the force and the torque in body axes that make up C^T; nobody reads those of the ground.
 ///   C v + b = first^T (V, omega) + second^T (V, omega) + rate_bias
 ///   d/dt (C v + b) = first^T (A, omega') + second^T (A, omega') + acceleration_bias,  A = R^T x''
 struct JointRows {

@@ -62,7 +62,7 @@ void JointSolver::connect() {
 void JointSolver::choose_rows_at_start() {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         const BodyState& start = model_.bodies[i].start;
-        nodes_[i].motion = {start.x, start.R, start.R.transpose() * start.v, start.omega};
+        nodes_[i].motion = {start.x, start.R};  // C does not depend on velocities
     }
     evaluate_rows(0);
     const int rows = matrix_.size;

@@ -162,8 +162,7 @@ std::optional<KovalevskayaTop> kovalevskaya_top(const Model& model, int body) {
     const Vec3& moments = principal.eigenvalues();  // in increasing order: C, A, B
     const Real equal = slack * moments[2];
     if (abs(moments[2] - moments[1]) > equal || abs(moments[1] - 2 * moments[0]) > equal) return std::nullopt;
-    Vec3 e3 = principal.eigenvectors().col(0);
-    if (e3.sum() < 0) e3 = -e3;
+    const Vec3 e3 = principal.eigenvectors().col(0);  // of either sign: q and gamma_2 change theirs with it
     const Real l = lever.norm(), g = model.gravity.g.norm();
     if (l == 0 || !orthogonal(lever, e3)) return std::nullopt;
     const Vec3 e1 = (lever - lever.dot(e3) * e3).normalized();

@@ -31,7 +31,8 @@ TEST_CASE("heavy top: initial accelerations and joint force", "[mechanics]") {
         CHECK(abs(lambda[0]) <= 1000 * epsilon);
         check_close(lambda[1], digits("-319.525988166"), "1e-11");
         check_close(lambda[2], digits("-317.262461538"), "1e-11");
-        const Vec3 space = std::string(name) == "SE3" ? Vec3(vec3(dv.data()) + vec3(v + 3).cross(vec3(v))) : vec3(dv.data());
+        const Vec3 space =
+            std::string(name) == "SE3" ? Vec3(vec3(dv.data()) + vec3(v + 3).cross(vec3(v))) : vec3(dv.data());
         check_close(space[1], digits("-21.3017325444"), "1e-11");
         check_close(space[2], digits("-30.9608307692308"), "1e-11");
     }
@@ -67,14 +68,13 @@ TEST_CASE("impossible data are refused where they stand", "[mechanics]") {
         values[parameter] = value;
         try {
             check_start(problem(problem_name).build(Parameters(values)));
-        } catch (const ParameterError& error) {
-            return error.path + ": " + error.what();
-        }
+        } catch (const ParameterError& error) { return error.path + ": " + error.what(); }
         return std::string("accepted");
     };
     CHECK_THAT(refused("heavy_top", "mass", 0.0), Catch::Contains("/mass: expected a positive mass"));
     CHECK_THAT(refused("heavy_top", "mass", -1.0), Catch::Contains("/mass"));
     CHECK_THAT(refused("heavy_top", "inertia", diagonal(1, 1, 3)), Catch::Contains("/inertia: no body has"));
+    CHECK_THAT(refused("heavy_top", "inertia", diagonal(2, 4, 1)), Catch::Contains("/inertia: no body has"));
     CHECK_THAT(refused("heavy_top", "inertia", diagonal(1, 0, 1)), Catch::Contains("positive definite"));
     CHECK_THAT(refused("heavy_top", "R", diagonal(1, 1, -1)), Catch::Contains("/R: expected a rotation"));
     CHECK_THAT(refused("heavy_top", "R", diagonal(1, 1, 1.001)), Catch::Contains("/R: expected a rotation"));

@@ -78,6 +78,8 @@ inline std::vector<Named> spherical() {
 
 inline std::vector<Named> of_tests() {
     std::vector<Named> models = spherical();
+    // A body is the first one of a joint that is eliminated before the joint that holds it.
+    models.push_back({"chain listed from its tip", linked(3, {{1, 2}, {0, 1}, {ground, 0}})});
     models.push_back({"driven", driven()});
     models.push_back({"rolling", rolling()});
     models.push_back({"closed loop", closed_loop()});

@@ -45,7 +45,8 @@ Model four_bar(const Vec3& axis, const Vec3& along, const Vec3& across) {
         Body& body = model.bodies[static_cast<std::size_t>(i)];
         body.start.x = (corners[i] + corners[i + 1]) / 2, body.start.omega = Vec3::Zero();
     }
-    for (int i = 0; i < 4; ++i) model.join(i == 0 ? ground : i - 1, i == 3 ? ground : i, corners[i], JointType::revolute, axis);
+    for (int i = 0; i < 4; ++i)
+        model.join(i == 0 ? ground : i - 1, i == 3 ? ground : i, corners[i], JointType::revolute, axis);
     model.bodies[0].start.omega = model.bodies[0].start.R.transpose() * axis;
     model.gravity.g = Vec3(1, -2, -9);
     project_start(model);
@@ -67,7 +68,8 @@ Model door() {
 Model rods(int n) {
     Model model = bodies_in_a_row(1);
     for (int i = 0; i < n; ++i) {
-        const Vec3 foot(i % 3 - 1, Real(i * i % 5) / 2, -1 - i % 2), end = foot + Vec3(3 * i % 7 - 3, 5 * i % 11 - 5, 6 + i * i % 5) / 4;
+        const Vec3 foot(i % 3 - 1, Real(i * i % 5) / 2, -1 - i % 2),
+            end = foot + Vec3(3 * i % 7 - 3, 5 * i % 11 - 5, 6 + i * i % 5) / 4;
         Joint joint{.r_first = foot, .r_second = model.point_of(0, end), .type = JointType::distance};
         joint.length = (end - foot).norm();
         model.joints.push_back(joint);
@@ -83,7 +85,8 @@ std::vector<Redundant> redundant() {
         for (const bool grounded : {true, false}) {
             Model model = doubled(type, grounded);
             const int rank = rows(model) - rows_of(type);
-            all.push_back({std::string("doubled ") + name(type) + (grounded ? " to the ground" : ""), std::move(model), rank});
+            all.push_back(
+                {std::string("doubled ") + name(type) + (grounded ? " to the ground" : ""), std::move(model), rank});
         }
     for (const int n : {2, 3, 4}) {
         all.push_back({std::to_string(n) + " hinges in line", hinges_in_line(ground, n), 5});
@@ -104,7 +107,8 @@ std::vector<Redundant> redundant() {
             if (first != ground) join(model, ground, 0, JointType::revolute, Vec3(-1, 0, 1));
             for (int i = 0; i < more; ++i) model.join(first, 1, Vec3(i, i * i, 1 - i));
             project_start(model);
-            all.push_back({std::to_string(more) + " spherical joints", model, (first == ground ? 0 : 5) + 3 + (more == 2 ? 2 : 3)});
+            all.push_back({std::to_string(more) + " spherical joints", model,
+                           (first == ground ? 0 : 5) + 3 + (more == 2 ? 2 : 3)});
         }
     }
     // A fixed joint beside another joint makes that one redundant.
@@ -130,7 +134,8 @@ LeastNorm dense_solution(System& s, const std::vector<Real>& y) {
     MatX M = MatX::Zero(n, n), C(m, n);
     std::vector<Real> blocks(static_cast<std::size_t>(6 * n));
     s.mass(y.data(), blocks.data());
-    for (int i = 0; i < n; i += 6) M.block(i, i, 6, 6) = Eigen::Map<MatX>(&blocks[static_cast<std::size_t>(6 * i)], 6, 6);
+    for (int i = 0; i < n; i += 6)
+        M.block(i, i, 6, 6) = Eigen::Map<MatX>(&blocks[static_cast<std::size_t>(6 * i)], 6, 6);
     VecX Q(n), gyroscopic(n), xi(m), scale(m);
     s.applied_force(0, y.data(), v, Q.data());
     s.gyroscopic_force(y.data(), v, gyroscopic.data());
@@ -188,4 +193,42 @@ TEST_CASE("the rows left out are named by joint", "[redundant]") {
     CHECK_THAT(rank.redundant.back(), Catch::Contains("joint 2 (ground - b0, revolute)"));
     REQUIRE(rank.condition);
     CHECK(*rank.condition >= 1);
+}
+
+TEST_CASE("the condition is the ratio of the extreme pivots", "[redundant]") {
+    const Real angle = Real(1) / 5;
+    Model model = bodies_in_a_row(1);
+    const Vec3 centre = model.bodies[0].start.x;
+    for (const Real& turn : {Real(0), angle})  // rods to the mass centre: columns of length 1 at that angle
+        model.joints.push_back(
+            {.r_first = centre - Vec3(cos(turn), sin(turn), 0), .type = JointType::distance, .length = 1});
+    const auto condition = [&] { return make_system(model, "SO3xR3")->constraint_rank().condition.value_or(0); };
+    CHECK(abs(condition() - 1 / sin(angle)) <= 100 * epsilon);
+    model.joints.push_back(model.joints[1]);  // whichever of the three is left out
+    CHECK(abs(condition() - 1 / sin(angle)) <= 100 * epsilon);
+    model.joints.erase(model.joints.begin());
+    CHECK(abs(condition() - 1) <= 100 * epsilon);
+}
+
+TEST_CASE("rows left out hold where nothing moves, and where they drift a little", "[redundant]") {
+    Model model = hinges_in_line(ground, 2);
+    model.gravity.g.setZero();
+    Body& body = model.bodies[1];
+    body.J = Mat3::Identity();  // no gyroscopic torque: the rows know of the centripetal acceleration alone
+    for (const Real& speed : {Real(0), Real(1)}) {
+        const Vec3 turning = speed * Vec3(1, -2, 4);
+        body.start.omega = body.start.R.transpose() * turning;
+        body.start.v = turning.cross(body.start.x - Vec3(1, 1, 1));
+        for (const std::string formulation : {"SO3xR3", "SE3", "S3xR3"}) {
+            INFO(formulation << " at " << to_double(speed));
+            const auto s = make_system(model, formulation);
+            Model drifted = model;
+            drifted.bodies[1].start.R = SO3::exp(Vec3(1, -2, 0) / 100000) * body.start.R;
+            for (const Model* at : {&model, &drifted}) {
+                const auto y = initial_state(*s, *at);
+                VecX a(s->velocities());
+                CHECK(s->accelerations(0, y.data(), y.data() + s->group().size(), a.data(), nullptr) == Status::ok);
+            }
+        }
+    }
 }

@@ -102,11 +102,35 @@ TEST_CASE("NaN and infinity in the state never answer ok", "[mechanics]") {
                 broken[static_cast<std::size_t>(i)] = value;
                 const bool is_position =
                     s.velocities() == 6 * s.bodies() && i < s.group().size() && i % (s.group().size() / s.bodies()) < 3;
-                const bool is_velocity = i >= s.group().size() && s.velocities() == 6 * s.bodies() &&
-                                         (i - s.group().size()) % 6 < 3;
+                const bool is_velocity =
+                    i >= s.group().size() && s.velocities() == 6 * s.bodies() && (i - s.group().size()) % 6 < 3;
                 // Positions and, in SO3xR3, linear velocities do not enter the accelerations.
                 if (is_position || is_velocity) continue;
                 CHECK(s.vector_field(0, broken.data(), z.data()) != Status::ok);
             }
     });
+}
+
+TEST_CASE("the rows in ambient coordinates are derivatives with respect to x, R, x' and omega", "[mechanics]") {
+    for (const Named& named : spherical()) {
+        const auto s = make_system(named.model, "SO3xR3");
+        if (!s->has_ambient_jacobian()) continue;
+        INFO(named.name);
+        const int m = s->constraints(), size = s->group().size();
+        const auto residuals = [&](const std::vector<Real>& y) {
+            VecX rows(2 * m);
+            s->position_residual(0, y.data(), rows.data());
+            s->velocity_residual(0, y.data(), y.data() + size, rows.data() + m);
+            return rows;
+        };
+        const std::vector<Real> y = initial_state(*s, named.model);
+        MatX G = MatX::Constant(2 * m, static_cast<Eigen::Index>(y.size()), std::numeric_limits<Real>::quiet_NaN());
+        s->ambient_jacobian(0, y.data(), y.data() + size, G.data());
+        for (std::size_t k = 0; k < y.size(); ++k) {
+            std::vector<Real> more = y, less = y;
+            more[k] += 1, less[k] -= 1;  // exact: each row is linear in each coordinate
+            const VecX slope = (residuals(more) - residuals(less)) / 2;
+            CHECK((G.col(static_cast<Eigen::Index>(k)) - slope).norm() <= 100 * epsilon);
+        }
+    }
 }
