@@ -8,6 +8,7 @@
 
 #include "experiments/commands.hpp"
 #include "experiments/files.hpp"
+#include "experiments/json_writer.hpp"
 #include "experiments/reference_store.hpp"
 
 namespace kreisel {
@@ -63,32 +64,55 @@ std::string fault(const Reference& reference, const ReferenceCheck& check) {
     return "";
 }
 
-enum class Verdict { confirmed, not_compared, wrong };
+/// All that a reference is, in full precision.
+std::string numbers_of(const Reference& reference) {
+    std::string text =
+        fmt::format("{} {} {}", reference.route, json_number(reference.horizon), json_value(reference.state, true));
+    for (const auto& [metric, bound] : reference.error) { text += fmt::format(" {} {}", metric, bound.text); }
+    return text;
+}
 
-/// Prints what there is to say of one reference.
-Verdict verify_reference(const std::string& hash, const PlannedReference& planned, const std::filesystem::path& folder,
-                         const Engine& engine, std::ostream& out) {
+/// What came of the references of a folder.
+struct ReferenceCounts {
+    std::size_t confirmed = 0, wrong = 0, again = 0, different = 0;
+};
+
+/// Counts one reference, and prints what there is to say of it.
+void verify_reference(const std::string& hash, const PlannedReference& planned, const std::filesystem::path& folder,
+                      const Engine& engine, std::ostream& out, ReferenceCounts& counts) {
     const auto say = [&](const std::string& what) {
         fmt::print(out, "reference {}: {} at t = {} s: {}\n", hash, planned.problem, planned.t_end, what);
     };
-    const auto stored = load_reference(reference_file(folder, hash), planned, "");
-    if (!stored) { return say("missing or damaged"), Verdict::wrong; }
+    const auto file = reference_file(folder, hash);
+    const auto stored = load_reference(file, planned, "");
+    if (!stored) { return ++counts.wrong, say("missing or damaged"); }
     const ReferenceCheck check = engine.check_reference(planned.problem, planned.parameters, stored->reference);
-    if (!check.failure.empty()) { return say("not compared: " + check.failure), Verdict::not_compared; }
-    const std::string what = fault(stored->reference, check);
-    return what.empty() ? Verdict::confirmed : (say(what), Verdict::wrong);
+    if (!check.failure.empty()) {
+        say("not compared: " + check.failure);
+    } else if (const std::string what = fault(stored->reference, check); !what.empty()) {
+        return ++counts.wrong, say(what);
+    } else {
+        ++counts.confirmed;
+    }
+    if (!load_reference(file, planned, engine.reference_digest())) { return; }  // other code rounds differently
+    ++counts.again;
+    const Reference again = engine.reference(planned.problem, planned.parameters, planned.t_end, {});
+    if (numbers_of(again) != numbers_of(stored->reference)) { ++counts.different, say("comes out different"); }
 }
 
-/// Holds every stored reference against the second route; answers how many are missing, damaged or wrong.
+/// Holds every stored reference against the second route, and computes again those that this code has made; answers how
+/// many are missing, damaged or wrong.
 std::size_t verify_references(const Plan& plan, const std::filesystem::path& folder, const Engines& engines,
                               std::ostream& out) {
-    std::map<Verdict, std::size_t> count;
+    ReferenceCounts counts;
     for (const auto& [hash, planned] : plan.references) {
-        ++count[verify_reference(hash, planned, folder, engines.binary128, out)];
+        verify_reference(hash, planned, folder, engines.binary128, out, counts);
     }
-    fmt::print(out, "{} of {} references confirmed by the second route, {} wrong or missing\n",
-               count[Verdict::confirmed], plan.references.size(), count[Verdict::wrong]);
-    return count[Verdict::wrong];
+    fmt::print(out, "{} of {} references confirmed by the second route, {} wrong or missing\n", counts.confirmed,
+               plan.references.size(), counts.wrong);
+    fmt::print(out, "{} of {} references computed again, {} differ\n", counts.again, plan.references.size(),
+               counts.different);
+    return counts.wrong + counts.different;
 }
 
 }  // namespace

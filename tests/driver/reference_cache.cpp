@@ -148,16 +148,32 @@ TEST_CASE("verify holds the stored references against the second route") {
     CHECK(good.code == 0);
     CHECK(good.out.find("1 of 1 references confirmed by the second route, 0 wrong or missing") != std::string::npos);
     const auto file = files_in(f.scratch / "a" / "references").front();
+    CHECK(good.out.find("1 of 1 references computed again, 0 differ") != std::string::npos);
     std::string text = contents(file);
-
-    SECTION("a digit changed, with a check sum that fits") {
-        const auto digit = text.find("\"x\":[\"0.") + 8;
-        text[digit] = text[digit] == '1' ? '2' : '1';
+    const auto write = [&] {  // with a check sum that fits
         text.resize(text.rfind(",\"sum\":"));
         std::ofstream(file) << text << ",\"sum\":\"" << hash_text(text) << "\"}\n";
+    };
+
+    SECTION("a digit changed") {
+        const auto digit = text.find("\"x\":[\"0.") + 8;
+        text[digit] = text[digit] == '1' ? '2' : '1';
+        write();
         const auto bad = run_program(verify, f.engine);
         CHECK(bad.code == 1);
         CHECK(bad.out.find("error.position is off by") != std::string::npos);
+    }
+    SECTION("its bound changed, within what the second route can tell") {
+        const std::string bound = "\"error.position\":\"1e-20\"";
+        text.replace(text.find(bound), bound.size(), "\"error.position\":\"1e-19\"");
+        write();
+        const auto bad = run_program(verify, f.engine);
+        CHECK(bad.code == 1);
+        CHECK(bad.out.find("comes out different") != std::string::npos);
+        CHECK(bad.out.find("1 of 1 references computed again, 1 differ") != std::string::npos);
+        f.engine.digest = "other code";
+        const auto other = run_program(verify, f.engine);
+        CHECK(other.out.find("0 of 1 references computed again, 0 differ") != std::string::npos);
     }
     SECTION("damaged") {
         std::ofstream(file) << text.substr(0, 100);
