@@ -69,7 +69,8 @@ SphericalBodies<Coordinates>::SphericalBodies(Model data)
 template <class Coordinates>
 void SphericalBodies<Coordinates>::add_node(const Branch& branch) {
     const Body& body = this->model().bodies[static_cast<std::size_t>(branch.body)];
-    Node node{.body = branch.body, .joint = branch.joint, .rooted = branch.parent == none, .mass = body.mass, .J = body.J};
+    Node node{
+        .body = branch.body, .joint = branch.joint, .rooted = branch.parent == none, .mass = body.mass, .J = body.J};
     if (branch.joint != none) {
         const Joint& joint = this->model().joints[static_cast<std::size_t>(branch.joint)];
         const bool second = joint.second == branch.body;
@@ -96,14 +97,18 @@ void SphericalBodies<Coordinates>::find_anchored() {
         const Vec3 r = -node.d;
         const Mat3 J_inverse = body.J.inverse(), J_inverse_r = J_inverse * hat(r);
         const Mat3 S = Mat3::Identity() / body.mass - hat(r) * J_inverse_r;
-        anchored_[static_cast<std::size_t>(node.body)] = {
-            1 / body.mass, body.J, J_inverse, J_inverse_r, node.joint == none ? Mat3(Mat3::Zero()) : Mat3(S.inverse()), r};
+        anchored_[static_cast<std::size_t>(node.body)] = {1 / body.mass,
+                                                          body.J,
+                                                          J_inverse,
+                                                          J_inverse_r,
+                                                          node.joint == none ? Mat3(Mat3::Zero()) : Mat3(S.inverse()),
+                                                          r};
     }
 }
 
 template <class Coordinates>
 KREISEL_HOT Status SphericalBodies<Coordinates>::anchored_accelerations(const Real& t, const Real* q, const Real* v,
-                                                                   Real* dv) const {
+                                                                        Real* dv) const {
     Vec3 modulated;
     const Gravity& gravity = this->model().gravity;
     const Vec3& g = gravity.is_constant() ? gravity.g : (modulated = gravity.at(t));
@@ -169,11 +174,12 @@ void SphericalBodies<Coordinates>::outwards(const Real* q, Put put) {
 template <class Coordinates>
 void SphericalBodies<Coordinates>::add_wrenches(const Real& t, const Real* q, const Real* v) {
     std::fill(wrenches_.begin(), wrenches_.end(), Wrench());
-    for_each_wrench(this->model(), t, [&](int body) { return motion(q, v, body); },
-                    [&](int body, const Wrench& wrench) {
-                        wrenches_[static_cast<std::size_t>(body)].force += rotation(q, body) * wrench.force;
-                        wrenches_[static_cast<std::size_t>(body)].torque += wrench.torque;
-                    });
+    for_each_wrench(
+        this->model(), t, [&](int body) { return motion(q, v, body); },
+        [&](int body, const Wrench& wrench) {
+            wrenches_[static_cast<std::size_t>(body)].force += rotation(q, body) * wrench.force;
+            wrenches_[static_cast<std::size_t>(body)].torque += wrench.torque;
+        });
 }
 
 template <class Coordinates>

@@ -43,10 +43,10 @@ class SphericalBodies final : public Bodies<Coordinates> {
     /// A body, with what one evaluation finds for it. Parents come before their children.
     struct Node {
         int body = none;
-        int joint = none;                   ///< to the parent or the ground; none for a free body
-        int sign = 1;                       ///< of the multipliers: 1 where the body is the second of its joint
-        int child = none, sibling = none;   ///< nodes: its first child, the next child of its parent
-        bool rooted = true;                 ///< has no parent: hangs on the ground or is free
+        int joint = none;                  ///< to the parent or the ground; none for a free body
+        int sign = 1;                      ///< of the multipliers: 1 where the body is the second of its joint
+        int child = none, sibling = none;  ///< nodes: its first child, the next child of its parent
+        bool rooted = true;                ///< has no parent: hangs on the ground or is free
         Real mass = 1;
         Vec3 d = Vec3::Zero(), s = Vec3::Zero();  ///< s lies in the parent
         Mat3 J = Mat3::Identity();
