@@ -9,7 +9,9 @@ inline namespace KREISEL_PRECISION {
 
 template <class Coordinates>
 Bodies<Coordinates>::Bodies(Model model)
-    : System(std::make_shared<Power<Factor>>(static_cast<int>(model.bodies.size()))), model_(std::move(model)) {
+    : System(std::make_shared<Power<Factor>>(static_cast<int>(model.bodies.size()))),
+      model_(std::move(model)),
+      spherical_(all_spherical(model_)) {
     for (const Joint& joint : model_.joints) {
         places_.push_back({rows_of(joint.type), position_rows_of(joint.type), position_rows_, 0});
         position_rows_ += places_.back().position;
@@ -79,7 +81,32 @@ void Bodies<Coordinates>::each_joint(const Real& t, const Real* q, const Real* v
 }
 
 template <class Coordinates>
+void Bodies<Coordinates>::point_positions(const Real* q, Real* phi) const {
+    const auto point = [&](int body, const Vec3& r) -> Vec3 {
+        return body == ground ? r : Vec3(position(q, body) + rotation(q, body) * r);
+    };
+    for (const Joint& joint : model_.joints) {
+        store(Vec3(point(joint.first, joint.r_first) - point(joint.second, joint.r_second)), phi);
+        phi += 3;
+    }
+}
+
+template <class Coordinates>
+void Bodies<Coordinates>::point_velocities(const Real* q, const Real* v, Real* residual) const {
+    const auto velocity = [&](int body, const Vec3& r) -> Vec3 {
+        if (body == ground) return Vec3::Zero();
+        const auto R = rotation(q, body);
+        return Coordinates::space_velocity(R, linear(v, body)) + R * angular(v, body).cross(r);
+    };
+    for (const Joint& joint : model_.joints) {
+        store(Vec3(velocity(joint.first, joint.r_first) - velocity(joint.second, joint.r_second)), residual);
+        residual += 3;
+    }
+}
+
+template <class Coordinates>
 void Bodies<Coordinates>::position_residual(const Real& t, const Real* q, Real* phi) const {
+    if (spherical_) return point_positions(q, phi);
     each_joint(t, q, nullptr, [&](std::size_t j, const JointRows& rows) {
         for (int k = 0; k < places_[j].position; ++k) phi[row(j, k)] = rows.phi[k];
     });
@@ -112,6 +139,7 @@ void Bodies<Coordinates>::velocity_bias(const Real& t, const Real* q, Real* b) c
 
 template <class Coordinates>
 void Bodies<Coordinates>::velocity_residual(const Real& t, const Real* q, const Real* v, Real* residual) const {
+    if (spherical_) return point_velocities(q, v, residual);
     each_joint(t, q, v, [&](std::size_t j, const JointRows& rows) {
         const Joint& joint = model_.joints[j];
         const Motion first = motion(q, v, joint.first), second = motion(q, v, joint.second);
@@ -142,9 +170,7 @@ void Bodies<Coordinates>::acceleration_bias(const Real& t, const Real* q, const 
 
 template <class Coordinates>
 bool Bodies<Coordinates>::has_ambient_jacobian() const {
-    return std::is_same_v<Coordinates, MixedCoordinates> &&
-           std::all_of(model_.joints.begin(), model_.joints.end(),
-                       [](const Joint& joint) { return joint.type == JointType::spherical; });
+    return std::is_same_v<Coordinates, MixedCoordinates> && spherical_;
 }
 
 template <class Coordinates>

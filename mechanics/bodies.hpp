@@ -66,7 +66,11 @@ class Bodies : public System {
     template <class F>
     void each_joint(const Real& t, const Real* q, const Real* v, F f) const;
 
+    void point_positions(const Real* q, Real* phi) const;
+    void point_velocities(const Real* q, const Real* v, Real* residual) const;
+
     Model model_;
+    bool spherical_;  // no other joints: then the residuals are those of points, for any 3x3 matrices R
     std::vector<Place> places_;
     int rows_ = 0, position_rows_ = 0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mechanics/joint_rows.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace kreisel {
@@ -123,6 +124,11 @@ class RowWriter {
 
 int rows_of(JointType type) { return counts(type).all; }
 int position_rows_of(JointType type) { return counts(type).position; }
+
+bool all_spherical(const Model& model) {
+    return std::all_of(model.joints.begin(), model.joints.end(),
+                       [](const Joint& joint) { return joint.type == JointType::spherical; });
+}
 
 void write_rows(const Joint& joint, const Real& t, const Motion& first, const Motion& second, JointRows& rows) {
     RowWriter write(joint, first, second, rows);

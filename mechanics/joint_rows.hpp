@@ -32,6 +32,8 @@ inline constexpr int most_rows = 6;  ///< of one joint
 /// Rows of a joint, in its order; the first `position_rows` of them have a position level.
 int rows_of(JointType type);
 int position_rows_of(JointType type);
+/// Whether a model has spherical joints alone.
+bool all_spherical(const Model& model);
 
 using Mat6 = Eigen::Matrix<Real, 6, 6>;
 using Vec6 = Eigen::Matrix<Real, 6, 1>;

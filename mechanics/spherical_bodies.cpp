@@ -54,9 +54,7 @@ Vec3 centripetal(const auto& R, const Vec3& omega, const Vec3& r) { return R * o
 
 template <class Coordinates>
 bool SphericalBodies<Coordinates>::fits(const Model& model) {
-    const bool spherical = std::all_of(model.joints.begin(), model.joints.end(),
-                                       [](const Joint& joint) { return joint.type == JointType::spherical; });
-    return spherical && is_forest(model);
+    return all_spherical(model) && is_forest(model);
 }
 
 template <class Coordinates>
@@ -239,30 +237,6 @@ template <class Coordinates>
 void SphericalBodies<Coordinates>::report_multipliers(Real* lambda) const {
     for (const Node& node : nodes_)
         if (node.joint != none) store(Vec3(node.sign * (node.M * node.a + node.f)), lambda + 3 * node.joint);
-}
-
-template <class Coordinates>
-void SphericalBodies<Coordinates>::position_residual(const Real&, const Real* q, Real* phi) const {
-    const auto point = [&](int body, const Vec3& r) -> Vec3 {
-        return body == ground ? r : Vec3(position(q, body) + rotation(q, body) * r);
-    };
-    for (const Joint& joint : this->model().joints) {
-        store(Vec3(point(joint.first, joint.r_first) - point(joint.second, joint.r_second)), phi);
-        phi += 3;
-    }
-}
-
-template <class Coordinates>
-void SphericalBodies<Coordinates>::velocity_residual(const Real&, const Real* q, const Real* v, Real* residual) const {
-    const auto velocity = [&](int body, const Vec3& r) -> Vec3 {
-        if (body == ground) return Vec3::Zero();
-        const auto R = rotation(q, body);
-        return Coordinates::space_velocity(R, linear(v, body)) + R * angular(v, body).cross(r);
-    };
-    for (const Joint& joint : this->model().joints) {
-        store(Vec3(velocity(joint.first, joint.r_first) - velocity(joint.second, joint.r_second)), residual);
-        residual += 3;
-    }
 }
 
 template class SphericalBodies<MixedCoordinates>;

@@ -31,13 +31,11 @@ class SphericalBodies final : public Bodies<Coordinates> {
 
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override;
     Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
-    void position_residual(const Real& t, const Real* q, Real* phi) const override;
-    void velocity_residual(const Real& t, const Real* q, const Real* v, Real* residual) const override;
 
   private:
     using Base = Bodies<Coordinates>;
     using Factor = typename Coordinates::Factor;
-    using Base::angular, Base::linear, Base::motion, Base::position, Base::rotation;
+    using Base::angular, Base::linear, Base::motion, Base::rotation;
     static constexpr int none = -1;
 
     /// A body, with what one evaluation finds for it. Parents come before their children.
