@@ -1,9 +1,15 @@
 # One Catch2 program per folder of tests and precision. A new test file is found by the glob.
 include(CTest)
 set(KREISEL_TEST_TIMEOUT 900 CACHE STRING "seconds that one suite may take; counting branches makes them slower")
+# Tests take much longer to compile than to run; what they test keeps its flags.
+function(kreisel_compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 find_package(Catch2 2.13 REQUIRED)
 add_library(kreisel_test_main OBJECT ${CMAKE_SOURCE_DIR}/tests/main.cpp)
 target_link_libraries(kreisel_test_main PUBLIC Catch2::Catch2)
+kreisel_compile_quickly(kreisel_test_main)
 
 # rapidcheck's headers are heavy: one translation unit, and no suite sees them.
 find_package(rapidcheck REQUIRED)
@@ -21,6 +27,7 @@ function(kreisel_suite suite variant)
   set(target test_${suite}_${variant})
   add_executable(${target} ${sources} ${arg_SOURCES})
   kreisel_unite(${target})
+  kreisel_compile_quickly(${target})
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
   target_link_libraries(${target} PRIVATE kreisel_test_main Catch2::Catch2 ${arg_LIBRARIES})
   add_test(NAME ${suite}.${variant} COMMAND ${target})
@@ -37,6 +44,7 @@ function(kreisel_controls precision)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/controls/*.cpp)
   add_library(kreisel_controls_${precision} OBJECT ${sources})
   kreisel_unite(kreisel_controls_${precision})
+  kreisel_compile_quickly(kreisel_controls_${precision})
   target_link_libraries(kreisel_controls_${precision} PRIVATE kreisel_flags_${precision} Catch2::Catch2 fmt::fmt GSL::gsl)
 endfunction()
 
