@@ -31,6 +31,7 @@ void print_rows(std::ostream& out, const std::string& title, const std::vector<N
 template <class Description>
 std::vector<NamedText> summaries(const std::vector<Description>& all) {
     std::vector<NamedText> rows;
+    rows.reserve(all.size());
     for (const auto& one : all) { rows.emplace_back(one.name, one.summary); }
     return rows;
 }
@@ -43,6 +44,7 @@ std::string order_text(const Order& order) {
 
 std::vector<NamedText> method_rows(const std::vector<MethodDescription>& methods) {
     std::vector<NamedText> rows;
+    rows.reserve(methods.size());
     for (const MethodDescription& method : methods) {
         rows.emplace_back(method.name, fmt::format("{}; {}", order_text(method.order), method.summary));
     }
@@ -67,6 +69,7 @@ void print_sources(std::ostream& out, const std::vector<std::string>& keys) {
 
 void print_options(std::ostream& out, const std::vector<OptionDescription>& options) {
     std::vector<NamedText> rows;
+    rows.reserve(options.size());
     for (const OptionDescription& option : options) {
         rows.emplace_back(option.name, fmt::format("{}: {} (default {})", option.summary, allowed_values(option),
                                                    json_value(option.standard)));

@@ -143,8 +143,9 @@ std::vector<std::vector<Point3>> drawn_top(const Point3& x, const std::array<dou
                                            double radius) {
     constexpr int segments = 48, generators = 6;
     const Point3 tip = sum(x, turned(R, lever), -1);
-    const auto [e, f] = across(lever);
+    const auto plane = across(lever);
     const auto rim_point = [&](double angle) {
+        const auto& [e, f] = plane;
         Point3 body{};
         for (std::size_t i = 0; i < 3; ++i) { body[i] = radius * (std::cos(angle) * e[i] + std::sin(angle) * f[i]); }
         return sum(x, turned(R, body));

@@ -20,6 +20,7 @@ bool in_list(const std::vector<std::string>& list, const std::string& value) {
 
 std::vector<std::string> entry_names(const std::vector<OptionedEntry>& entries) {
     std::vector<std::string> names;
+    names.reserve(entries.size());
     for (const OptionedEntry& entry : entries) { names.push_back(entry.name); }
     return names;
 }

@@ -35,6 +35,7 @@ class ChildSetup {
 
     int spawn(pid_t& child, std::vector<std::string> arguments) const {
         std::vector<char*> pointers;
+        pointers.reserve(arguments.size() + 1);
         for (std::string& argument : arguments) { pointers.push_back(argument.data()); }
         pointers.push_back(nullptr);
         return posix_spawnp(&child, pointers[0], &actions_, nullptr, pointers.data(), environ);

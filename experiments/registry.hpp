@@ -28,6 +28,7 @@ const Description* find_named(const std::vector<Description>& all, const std::st
 template <class Description>
 std::vector<std::string> names_of(const std::vector<Description>& all) {
     std::vector<std::string> names;
+    names.reserve(all.size());
     for (const auto& one : all) { names.push_back(one.name); }
     return names;
 }

@@ -116,6 +116,7 @@ std::vector<TextTable> certification_tables(const Results& results) {
         if (std::find(labels.begin(), labels.end(), label) == labels.end()) { labels.push_back(label); }
     }
     std::vector<TextTable> tables;
+    tables.reserve(labels.size());
     for (const std::string& label : labels) {
         tables.push_back(table_of(label, labels.size() == 1, groups, names));
     }

@@ -93,6 +93,7 @@ std::vector<std::string> errors_row(const ResultRow& row, const std::vector<std:
 
 std::vector<std::string> with_units(const std::vector<std::string>& metrics) {
     std::vector<std::string> titles;
+    titles.reserve(metrics.size());
     for (const std::string& metric : metrics) { titles.push_back(fmt::format("{} [{}]", metric, metric_unit(metric))); }
     return titles;
 }
@@ -107,6 +108,7 @@ std::string declared_cell(const ResultRow& row) {
 
 std::vector<std::string> without_prefix(const std::vector<std::string>& metrics) {
     std::vector<std::string> titles;
+    titles.reserve(metrics.size());
     for (const std::string& metric : metrics) { titles.push_back(metric.substr(metric.find('.') + 1)); }
     return titles;
 }
