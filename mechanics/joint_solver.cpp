@@ -22,7 +22,7 @@ const Real noticeable = Real(1) / 1000, nothing = Real(1) / 1000000000;
 }  // namespace
 
 JointSolver::JointSolver(const Model& model, SolverChoice choice) : model_(model), rows_(model.joints.size()) {
-    for (const Body& body : model_.bodies) nodes_.push_back({1 / body.mass, body.J, body.J.inverse(), {}});
+    for (const Body& body : model_.bodies) nodes_.push_back({inverse_mass(body), body.J, body.J.inverse(), {}});
     connect();
     solver_ = make_solver(matrix_, choice);
     residual_ = lambda_ = sizes_ = bias_ = VecX::Zero(matrix_.size);

@@ -3,6 +3,7 @@
 // A mechanical model: rigid bodies, joints, gravity, springs and loads, with the initial state. SI units.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,11 @@ struct Body {
 /// Inertia about a point, J + m (|c|^2 I - c c^T), with c from the point to the mass centre.
 inline Mat3 inertia_about(const Body& body, const Vec3& c) {
     return body.J + body.mass * (c.squaredNorm() * Mat3::Identity() - c * c.transpose());
+}
+
+/// 1/m; no number where m is infinite, whose limit 1/m = 0 would be a motion of its own.
+inline Real inverse_mass(const Body& body) {
+    return isfinite(body.mass) ? Real(1 / body.mass) : std::numeric_limits<Real>::quiet_NaN();
 }
 
 inline constexpr int ground = -1;

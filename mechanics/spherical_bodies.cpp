@@ -94,8 +94,8 @@ void SphericalBodies<Coordinates>::find_anchored() {
         const Body& body = this->model().bodies[static_cast<std::size_t>(node.body)];
         const Vec3 r = -node.d;
         const Mat3 J_inverse = body.J.inverse(), J_inverse_r = J_inverse * hat(r);
-        const Mat3 S = Mat3::Identity() / body.mass - hat(r) * J_inverse_r;
-        anchored_[static_cast<std::size_t>(node.body)] = {1 / body.mass,
+        const Mat3 S = inverse_mass(body) * Mat3::Identity() - hat(r) * J_inverse_r;
+        anchored_[static_cast<std::size_t>(node.body)] = {inverse_mass(body),
                                                           body.J,
                                                           J_inverse,
                                                           J_inverse_r,
