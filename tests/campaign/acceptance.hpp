@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "experiments/engine.hpp"
 #include "tests/order_rule.hpp"
@@ -23,6 +24,22 @@ inline OptionValues standard_options(const MethodDescription& method) {
     OptionValues options;
     for (const OptionDescription& option : method.options) options[option.name] = option.standard;
     return options;
+}
+
+/// The default options, and each word and the least value of each real in turn; counts and flags stay at their default.
+inline std::vector<OptionValues> variants(const MethodDescription& method) {
+    const OptionValues standard = standard_options(method);
+    std::vector<OptionValues> all = {standard};
+    const auto vary = [&](const std::string& option, const OptionValue& value) {
+        if (value == standard.at(option)) return;
+        all.push_back(standard);
+        all.back()[option] = value;
+    };
+    for (const OptionDescription& option : method.options) {
+        for (const std::string& word : option.choices) vary(option.name, word);
+        if (option.real_min <= option.real_max) vary(option.name, option.real_min);
+    }
+    return all;
 }
 
 }  // namespace kreisel::acceptance

@@ -22,22 +22,6 @@ const Reference& reference(const std::string& problem) {
     return known.at(problem);
 }
 
-/// The default options, and each word and the least value of each real in turn; counts and flags stay at their default.
-std::vector<OptionValues> variants(const MethodDescription& method) {
-    const OptionValues standard = standard_options(method);
-    std::vector<OptionValues> all = {standard};
-    const auto vary = [&](const std::string& option, const OptionValue& value) {
-        if (value == standard.at(option)) return;
-        all.push_back(standard);
-        all.back()[option] = value;
-    };
-    for (const OptionDescription& option : method.options) {
-        for (const std::string& word : option.choices) vary(option.name, word);
-        if (option.real_min <= option.real_max) vary(option.name, option.real_min);
-    }
-    return all;
-}
-
 using Curves = std::map<std::string, OrderCurve>;
 
 Curves measure(const std::string& problem, const std::string& formulation, const MethodDescription& method,
