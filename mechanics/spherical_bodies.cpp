@@ -214,9 +214,8 @@ KREISEL_HOT Status SphericalBodies<Coordinates>::accelerations(const Real& t, co
 template <class Coordinates>
 Status SphericalBodies<Coordinates>::solve_kkt(const Real&, const Real* q, const Real* f, const Real* c, Real* a,
                                                Real* lambda) {
-    const auto row = [&](const Node& node) { return Vec3(-node.sign * vec3(c + 3 * node.joint)); };
-    for (Node& node : nodes_)
-        if (node.joint != none) node.c_s = row(node);
+    for (Node& node : nodes_)  // the rows demand a point acceleration of the first body less the second's
+        if (node.joint != none) node.c_s = -node.sign * vec3(c + 3 * node.joint);
     inwards(
         q,
         [&](const Node& node, const auto& R) {
