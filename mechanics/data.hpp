@@ -77,9 +77,10 @@ using ParameterValues = std::map<std::string, ParameterValue>;
 /// name that does not exist, `written` is that name and `known` those that do.
 struct ParameterError : std::invalid_argument {
     std::string path;
-    std::string written = {};
-    std::vector<std::string> known = {};
-    ParameterError(std::string where, const std::string& what) : std::invalid_argument(what), path(std::move(where)) {}
+    std::string written;
+    std::vector<std::string> known;
+    ParameterError(std::string where, const std::string& what, std::string name = {}, std::vector<std::string> names = {})
+        : std::invalid_argument(what), path(std::move(where)), written(std::move(name)), known(std::move(names)) {}
 };
 
 }  // namespace kreisel

@@ -35,7 +35,7 @@ Model governor(const Parameters& p) {
     model.join(ground, 0, Vec3::Zero(), JointType::revolute, z);
     model.join(0, 1, slide, JointType::prismatic, z);
     for (const int side : {1, -1}) {
-        Real centre;
+        Real centre = 0;
         Body rod = loaded_rod(length, width, density, p.mass("ball"), centre);
         rod.name = side > 0 ? "right_rod" : "left_rod";
         const Vec3 along(side * sqrt(Real(3)) / 2, 0, -Real(1) / 2);

@@ -37,6 +37,7 @@ void read_bodies(Model& model, const std::vector<BodyData>& bodies) {
 
 std::vector<bool> given_velocities(const std::vector<BodyData>& bodies) {
     std::vector<bool> given;
+    given.reserve(bodies.size());
     for (const BodyData& body : bodies) given.push_back(body.v.has_value());
     return given;
 }
@@ -61,9 +62,7 @@ int body_named(const Model& model, const std::string& name, const std::string& p
     }
     std::string list;
     for (const std::string& one : known) list += (list.empty() ? "\"" : ", \"") + one + "\"";
-    ParameterError error(path, "expected a body (" + list + "), got \"" + name + "\"");
-    error.written = name, error.known = std::move(known);
-    throw error;
+    throw ParameterError(path, "expected a body (" + list + "), got \"" + name + "\"", name, std::move(known));
 }
 
 std::array<int, 2> bodies_between(const Model& model, const std::array<std::string, 2>& names, const std::string& path,
