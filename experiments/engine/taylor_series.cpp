@@ -46,10 +46,10 @@ void TaylorSeries::weigh() {
     for (std::size_t c = 0; c < rows_.size(); ++c) {
         const auto& [index, row, scale] = rows_[c];
         const JointSeries& joint = joints_[index];
-        const auto add = [&](const BodySeries& body, const JointSeries::Wrench& wrench) {
+        const auto add = [&, size = scale](const BodySeries& body, const JointSeries::Wrench& wrench) {
             if (body.is_fixed()) return;
             const auto place = 6 * static_cast<Eigen::Index>(&body - bodies_.data());
-            A_.block<6, 1>(place, static_cast<Eigen::Index>(c)) += body.weighted(wrench.force, wrench.moment) / scale;
+            A_.block<6, 1>(place, static_cast<Eigen::Index>(c)) += body.weighted(wrench.force, wrench.moment) / size;
         };
         add(joint.first(), joint.on_first(row)), add(joint.second(), joint.on_second(row));
     }
