@@ -78,7 +78,7 @@ struct Cost {
     long output_evaluations = 0;      ///< solves for start, metrics and samples
     double cpu_s = 0;
     std::optional<double> step_s;  ///< of a timed cell: CPU time per step in the fastest of several runs, s
-    std::optional<double> memory;  ///< of a timed cell: what system, method, projection and state occupy, bytes
+    std::optional<double> memory;  ///< of a timed cell: what model, system, method, projection and state occupy, bytes
 };
 
 struct Column {

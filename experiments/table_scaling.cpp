@@ -94,8 +94,8 @@ TextTable scaling_table(const Results& results, std::string (*number)(double)) {
                    {"steps", "bodies", "per step [s]", "per step and body [s]", "memory [bytes]", "per body [bytes]"});
     table.notes = {
         "CPU time of a step: that of the fastest of several runs, divided by its steps. Memory: what model, system, "
-        "method, "
-        "projection and state occupy on the heap. Both depend on the machine and its load."};
+        "method, projection and state occupy on the heap; a few kilobytes are below what can be told. Both depend on the "
+        "machine, the time also on its load."};
     for (const ResultRow& row : rows) {
         if (!row.ok()) { continue; }
         std::vector<std::string> cells = {fmt::format("{}", row.steps), fmt::format("{}", row.bodies)};

@@ -26,7 +26,8 @@ double thread_seconds() {
 }
 
 /// Bytes on the heap of the whole process [glibc]: what others allocate meanwhile counts too, so that timed cells run
-/// alone. Zero where malloc is not the C library's, under sanitizers.
+/// alone. The allocator keeps blocks of earlier cells at hand and calls them used, so that some kilobytes are nothing to go
+/// by. Zero where malloc is not the C library's, under sanitizers.
 double heap_bytes() {
     const struct mallinfo2 info = mallinfo2();
     return static_cast<double>(info.uordblks + info.hblkhd);
