@@ -85,14 +85,8 @@ std::string CellNames::legend(const ResultRow& row, const std::vector<std::strin
     return text.empty() ? axis(row, "method") : text;
 }
 
-std::vector<CellGroup> group_by_method(const std::vector<ResultRow>& rows) {
+std::vector<CellGroup> grouped(const std::vector<ResultRow>& rows, bool (*same)(const ResultRow&, const ResultRow&)) {
     std::vector<CellGroup> groups;
-    const auto same = [](const ResultRow& a, const ResultRow& b) {
-        return a.problem == b.problem && a.label == b.label && a.parameters == b.parameters &&
-               a.formulation == b.formulation && a.method == b.method && a.options == b.options &&
-               a.projection == b.projection && a.projection_options == b.projection_options &&
-               a.precision == b.precision && a.t_end == b.t_end;
-    };
     for (const ResultRow& row : rows) {
         const auto group = std::find_if(groups.begin(), groups.end(),
                                         [&](const CellGroup& other) { return same(other.front(), row); });
@@ -103,6 +97,18 @@ std::vector<CellGroup> group_by_method(const std::vector<ResultRow>& rows) {
         }
     }
     return groups;
+}
+
+bool same_but_for_size(const ResultRow& a, const ResultRow& b) {
+    return a.problem == b.problem && a.label == b.label && a.formulation == b.formulation && a.method == b.method &&
+           a.options == b.options && a.projection == b.projection && a.projection_options == b.projection_options &&
+           a.precision == b.precision;
+}
+
+std::vector<CellGroup> group_by_method(const std::vector<ResultRow>& rows) {
+    return grouped(rows, [](const ResultRow& a, const ResultRow& b) {
+        return same_but_for_size(a, b) && a.parameters == b.parameters && a.t_end == b.t_end;
+    });
 }
 
 std::string metric_unit(const std::string& metric) {

@@ -36,6 +36,12 @@ struct CellGroup {
 };
 std::vector<CellGroup> group_by_method(const std::vector<ResultRow>& rows);
 
+/// Rows in groups of those that are `same` as the first of their group, in the order of first appearance.
+std::vector<CellGroup> grouped(const std::vector<ResultRow>& rows, bool (*same)(const ResultRow&, const ResultRow&));
+
+/// Whether two rows agree in all but parameters, steps and end time.
+bool same_but_for_size(const ResultRow& a, const ResultRow& b);
+
 /// Unit of a metric such as "error.position" or "invariant.energy.slope"; empty where it is not known.
 std::string metric_unit(const std::string& metric);
 

@@ -43,21 +43,8 @@ std::vector<ResultRow> by_series(std::vector<ResultRow> rows) {
 }
 
 std::vector<CellGroup> scaling_curves(const std::vector<ResultRow>& rows) {
-    std::vector<CellGroup> curves;
-    const auto same = [](const ResultRow& a, const ResultRow& b) {
-        return a.problem == b.problem && a.label == b.label && a.formulation == b.formulation && a.method == b.method &&
-               a.options == b.options && a.projection == b.projection && a.projection_options == b.projection_options &&
-               a.precision == b.precision && a.steps == b.steps;
-    };
-    for (const ResultRow& row : rows) {
-        const auto curve = std::find_if(curves.begin(), curves.end(),
-                                        [&](const CellGroup& other) { return same(other.front(), row); });
-        if (curve == curves.end()) {
-            curves.push_back({{&row}});
-        } else {
-            curve->rows.push_back(&row);
-        }
-    }
+    std::vector<CellGroup> curves = grouped(
+        rows, [](const ResultRow& a, const ResultRow& b) { return same_but_for_size(a, b) && a.steps == b.steps; });
     for (CellGroup& curve : curves) {
         std::stable_sort(curve.rows.begin(), curve.rows.end(),
                          [](const ResultRow* a, const ResultRow* b) { return a->bodies < b->bodies; });
@@ -94,7 +81,8 @@ TextTable scaling_table(const Results& results, std::string (*number)(double)) {
                    {"steps", "bodies", "per step [s]", "per step and body [s]", "memory [bytes]", "per body [bytes]"});
     table.notes = {
         "CPU time of a step: that of the fastest of several runs, divided by its steps. Memory: what model, system, "
-        "method, projection and state occupy on the heap; a few kilobytes are below what can be told. Both depend on the "
+        "method, projection and state occupy on the heap; a few kilobytes are below what can be told. Both depend on "
+        "the "
         "machine, the time also on its load."};
     for (const ResultRow& row : rows) {
         if (!row.ok()) { continue; }

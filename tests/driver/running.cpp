@@ -332,23 +332,3 @@ TEST_CASE("an interrupted shard says how it is continued") {
                                folder.string() + " --shard 2/2 --resume\n") != std::string::npos);
     CHECK(nlohmann::json::parse(contents(folder / "manifest.2-of-2.json"))["cells"]["missing"] == 2);
 }
-
-TEST_CASE("times of a scaling experiment stand in the journal, its results are the same bytes again") {
-    const ScratchFolder scratch;
-    const std::string config = scratch.file("c.json", R"({"name": "s", "kind": "scaling", "methods": ["rkmk/rk4"],
-        "problems": [{"name": "heavy_top", "parameters": {"mass": [1, 2, 3]}}], "time": {"end": 1, "steps": 4}})");
-    REQUIRE(run(config, scratch / "a", {"-j", "4"}).code == 0);
-    REQUIRE(run(config, scratch / "b", {"-j", "1"}).code == 0);
-    require_same_results(scratch / "a", scratch / "b");
-    const std::string results = contents(scratch / "a" / "results.jsonl");
-    CHECK(results.find("step_s") == std::string::npos);
-    CHECK(results.find("\"final\"") == std::string::npos);
-    CHECK(results.find("\"bodies\":1") != std::string::npos);
-    std::istringstream journal(contents(scratch / "a" / "journal.jsonl"));
-    for (std::string line; std::getline(journal, line);) {
-        const auto cost = nlohmann::json::parse(line).at("cost");
-        CHECK(cost.at("step_s").get<double>() > 1e-6);
-        CHECK(cost.at("memory") == 1000);
-        CHECK(read_journal_line(line, nlohmann::json::parse(line).at("build"))->cost.step_s == cost.at("step_s"));
-    }
-}
