@@ -181,9 +181,15 @@ void SphericalBodies<Coordinates>::add_wrenches(const Real& t, const Real* q, co
 }
 
 template <class Coordinates>
-KREISEL_HOT Status SphericalBodies<Coordinates>::accelerations(const Real& t, const Real* q, const Real* v, Real* dv,
-                                                               Real* lambda) {
+Status SphericalBodies<Coordinates>::accelerations(const Real& t, const Real* q, const Real* v, Real* dv,
+                                                   Real* lambda) {
     if (!anchored_.empty() && !lambda) return anchored_accelerations(t, q, v, dv);
+    return forest_accelerations(t, q, v, dv, lambda);
+}
+
+template <class Coordinates>
+KREISEL_HOT Status SphericalBodies<Coordinates>::forest_accelerations(const Real& t, const Real* q, const Real* v,
+                                                                      Real* dv, Real* lambda) {
     const Vec3 g = this->model().gravity.at(t);
     const bool forces = forces_;
     if (forces) add_wrenches(t, q, v);

@@ -66,6 +66,7 @@ class SphericalBodies final : public Bodies<Coordinates> {
 
     void add_node(const Branch& branch);
     void find_anchored();
+    Status forest_accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda);
     Status anchored_accelerations(const Real& t, const Real* q, const Real* v, Real* dv) const;
     void add_wrenches(const Real& t, const Real* q, const Real* v);
 
