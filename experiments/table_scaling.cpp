@@ -55,17 +55,17 @@ std::vector<CellGroup> scaling_curves(const std::vector<ResultRow>& rows) {
 std::optional<ScalingLaw> scaling_law(const CellGroup& curve, const std::string& quantity) {
     std::vector<double> x, y;
     ScalingLaw law;
+    int sizes = 0;
     for (const ResultRow* row : curve.rows) {
         const auto value = scaling_value(*row, quantity);
-        if (row->bodies < least_bodies || !value || !(*value > 0) || (!x.empty() && row->bodies == law.to)) {
-            continue;
-        }
+        if (row->bodies < least_bodies || !value || !(*value > 0)) { continue; }
         if (x.empty()) { law.from = row->bodies; }
+        if (row->bodies != law.to) { ++sizes; }
         law.to = row->bodies;
         x.push_back(std::log(static_cast<double>(row->bodies)));
         y.push_back(std::log(*value));
     }
-    if (x.size() < 3) { return std::nullopt; }
+    if (sizes < 3) { return std::nullopt; }
     const Line line = fit_line(x, y);
     law.exponent = line.slope;
     law.error = line.slope_error;
@@ -82,8 +82,7 @@ TextTable scaling_table(const Results& results, std::string (*number)(double)) {
     table.notes = {
         "CPU time of a step: that of the fastest of several runs, divided by its steps. Memory: what model, system, "
         "method, projection and state occupy on the heap; a few kilobytes are below what can be told. Both depend on "
-        "the "
-        "machine, the time also on its load."};
+        "the machine, the time also on its load."};
     for (const ResultRow& row : rows) {
         if (!row.ok()) { continue; }
         std::vector<std::string> cells = {fmt::format("{}", row.steps), fmt::format("{}", row.bodies)};

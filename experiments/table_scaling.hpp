@@ -35,7 +35,7 @@ struct ScalingLaw {
     long from = 0, to = 0;  ///< numbers of bodies
 };
 
-/// From 8 bodies on: fewer do not outweigh what a step costs without bodies. Nothing with less than three points.
+/// From 8 bodies on: fewer do not outweigh what a step costs without bodies. Nothing with less than three sizes.
 std::optional<ScalingLaw> scaling_law(const CellGroup& curve, const std::string& quantity);
 
 /// One row per cell: time per step, and per body; memory, and per body.
