@@ -136,6 +136,14 @@ void print_elements(std::ostream& out, const ProblemDescription& problem) {
     if (!meanings.empty()) { print_rows(out, "Keys of entries", meanings); }
 }
 
+// What stands in for defaults where parameters are required.
+void print_demonstration(std::ostream& out, const ProblemDescription& problem) {
+    if (problem.demonstration.empty()) { return; }
+    std::vector<NamedText> rows;
+    for (const auto& [name, value] : problem.demonstration) { rows.emplace_back(name, json_value(value)); }
+    print_rows(out, fmt::format("Demonstration ({})", problem.demonstration_config), rows);
+}
+
 void describe_problem(const Engine& engine, const ProblemDescription& problem, std::ostream& out) {
     fmt::print(out, "{}: {}\n", problem.name, problem.summary);
     print_sources(out, problem.cites);
@@ -143,14 +151,16 @@ void describe_problem(const Engine& engine, const ProblemDescription& problem, s
     std::vector<NamedText> rows;
     for (const ParameterDescription& parameter : problem.parameters) {
         const std::string unit = parameter.unit.empty() ? "" : " [" + parameter.unit + "]";
-        rows.emplace_back(parameter.name, fmt::format("{}{}: {} (default {})", parameter.summary, unit,
-                                                      expectation(parameter.kind), json_value(parameter.standard)));
+        const std::string standard = parameter.required ? "required" : "default " + json_value(parameter.standard);
+        rows.emplace_back(parameter.name, fmt::format("{}{}: {} ({})", parameter.summary, unit,
+                                                      expectation(parameter.kind), standard));
     }
     print_rows(out, "Parameters", rows);
     print_elements(out, problem);
-    fmt::print(out, "With default parameters, formulated on\n");
+    print_demonstration(out, problem);
+    fmt::print(out, "With {} parameters, formulated on\n", problem.demonstration.empty() ? "default" : "these");
     for (const FormulationDescription& formulation : engine.formulations()) {
-        const SystemSummary summary = engine.summary(problem.name, default_parameters(problem), formulation.name);
+        const SystemSummary summary = engine.summary(problem.name, demonstration_parameters(problem), formulation.name);
         if (!summary.skip_reason.empty()) {
             fmt::print(out, "  {}: not possible: {}\n", formulation.name, summary.skip_reason);
             continue;
@@ -175,12 +185,12 @@ void describe_method(const MethodDescription& method, std::ostream& out) {
     print_options(out, method.options);
 }
 
-// First integrals of the problems with their default parameters, by problem.
+// First integrals of the problems with their default parameters, or in their demonstration, by problem.
 std::map<std::string, std::vector<IntegralDescription>> integrals_by_problem(const Engine& engine) {
     std::map<std::string, std::vector<IntegralDescription>> all;
     for (const ProblemDescription& problem : engine.problems()) {
         for (const FormulationDescription& formulation : engine.formulations()) {
-            SystemSummary summary = engine.summary(problem.name, default_parameters(problem), formulation.name);
+            SystemSummary summary = engine.summary(problem.name, demonstration_parameters(problem), formulation.name);
             if (summary.skip_reason.empty()) { all[problem.name] = std::move(summary.integrals); }
         }
     }

@@ -121,9 +121,16 @@ void add_problem(const Node& entry, ProblemEntry problem, Config& config) {
 void add_problems(const Node& entry, const ProblemDescription& description, Config& config) {
     const std::string series = read_label(entry, description.name);
     std::vector<ParameterPoint> points = {{default_parameters(description), ""}};
-    if (entry.is_object()) {
-        entry.only_keys({"name", "label", "parameters"});
-        if (const auto parameters = entry.find("parameters")) { points = read_parameters(*parameters, description); }
+    if (entry.is_object()) { entry.only_keys({"name", "label", "parameters"}); }
+    const auto parameters = entry.is_object() ? entry.find("parameters") : std::nullopt;
+    const std::vector<std::string> required = required_parameters(description);
+    if (parameters) {
+        points = read_parameters(*parameters, description);
+    } else if (!required.empty()) {
+        entry.error(fmt::format("the parameters of {}, at least {} (see kreisel info {})", in_quotes(description.name),
+                                listed(required), description.name),
+                    "none");
+        return;
     }
     for (ParameterPoint& point : points) {
         add_problem(entry, {description.name, series, series + point.listed, std::move(point.values), entry.pointer()},

@@ -91,18 +91,13 @@ std::string expectation(ParameterKind kind) {
     return "";
 }
 
-ParameterValues default_parameters(const ProblemDescription& problem) {
-    ParameterValues values;
-    for (const ParameterDescription& parameter : problem.parameters) { values[parameter.name] = parameter.standard; }
-    return values;
-}
-
 std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDescription& problem) {
     std::vector<ParameterPoint> points = {{default_parameters(problem), ""}};
     if (!written.require_object("an object of parameters")) { return points; }
     written.only_keys(names_of(problem.parameters));
     for (const ParameterDescription& parameter : problem.parameters) {
-        const auto node = written.find(parameter.name);
+        const auto node = parameter.required ? written.require(parameter.name, expectation(parameter.kind))
+                                             : written.find(parameter.name);
         if (!node) { continue; }
         if (is_number(parameter.kind) && node->is_array()) {
             points = crossed(points, parameter.name, read_list(*node, parameter.kind));

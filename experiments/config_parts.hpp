@@ -23,7 +23,6 @@ struct ParameterPoint {
 /// Fills in what `written` (an object) gives; what it does not give keeps its default. A number given as a list is an
 /// axis: all combinations, the last parameter of the description varying fastest.
 std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDescription& problem);
-ParameterValues default_parameters(const ProblemDescription& problem);
 
 /// Vectors, matrices row by row, and inertias (three numbers or a symmetric matrix).
 std::optional<Vector3> read_vector(const Node& node, const std::string& expected);

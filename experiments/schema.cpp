@@ -139,8 +139,18 @@ Schema problem_object(const ProblemDescription& problem) {
     }
     Schema label = text(200);
     label["not"] = {{"pattern", "^[=+@-]"}};
-    return object({{"name", {{"const", problem.name}}}, {"label", label}, {"parameters", object(parameters, {})}},
-                  {"name"});
+    const std::vector<std::string> required = required_parameters(problem);
+    return object({{"name", {{"const", problem.name}}}, {"label", label}, {"parameters", object(parameters, required)}},
+                  required.empty() ? std::vector<std::string>{"name"} : std::vector<std::string>{"name", "parameters"});
+}
+
+// Problems that a config can name without saying anything of their parameters.
+std::vector<std::string> names_of_complete(const std::vector<ProblemDescription>& problems) {
+    std::vector<std::string> names;
+    for (const ProblemDescription& problem : problems) {
+        if (required_parameters(problem).empty()) { names.push_back(problem.name); }
+    }
+    return names;
 }
 
 Schema option_value(const OptionDescription& option) {
@@ -208,7 +218,7 @@ Schema config_schema(const Registry& registry) {
                 {"description", text(2000)},
                 {"kind", choice(runnable_kinds())},
                 {"precision", one_or_list(precision)},
-                {"problems", entries(names_of(registry.problems), registry.problems, problem_object)},
+                {"problems", entries(names_of_complete(registry.problems), registry.problems, problem_object)},
                 {"formulations", list(choice(names_of(registry.formulations)))},
                 {"methods", optioned_entries(registry.methods)},
                 {"projections", optioned_entries(registry.projections)},

@@ -20,7 +20,8 @@ struct ParameterDescription {
     ParameterKind kind = ParameterKind::scalar;
     std::string unit;
     std::string summary;
-    ParameterValue standard;
+    ParameterValue standard;  ///< holds where a config says nothing
+    bool required = false;    ///< a config must say it
 };
 
 /// A quantity the exact flow preserves, and the reason why it does.
@@ -41,6 +42,31 @@ struct ProblemDescription {
     std::vector<std::string> cites;  ///< keys of paper/references.bib
     std::vector<ParameterDescription> parameters;
     bool closed_form = false;
+    /// Where parameters are required: values that show the problem at work, and the config in experiments/ that has them.
+    ParameterValues demonstration = {};
+    std::string demonstration_config = {};
 };
+
+/// What holds where a config says nothing.
+inline ParameterValues default_parameters(const ProblemDescription& problem) {
+    ParameterValues values;
+    for (const ParameterDescription& parameter : problem.parameters) values[parameter.name] = parameter.standard;
+    return values;
+}
+
+/// A complete instance of the problem: its demonstration, or all defaults.
+inline ParameterValues demonstration_parameters(const ProblemDescription& problem) {
+    ParameterValues values = default_parameters(problem);
+    for (const auto& [name, value] : problem.demonstration) values[name] = value;
+    return values;
+}
+
+/// The parameters that a config must say.
+inline std::vector<std::string> required_parameters(const ProblemDescription& problem) {
+    std::vector<std::string> names;
+    for (const ParameterDescription& parameter : problem.parameters)
+        if (parameter.required) names.push_back(parameter.name);
+    return names;
+}
 
 }  // namespace kreisel

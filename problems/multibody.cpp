@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Any mechanism: rigid bodies and point masses, joints of every kind (mechanics/joint_rows.hpp), springs and loads
-// (mechanics/model.hpp), gravity g (1 + A sin(W t)). Bodies without v get it from the joints. The default is a crank that
-// turns about the y axis, with a rod on a spherical joint at its end, which a spring holds; the data are our own.
+// (mechanics/model.hpp), gravity g (1 + A sin(W t)). Bodies without v get it from the joints. The model holds what the
+// config says and nothing else. The demonstration is a crank that turns about the y axis, with a rod on a spherical joint
+// at its end, which a spring holds; the data are our own.
 #include "mechanics/formulation.hpp"
 #include "problems/problem.hpp"
 #include "problems/read_model.hpp"
@@ -74,16 +75,19 @@ std::vector<ForceData> one_spring() {
 KREISEL_PROBLEM(
     multibody,
     {.name = "multibody",
-     .summary = "any mechanism: bodies, joints and forces as parameters; default: a crank and a rod on a spring",
+     .summary = "any mechanism: bodies, joints and forces as parameters",
      .cites = {},
      .parameters = {
-         {"bodies", ParameterKind::bodies, "", "rigid bodies and point masses", crank_and_rod()},
-         {"joints", ParameterKind::joints, "", "what holds bodies to each other or to the ground", pivot_and_ball()},
-         {"forces", ParameterKind::forces, "", "springs and loads", one_spring()},
+         {"bodies", ParameterKind::bodies, "", "rigid bodies and point masses", std::vector<BodyData>(), true},
+         {"joints", ParameterKind::joints, "", "what holds bodies to each other or to the ground",
+          std::vector<JointData>()},
+         {"forces", ParameterKind::forces, "", "springs and loads", std::vector<ForceData>()},
          {"gravity", ParameterKind::vector, "m/s^2", "gravity, space axes", Vector3{0, 0, -9.81}},
          {"gravity_amplitude", ParameterKind::scalar, "1", "A in gravity (1 + A sin(W t))", 0.0},
          {"gravity_frequency", ParameterKind::scalar, "rad/s", "W in gravity (1 + A sin(W t))", 0.0},
-         {"project_initial", ParameterKind::flag, "", "move the start onto the joints, and say by how much", false}}});
+         {"project_initial", ParameterKind::flag, "", "move the start onto the joints, and say by how much", false}},
+     .demonstration = {{"bodies", crank_and_rod()}, {"joints", pivot_and_ball()}, {"forces", one_spring()}},
+     .demonstration_config = "experiments/crank_and_rod.json"});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

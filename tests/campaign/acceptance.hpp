@@ -12,12 +12,9 @@
 namespace kreisel::acceptance {
 
 inline ParameterValues defaults(const std::string& problem) {
-    ParameterValues values;
     for (const ProblemDescription& description : engine_binary64().problems())
-        if (description.name == problem)
-            for (const ParameterDescription& parameter : description.parameters)
-                values[parameter.name] = parameter.standard;
-    return values;
+        if (description.name == problem) return demonstration_parameters(description);
+    return {};
 }
 
 inline OptionValues standard_options(const MethodDescription& method) {

@@ -66,7 +66,8 @@ std::vector<ForceData> forces_of_all_types() {
     return {spring, damper, torsion, torque, force, pushed};
 }
 
-ParameterValue other_than_standard(const ParameterDescription& parameter) {
+/// `shown`: the value in the demonstration of the problem.
+ParameterValue other_than_standard(const ParameterDescription& parameter, const ParameterValue& shown) {
     switch (parameter.kind) {
         case ParameterKind::scalar:
         case ParameterKind::positive:
@@ -85,7 +86,7 @@ ParameterValue other_than_standard(const ParameterDescription& parameter) {
         case ParameterKind::bodies:
             break;
     }
-    auto bodies = std::get<std::vector<BodyData>>(parameter.standard);
+    auto bodies = std::get<std::vector<BodyData>>(shown);
     for (BodyData& body : bodies) {
         body.mass = awkward(body.mass);
         body.inertia = awkward(body.inertia, ParameterKind::inertia);
@@ -118,16 +119,16 @@ TEST_CASE("parameters of every problem round-trip through JSON", "[campaign]") {
     const Registry registry(engine_binary64());
     for (const ProblemDescription& problem : registry.problems) {
         INFO(problem.name);
-        ParameterValues standard, other;
+        const ParameterValues standard = demonstration_parameters(problem);
+        ParameterValues other;
         for (const ParameterDescription& parameter : problem.parameters) {
-            standard[parameter.name] = parameter.standard;
-            other[parameter.name] = other_than_standard(parameter);
+            other[parameter.name] = other_than_standard(parameter, standard.at(parameter.name));
             INFO(parameter.name);
             CHECK_FALSE(other[parameter.name] == parameter.standard);
         }
         CHECK(read_back(problem.name, json_value(standard), registry) == standard);
         CHECK(read_back(problem.name, json_value(other), registry) == other);
-        CHECK(read_back(problem.name, "{}", registry) == standard);
+        if (required_parameters(problem).empty()) CHECK(read_back(problem.name, "{}", registry) == standard);
     }
 }
 
@@ -136,7 +137,7 @@ TEST_CASE("a round trip that loses a bit is noticed", "[campaign][control]") {
     const ProblemDescription& problem = registry.problems.at(0);
     ParameterValues values;
     for (const ParameterDescription& parameter : problem.parameters)
-        values[parameter.name] = other_than_standard(parameter);
+        values[parameter.name] = other_than_standard(parameter, parameter.standard);
     const ParameterValues back = read_back(problem.name, json_value(values), registry);
     for (auto& [name, value] : values)
         if (auto* vector = std::get_if<Vector3>(&value)) (*vector)[2] = std::nextafter((*vector)[2], 1e9);

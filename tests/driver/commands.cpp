@@ -122,6 +122,9 @@ TEST_CASE("info tells parameters, options, integrals and why a formulation is im
     CHECK(tells(mechanism, "revolute     between, point|points, axis|axes; turns about the axis"));
     CHECK(tells(mechanism, "rigid  name, mass, inertia, x, [R|quaternion], [v], [omega]; rigid body"));
     CHECK(tells(mechanism, "stiffness   N/m, of a torsion spring N m/rad"));
+    CHECK(tells(mechanism, "the bodies: a list of bodies, at least one (required)"));
+    CHECK(tells(mechanism, "the joints: a list of joints (default [])"));
+    CHECK(tells(mechanism, "Demonstration (experiments/one_rod.json)\n  bodies  [{\"name\""));
     const auto method = run_program({"info", "rkmk/rk4"}).out;
     CHECK(tells(method, "a whole number from 0 to 20"));
     CHECK(tells(run_program({"info", "fake/relaxed"}).out, "order 2 (configuration), 2 (velocity), 1 (multipliers)"));

@@ -62,8 +62,8 @@ bool work_slowly(long steps, const std::stop_token& stop) {
 }
 
 std::vector<ParameterDescription> mechanism() {
-    return {{"bodies", ParameterKind::bodies, "", "the bodies", std::vector<BodyData>{{.name = "rod"}}},
-            {"joints", ParameterKind::joints, "", "the joints", std::vector<JointData>{{.between = {"ground", "rod"}}}},
+    return {{"bodies", ParameterKind::bodies, "", "the bodies", std::vector<BodyData>(), true},
+            {"joints", ParameterKind::joints, "", "the joints", std::vector<JointData>()},
             {"forces", ParameterKind::forces, "", "the forces", std::vector<ForceData>{}},
             {"project_initial", ParameterKind::flag, "", "whether to move the start", false}};
 }
@@ -97,7 +97,8 @@ std::vector<ProblemDescription> FakeEngine::problems() const {
     return {{"heavy_top", "a top on a pivot", {"source2000"}, {mass, inertia, lever, rotation, amplitude}, false},
             {"free_top", "a free body", {}, {mass, inertia}, true},
             {"double_pendulum", "two links", {}, {bodies}, false},
-            {"multibody", "any mechanism", {}, mechanism(), false}};
+            {"multibody", "any mechanism", {}, mechanism(), false, {{"bodies", std::vector<BodyData>{{.name = "rod"}}}},
+             "experiments/one_rod.json"}};
 }
 
 std::vector<MethodDescription> FakeEngine::methods() const {

@@ -30,7 +30,9 @@ ParameterValues read(const ordered_json& parameters) {
 
 template <class Data>
 std::vector<Data> entries(const std::string& key, const std::string& list) {
-    return std::get<std::vector<Data>>(read({{key, ordered_json::parse(list)}}).at(key));
+    ordered_json parameters = {{"bodies", {ordered_json::parse(R"({"name": "b", "mass": 1, "inertia": [1, 1, 1], "x": [0, 0, 0]})")}}};
+    parameters[key] = ordered_json::parse(list);
+    return std::get<std::vector<Data>>(read(parameters).at(key));
 }
 
 }  // namespace
@@ -58,6 +60,31 @@ TEST_CASE("each bad mechanism is refused where its error stands") {
         const std::string message = result.messages.substr(begin, result.messages.find('\n', begin) - begin);
         CHECK(message.find(bad.phrase) != std::string::npos);
     }
+}
+
+TEST_CASE("a mechanism without bodies is refused, and says what it needs") {
+    const ScratchFolder scratch;
+    const auto check = [&](const ordered_json& problem) {
+        ordered_json config = ordered_json::parse(good_config());
+        config["problems"] = {problem};
+        const auto result = run_program({"check", scratch.file("bad.json", config.dump(2))});
+        CHECK(result.code == 2);
+        return result.messages;
+    };
+    for (const ordered_json& bare : {ordered_json("multibody"), ordered_json{{"name", "multibody"}}}) {
+        const std::string message = check(bare);
+        CHECK(tells(message, "/problems/0: expected the parameters of \"multibody\", at least \"bodies\""));
+        CHECK(tells(message, "kreisel info multibody"));
+    }
+    const ordered_json nothing = {{"name", "multibody"}, {"parameters", ordered_json::object()}};
+    CHECK(tells(check(nothing), "/problems/0/parameters: expected the key \"bodies\": a list of bodies, at least one"));
+}
+
+TEST_CASE("joints and forces that are not written are none") {
+    const ordered_json parameters = {{"bodies", ordered_json::parse(good_mechanism()).at("bodies")}};
+    const ParameterValues values = read(parameters);
+    CHECK(std::get<std::vector<JointData>>(values.at("joints")).empty());
+    CHECK(std::get<std::vector<ForceData>>(values.at("forces")).empty());
 }
 
 TEST_CASE("joints of every type are read") {
@@ -139,8 +166,9 @@ TEST_CASE("a unit quaternion stands for its rotation") {
 }
 
 TEST_CASE("what a config says of a mechanism is written so that it reads back") {
-    for (const std::string& text : {good_mechanism(), std::string("{}")}) {
-        const ParameterValues values = read(ordered_json::parse(text));
+    const ordered_json good = ordered_json::parse(good_mechanism());
+    for (const ordered_json& parameters : {good, ordered_json{{"bodies", good.at("bodies")}}}) {
+        const ParameterValues values = read(parameters);
         CHECK(read(ordered_json::parse(json_value(values))) == values);
     }
 }

@@ -16,10 +16,7 @@ namespace models {
 using namespace kreisel;
 
 inline ParameterValues defaults(const Problem& problem) {
-    ParameterValues values;
-    for (const ParameterDescription& parameter : problem.description.parameters)
-        values[parameter.name] = parameter.standard;
-    return values;
+    return demonstration_parameters(problem.description);
 }
 
 inline Model standard(const std::string& name) {

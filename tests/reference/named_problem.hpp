@@ -11,11 +11,10 @@ namespace reference_tests {
 /// An attitude in which no axis of a body is one of space.
 inline const kreisel::Mat3 oblique = kreisel::SO3::exp(kreisel::Vec3(2, -5, 3) / 5);
 
-/// A problem with its default parameters.
+/// A problem with its default parameters, or its demonstration where it has no defaults.
 inline kreisel::Model standard_model(const std::string& name) {
-    kreisel::ParameterValues values;
     const kreisel::Problem& problem = kreisel::problem(name);
-    for (const kreisel::ParameterDescription& p : problem.description.parameters) values[p.name] = p.standard;
+    const kreisel::ParameterValues values = demonstration_parameters(problem.description);
     return problem.build(kreisel::Parameters(values));
 }
 
