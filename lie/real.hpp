@@ -39,6 +39,8 @@ using std::acos;
 using std::atan2;
 using std::cbrt;
 using std::cos;
+using std::frexp;
+using std::ldexp;
 using std::log2;
 using std::max;
 using std::min;
@@ -52,6 +54,13 @@ using std::sqrt;
 
 /// Unit round-off spacing of Real at 1.
 inline const Real epsilon = std::numeric_limits<Real>::epsilon();
+
+/// The power of two next below or equal to x > 0: a unit in which numbers keep all their bits.
+inline Real power_of_two_below(const Real& x) {
+    int exponent = 0;
+    frexp(x, &exponent);
+    return ldexp(Real(1), exponent - 1);
+}
 
 /// Circle constant, from arithmetic that is exact to the last bit in both precisions.
 inline Real pi() { return acos(Real(-1)); }

@@ -203,7 +203,19 @@ void Bodies<Coordinates>::ambient_jacobian(const Real&, const Real* q, const Rea
 template <class Coordinates>
 void Bodies<Coordinates>::row_scale(Real* scale) const {
     for (std::size_t j = 0; j < places_.size(); ++j)
-        for (int k = 0; k < places_[j].all; ++k) scale[row(j, k)] = kreisel::row_scale(model_.joints[j], k);
+        for (int k = 0; k < places_[j].all; ++k) scale[row(j, k)] = kreisel::row_scale(model_, model_.joints[j], k);
+}
+
+template <class Coordinates>
+void Bodies<Coordinates>::position_scale(const Real* q, Real* size) const {
+    const auto reach = [&](int body, const Vec3& r) {
+        return body == ground ? Real(r.norm()) : Real(position(q, body).norm() + r.norm());
+    };
+    for (std::size_t j = 0; j < places_.size(); ++j) {
+        const Joint& joint = model_.joints[j];
+        const Real length = reach(joint.first, joint.r_first) + reach(joint.second, joint.r_second) + joint.length;
+        for (int k = 0; k < places_[j].position; ++k) size[row(j, k)] = is_direction_row(joint.type, k) ? Real(2) : length;
+    }
 }
 
 template <class Coordinates>

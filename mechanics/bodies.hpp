@@ -33,6 +33,7 @@ class Bodies : public System {
     bool has_ambient_jacobian() const override;
     void ambient_jacobian(const Real& t, const Real* q, const Real* v, Real* G) const override;
     void row_scale(Real* scale) const override;
+    void position_scale(const Real* q, Real* size) const override;
     bool has_potential() const override { return is_conservative(model_); }
     Real potential(const Real& t, const Real* q) const override;
 

@@ -1,25 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mechanics/forest.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-bool is_forest(const Model& model) {
-    std::vector<std::size_t> root(model.bodies.size() + 1);  // the last is the ground
-    std::iota(root.begin(), root.end(), std::size_t{0});
-    const auto find = [&](int body) {
-        std::size_t i = body == ground ? model.bodies.size() : static_cast<std::size_t>(body);
-        while (root[i] != i) i = root[i] = root[root[i]];
-        return i;
-    };
-    for (const Joint& joint : model.joints) {
-        const std::size_t first = find(joint.first), second = find(joint.second);
-        if (first == second) return false;
-        root[first] = second;
+namespace {
+
+/// Bodies and, as the last one, the ground, in sets that grow together.
+class Sets {
+  public:
+    explicit Sets(const Model& model) : root_(model.bodies.size() + 1) {
+        std::iota(root_.begin(), root_.end(), std::size_t{0});
     }
-    return true;
+    std::size_t find(int body) {
+        std::size_t i = body == ground ? root_.size() - 1 : static_cast<std::size_t>(body);
+        while (root_[i] != i) i = root_[i] = root_[root_[i]];
+        return i;
+    }
+    /// False where the two were together already.
+    bool unite(int first, int second) {
+        const std::size_t a = find(first), b = find(second);
+        root_[a] = b;
+        return a != b;
+    }
+
+  private:
+    std::vector<std::size_t> root_;
+};
+
+}  // namespace
+
+bool is_forest(const Model& model) {
+    Sets sets(model);
+    return std::all_of(model.joints.begin(), model.joints.end(),
+                       [&](const Joint& joint) { return sets.unite(joint.first, joint.second); });
+}
+
+std::vector<std::size_t> islands(const Model& model) {
+    Sets sets(model);
+    for (const Joint& joint : model.joints)
+        if (joint.first != ground && joint.second != ground) sets.unite(joint.first, joint.second);
+    std::vector<std::size_t> island;
+    for (const Joint& joint : model.joints) island.push_back(sets.find(joint.first == ground ? joint.second : joint.first));
+    return island;
 }
 
 std::vector<Branch> branches(const Model& model) {

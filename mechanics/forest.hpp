@@ -14,6 +14,9 @@ inline namespace KREISEL_PRECISION {
 /// leaves inwards, each joint meets a body that no later joint touches, and its rows are independent on that body alone.
 bool is_forest(const Model& model);
 
+/// For each joint a moving body that stands for its mechanism: the same for joints that are linked through moving bodies.
+std::vector<std::size_t> islands(const Model& model);
+
 /// A body in a forest, with the joint to its parent.
 struct Branch {
     int body = ground;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mechanics/scales.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
@@ -150,10 +152,8 @@ void write_rows(const Joint& joint, const Real& t, const Motion& first, const Mo
 
 bool is_direction_row(JointType type, int row) { return row >= counts(type).lengths; }
 
-Real row_scale(const Joint& joint, int row) {
-    const Real arms = max(Real(joint.r_first.norm()), Real(joint.r_second.norm()));
-    const Real length = max(arms, joint.length);
-    return length > 0 && !is_direction_row(joint.type, row) ? length : Real(1);
+Real row_scale(const Model& model, const Joint& joint, int row) {
+    return is_direction_row(joint.type, row) ? Real(1) : joint_length(model, joint);
 }
 
 }  // namespace KREISEL_PRECISION

@@ -55,9 +55,9 @@ void write_rows(const Joint& joint, const Real& t, const Motion& first, const Mo
 bool is_direction_row(JointType type, int row);
 inline bool has_direction_rows(JointType type) { return is_direction_row(type, rows_of(type) - 1); }
 
-/// A length (m) of each row's terms: its residuals are large or small relative to it, and rows divided by it have force
-/// units. 1 for rows that compare directions.
-Real row_scale(const Joint& joint, int row);
+/// Scale of a row: the joint's length (m, mechanics/scales.hpp), 1 for rows that compare directions. Residuals are large or
+/// small relative to it, and rows divided by it are all of one unit.
+Real row_scale(const Model& model, const Joint& joint, int row);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

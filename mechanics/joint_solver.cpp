@@ -3,10 +3,12 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
 #include <map>
 
 #include "mechanics/forces.hpp"
 #include "mechanics/forest.hpp"
+#include "mechanics/scales.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -15,21 +17,30 @@ namespace {
 
 /// Pivots of S are squares of those of M^{-1/2} C^T: below this the rows kept are chosen anew.
 const Real doubtful_pivot = Real(1) / 10000000000;
-/// By this share of its terms a row that was left out may be violated by accelerations: drift does so a little. Where all
-/// terms vanish, 1e-9 of the row's scale (per s^2) counts as nothing.
-const Real noticeable = Real(1) / 1000, nothing = Real(1) / 1000000000;
+/// By this share of the terms in its mechanism a row that was left out may be violated by accelerations: drift does so a
+/// little. A row that was kept is met to more digits, or the solve is no solution.
+const Real noticeable = Real(1) / 1000, unmet = Real(1) / 1000000000;
 
 }  // namespace
 
-JointSolver::JointSolver(const Model& model, SolverChoice choice) : model_(model), rows_(model.joints.size()) {
-    for (const Body& body : model_.bodies) nodes_.push_back({inverse_mass(body), body.J, body.J.inverse(), {}});
+JointSolver::JointSolver(const Model& model, SolverChoice choice)
+    : model_(model),
+      rows_(model.joints.size()),
+      mass_unit_(kreisel::mass_unit(model)),
+      length_(body_lengths(model)),
+      island_(islands(model)) {
+    for (const Body& body : model_.bodies) {
+        const Mat3 J = body.J / mass_unit_;
+        nodes_.push_back({inverse_mass(body) * mass_unit_, J, J.inverse(), {}});
+    }
+    largest_.resize(nodes_.size());
     connect();
     solver_ = make_solver(matrix_, choice);
-    residual_ = lambda_ = sizes_ = bias_ = VecX::Zero(matrix_.size);
+    residual_ = lambda_ = correction_ = sizes_ = bias_ = VecX::Zero(matrix_.size);
     scale_.resize(matrix_.size);
     for (std::size_t j = 0; j < rows_.size(); ++j)
         for (int k = 0; k < matrix_.rows[j]; ++k)
-            scale_[at(j, k)] = row_scale(model_.joints[j], k);
+            scale_[at(j, k)] = row_scale(model_, model_.joints[j], k);
     choose_rows_at_start();
 }
 
@@ -67,27 +78,46 @@ void JointSolver::choose_rows_at_start() {
     evaluate_rows(0);
     const int rows = matrix_.size;
     constexpr int few = 200;
-    if (rows > few && is_forest(model_))
-        choice_ = {std::vector<bool>(static_cast<std::size_t>(rows), true), rows, {}};
-    else
-        choice_ = choose_rows(weighted_transpose(), rows);
+    if (rows > few && is_forest(model_)) {
+        choice_ = {std::vector<bool>(static_cast<std::size_t>(rows), true), rows};
+    } else {
+        choice_ = choose_rows(geometric_transpose(), rows);
+        if (choice_.rank > 0 && rows <= 2 * few)
+            if (const Real ratio = condition(); isfinite(ratio)) condition_ = ratio;
+    }
     complete_ = choice_.rank == rows;
 }
 
-MatX JointSolver::weighted_transpose() const {
+template <class Weigh>
+MatX JointSolver::transpose(Weigh weigh) const {
     MatX A = MatX::Zero(6 * static_cast<Eigen::Index>(nodes_.size()), matrix_.size);
-    for (const End& end : ends_) {
-        const Body& body = model_.bodies[end.body];
-        const Mat3 L = body.J.llt().matrixL();
-        const Eigen::Index i = 6 * static_cast<Eigen::Index>(end.body);
-        for (int k = 0; k < matrix_.rows[end.joint]; ++k) {
-            const auto column = at(end.joint, k);
-            A.block<3, 1>(i, column) += end.W->block<3, 1>(0, k) / sqrt(body.mass);
-            A.block<3, 1>(i + 3, column) +=
-                L.triangularView<Eigen::Lower>().solve(end.W->block<3, 1>(3, k));
-        }
-    }
+    for (const End& end : ends_)
+        for (int k = 0; k < matrix_.rows[end.joint]; ++k)
+            A.block<6, 1>(6 * static_cast<Eigen::Index>(end.body), at(end.joint, k)) += weigh(end.body, Vec6(end.W->col(k)));
     return A;
+}
+
+MatX JointSolver::geometric_transpose() const {
+    return transpose([&](std::size_t body, Vec6 wrench) {
+        if (length_[body] > 0) wrench.tail<3>() /= length_[body];
+        return wrench;
+    });
+}
+
+/// Of M^{-1/2} C^T in the rows kept.
+Real JointSolver::condition() const {
+    std::vector<Mat3> roots;
+    for (const BodyNode& node : nodes_) roots.push_back(node.J.llt().matrixL());
+    const MatX A = transpose([&](std::size_t body, Vec6 wrench) {
+        wrench.head<3>() *= sqrt(nodes_[body].inverse_mass);
+        roots[body].triangularView<Eigen::Lower>().solveInPlace(wrench.tail<3>());
+        return wrench;
+    });
+    MatX independent(A.rows(), choice_.rank);
+    Eigen::Index column = 0;
+    for (Eigen::Index i = 0; i < A.cols(); ++i)
+        if (kept(i)) independent.col(column++) = A.col(i);
+    return pivot_ratio(independent);
 }
 
 void JointSolver::evaluate_rows(const Real& t) {
@@ -117,7 +147,7 @@ void JointSolver::assemble() {
 }
 
 /// Puts unit rows where a row is left out, and factors.
-Status JointSolver::factor() {
+Real JointSolver::factor() {
     assemble();
     if (!complete_) {
         const auto left_out = [&](std::size_t joint, int k) { return k < matrix_.rows[joint] && !kept(at(joint, k)); };
@@ -135,14 +165,12 @@ Status JointSolver::factor() {
             }
         }
     }
-    const Real pivot = solver_->factor(matrix_);
-    if (pivot > doubtful_pivot) return Status::ok;
-    return isfinite(pivot) ? Status::singular_kkt : Status::non_finite;
+    return solver_->factor(matrix_);
 }
 
 /// As many rows as before, those that are most independent at the present configuration.
 Status JointSolver::choose_again() {
-    const MatX A = weighted_transpose();
+    const MatX A = geometric_transpose();
     if (!A.allFinite()) return Status::non_finite;
     const RowChoice fresh = choose_rows(A, choice_.rank);
     if (fresh.rank < choice_.rank) {
@@ -152,52 +180,97 @@ Status JointSolver::choose_again() {
     }
     choice_ = fresh;
     complete_ = choice_.rank == matrix_.size;
-    const Status status = factor();
-    // Doubtful but independent rows are solved with; a pivot that is not positive cannot be.
-    return status == Status::singular_kkt && solver_->factor(matrix_) > 0 ? Status::ok : status;
+    const Real pivot = factor();
+    if (pivot > 0) return Status::ok;  // doubtful but independent rows are solved with
+    singularity_ = "the masses differ so much that the rows kept cannot be told apart in this precision";
+    return isfinite(pivot) ? Status::singular_kkt : Status::non_finite;
 }
 
-Status JointSolver::react(bool watch) {
-    if (rows_.empty()) return Status::ok;
-    Status status = factor();
-    if (status == Status::singular_kkt) status = choose_again();
-    if (status != Status::ok) return status;
-    bias_ = residual_;
-    for (const End& end : ends_) {
-        const int n = matrix_.rows[end.joint];
-        residual_.segment(matrix_.offset[end.joint], n) +=
-            end.W->leftCols(n).transpose().lazyProduct(nodes_[end.body].a);
-    }
-    sizes_ = residual_.cwiseAbs() + bias_.cwiseAbs();
-    if (!complete_)
-        for (Eigen::Index i = 0; i < residual_.size(); ++i)
-            if (!kept(i)) residual_[i] = 0;
-    lambda_ = residual_;
-    solver_->solve(lambda_);
-    for (const End& end : ends_) {
-        const int n = matrix_.rows[end.joint];
-        nodes_[end.body].a -= end.mobility.leftCols(n).lazyProduct(lambda_.segment(matrix_.offset[end.joint], n));
-    }
-    return watch && !complete_ && !left_out_rows_hold() ? Status::singular_kkt : Status::ok;
-}
-
-bool JointSolver::left_out_rows_hold() {
+void JointSolver::evaluate_residual(bool all_rows) {
     residual_ = bias_;
     for (const End& end : ends_) {
         const int n = matrix_.rows[end.joint];
         residual_.segment(matrix_.offset[end.joint], n) +=
             end.W->leftCols(n).transpose().lazyProduct(nodes_[end.body].a);
     }
-    std::vector<bool> violated(static_cast<std::size_t>(residual_.size()), false);
-    bool hold = true;
-    const Real largest = sizes_.maxCoeff();
-    for (std::size_t i = 0; i < violated.size(); ++i) {
-        const auto k = static_cast<Eigen::Index>(i);
-        violated[i] = !kept(k) && abs(residual_[k]) > noticeable * max(sizes_[k], largest) + nothing * scale_[k];
-        hold = hold && !violated[i];
+    if (complete_ || all_rows) return;
+    for (Eigen::Index i = 0; i < residual_.size(); ++i)
+        if (!kept(i)) residual_[i] = 0;
+}
+
+void JointSolver::apply(const VecX& lambda) {
+    for (const End& end : ends_) {
+        const int n = matrix_.rows[end.joint];
+        nodes_[end.body].a -= end.mobility.leftCols(n).lazyProduct(lambda.segment(matrix_.offset[end.joint], n));
     }
-    if (!hold) singularity_ = "rows that followed from others at the start are violated: " + name_rows(violated, true);
-    return hold;
+}
+
+void JointSolver::add_terms(bool bias) {
+    for (const End& end : ends_) {
+        const BodyNode& node = nodes_[end.body];
+        const Real linear = node.a.head<3>().norm(), angular = node.a.tail<3>().norm();
+        for (int k = 0; k < matrix_.rows[end.joint]; ++k) {
+            const Eigen::Index row = at(end.joint, k);
+            sizes_[row] += end.W->col(k).head<3>().norm() * linear + end.W->col(k).tail<3>().norm() * angular;
+            if (bias) sizes_[row] += scale_[row] * node.motion.omega.squaredNorm();
+        }
+    }
+    if (bias) sizes_ += bias_.cwiseAbs();
+}
+
+void JointSolver::compare_terms() {
+    std::fill(largest_.begin(), largest_.end(), Real(0));
+    for (std::size_t j = 0; j < rows_.size(); ++j)
+        for (int k = 0; k < matrix_.rows[j]; ++k)
+            largest_[island_[j]] = max(largest_[island_[j]], Real(sizes_[at(j, k)] / scale_[at(j, k)]));
+}
+
+bool JointSolver::hold(bool those_kept, const Real& share, const char* what) {
+    const auto is_beyond = [&](std::size_t joint, int k) {
+        const Eigen::Index row = at(joint, k);
+        return kept(row) == those_kept && abs(residual_[row]) > share * scale_[row] * largest_[island_[joint]];
+    };
+    std::string names;
+    for (std::size_t j = 0; j < rows_.size(); ++j)
+        for (int k = 0; k < matrix_.rows[j]; ++k)
+            if (is_beyond(j, k)) names += (names.empty() ? "" : ", ") + name_row(j, k);
+    if (!names.empty()) singularity_ = what + names;
+    return names.empty();
+}
+
+bool JointSolver::left_out_rows_hold() {
+    evaluate_residual(true);
+    return hold(false, noticeable, "rows that followed from others at the start are violated: ");
+}
+
+bool JointSolver::refine() {
+    evaluate_residual(false);
+    correction_ = residual_;
+    solver_->solve(correction_);
+    lambda_ += correction_;
+    apply(correction_);
+    evaluate_residual(false);
+    add_terms(false);
+    compare_terms();
+    return hold(true, unmet, "rows that depend on each other but for round-off, by position or by the masses, are not met: ");
+}
+
+Status JointSolver::react(bool watch) {
+    if (rows_.empty()) return Status::ok;
+    const Real pivot = factor();
+    if (!isfinite(pivot)) return Status::non_finite;
+    const bool doubtful = pivot <= doubtful_pivot;
+    if (doubtful)
+        if (const Status status = choose_again(); status != Status::ok) return status;
+    bias_ = residual_;
+    evaluate_residual(false);
+    watch = watch && !complete_;
+    if (watch || doubtful) sizes_.setZero(), add_terms(true), compare_terms();
+    lambda_ = residual_;
+    solver_->solve(lambda_);
+    apply(lambda_);
+    if (watch && !left_out_rows_hold()) return Status::singular_kkt;
+    return !doubtful || refine() ? Status::ok : Status::singular_kkt;
 }
 
 /// lambda -= N (N^T N)^{-1} N^T lambda in rows divided by their scale, where the columns of N are the null vectors of
@@ -222,7 +295,7 @@ void JointSolver::minimise_norm() {
         }
         for (const Eigen::Index i : left_out) column[i] = 0;
         solver_->solve(column);
-        N.col(c) = scale_.asDiagonal() * (column - unit);
+        N.col(c) = scale_.asDiagonal() * (column - unit) / scale_[row];  // free of units
     }
     const VecX scaled = scale_.asDiagonal() * lambda_;
     const VecX shift = N * (N.transpose() * N).ldlt().solve(N.transpose() * scaled);
@@ -247,7 +320,7 @@ Status JointSolver::accelerate(const Real& t) {
                     },
                     [&](int body, const Wrench& wrench) {
                         Vec6 both;
-                        both << wrench.force, wrench.torque;
+                        both << wrench.force / mass_unit_, wrench.torque / mass_unit_;
                         BodyNode& node = nodes_[static_cast<std::size_t>(body)];
                         node.a += node.mobility(both);
                     });
@@ -263,21 +336,25 @@ Status JointSolver::constrain(const Real& t, const VecX& c) {
     return react(false);
 }
 
+std::string JointSolver::name_row(std::size_t joint, int k) const {
+    return "row " + std::to_string(k + 1) + " of " + model_.name_of_joint(joint);
+}
+
 std::string JointSolver::name_rows(const std::vector<bool>& rows, bool which) const {
     std::string names;
     for (std::size_t j = 0; j < rows_.size(); ++j)
         for (int k = 0; k < matrix_.rows[j]; ++k)
             if (rows[static_cast<std::size_t>(at(j, k))] == which)
-                names += (names.empty() ? "row " : ", row ") + std::to_string(k + 1) + " of " + model_.name_of_joint(j);
+                names += (names.empty() ? "" : ", ") + name_row(j, k);
     return names;
 }
 
 ConstraintRank JointSolver::constraint_rank() const {
-    ConstraintRank rank{matrix_.size, choice_.rank, {}, choice_.condition};
+    ConstraintRank rank{matrix_.size, choice_.rank, {}, condition_};
     for (std::size_t j = 0; j < rows_.size(); ++j)
         for (int k = 0; k < matrix_.rows[j]; ++k)
             if (!kept(at(j, k)))
-                rank.redundant.push_back("row " + std::to_string(k + 1) + " of " + model_.name_of_joint(j));
+                rank.redundant.push_back(name_row(j, k));
     return rank;
 }
 

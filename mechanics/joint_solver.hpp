@@ -8,8 +8,11 @@
 //   reaction         a - M^{-1} W lambda
 // Rows that depend on others in the initial configuration are left out: unit rows of S with zero right-hand side, so that
 // their multiplier is zero. They are watched: where one is violated by the accelerations, or where the rows kept lose rank
-// (and no other choice of as many rows is better), the answer is singular_kkt. What is reported are the multipliers
+// (and no other choice of as many rows is better), the answer is singular_kkt. So it is where a pivot is doubtful and the
+// rows kept are not met after one step of iterative refinement. A row is measured by the accelerations that meet in it and
+// in the rest of its mechanism, each relative to the scale of its row. What is reported are the multipliers
 // of least norm, found through the null vectors of C^T, one for each row left out.
+// Masses are taken in the unit of mechanics/scales.hpp.
 #pragma once
 
 #include "mechanics/block_matrix.hpp"
@@ -20,7 +23,7 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// A body with what one evaluation computes for it: a = (A, omega').
+/// A body with what one evaluation computes for it: a = (A, omega'). Masses, forces and torques are in mass units.
 struct BodyNode {
     Real inverse_mass;
     Mat3 J, J_inverse;
@@ -43,8 +46,10 @@ class JointSolver {
     Status accelerate(const Real& t);
     /// Free accelerations are in the nodes: makes C a = c hold, c in the order of the joints.
     Status constrain(const Real& t, const VecX& c);
-    /// The multipliers of the last solve, in the order of the joints.
+    /// The multipliers of the last solve over the mass unit, in the order of the joints.
     const VecX& multipliers();
+    /// kg; forces of `mobility` and `multipliers` are divided by it.
+    const Real& mass_unit() const { return mass_unit_; }
     /// Where row k of a joint stands in that order.
     Eigen::Index at(std::size_t joint, int k) const { return matrix_.offset[joint] + k; }
     int rows(std::size_t joint) const { return matrix_.rows[joint]; }
@@ -68,14 +73,33 @@ class JointSolver {
     void choose_rows_at_start();
     void evaluate_rows(const Real& t);
     void assemble();
-    Status factor();
+    /// Answers the smallest relative pivot.
+    Real factor();
     Status choose_again();
     /// a -= M^{-1} C^T lambda with C a + bias = 0; on entry residual_ holds the bias.
     Status react(bool watch);
+    /// residual_ = bias + C a, zero in rows left out unless they are asked for.
+    void evaluate_residual(bool all_rows);
+    /// a -= M^{-1} C^T lambda.
+    void apply(const VecX& lambda);
+    /// Adds the sizes of what meets in each row: accelerations, and on demand the bias with its centripetal parts.
+    void add_terms(bool bias);
+    /// The largest of sizes_ over scale_ in each mechanism, for its joints.
+    void compare_terms();
+    /// One step of iterative refinement, and whether it meets the rows kept.
+    bool refine();
     bool left_out_rows_hold();
-    /// M^{-1/2} C^T of all rows.
-    MatX weighted_transpose() const;
+    /// Whether residual_ is at most a share of the terms of its mechanism in all rows kept, or in all left out. Where not,
+    /// singularity_ is `what` and the rows.
+    bool hold(bool those_kept, const Real& share, const char* what);
+    /// C^T of all rows, each wrench on a body as weigh(body, wrench) has it.
+    template <class Weigh>
+    MatX transpose(Weigh weigh) const;
+    /// Free of units, masses and place: torques over a length of the body.
+    MatX geometric_transpose() const;
+    Real condition() const;
     void minimise_norm();
+    std::string name_row(std::size_t joint, int k) const;
     std::string name_rows(const std::vector<bool>& rows, bool which) const;
     bool kept(Eigen::Index row) const { return choice_.independent[static_cast<std::size_t>(row)]; }
 
@@ -86,9 +110,14 @@ class JointSolver {
     std::vector<Pair> pairs_;
     BlockMatrix matrix_;
     std::unique_ptr<BlockSolver> solver_;
+    Real mass_unit_;
     RowChoice choice_;
+    std::optional<Real> condition_;  // where it was asked for
     bool complete_ = true;  // no row is left out
-    VecX residual_, lambda_, sizes_, bias_, scale_;
+    std::vector<Real> length_;           // of each body
+    std::vector<std::size_t> island_;    // of each joint
+    std::vector<Real> largest_;          // by island
+    VecX residual_, lambda_, correction_, sizes_, bias_, scale_;
     std::string singularity_;
 };
 

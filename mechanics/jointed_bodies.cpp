@@ -18,7 +18,7 @@ void JointedBodies<Coordinates>::each_row(F f) const {
 template <class Coordinates>
 void JointedBodies<Coordinates>::report(Real* lambda) {
     const VecX& multipliers = solver_.multipliers();
-    each_row([&](int row, Eigen::Index at) { lambda[row] = multipliers[at]; });
+    each_row([&](int row, Eigen::Index at) { lambda[row] = multipliers[at] * solver_.mass_unit(); });
 }
 
 template <class Coordinates>
@@ -46,7 +46,7 @@ Status JointedBodies<Coordinates>::solve_kkt(const Real& t, const Real* q, const
         node.motion = motion(q, nullptr, body++);
         Vec6 wrench;
         wrench << Coordinates::to_body(node.motion.R, vec3(f)), vec3(f + 3);
-        node.a = node.mobility(wrench);
+        node.a = node.mobility(wrench / solver_.mass_unit());
         f += 6;
     }
     each_row([&](int row, Eigen::Index at) { c_[at] = c[row]; });

@@ -19,7 +19,6 @@ RowChoice choose_dense(const MatX& A, int most) {
     const int limit = min(most, static_cast<int>(min(A.rows(), A.cols())));
     while (choice.rank < limit && pivot(choice.rank) > dependence * pivot(0))
         choice.independent[static_cast<std::size_t>(qr.colsPermutation().indices()[choice.rank++])] = true;
-    if (choice.rank > 0) choice.condition = pivot(0) / pivot(choice.rank - 1);
     return choice;
 }
 
@@ -42,6 +41,13 @@ RowChoice choose_rows(const MatX& A, int most) {
     if (A.cols() == 0) return {};
     const MatX scaled = A.colwise().normalized();
     return scaled.cols() > most_dense_columns ? choose_sparse(scaled, most) : choose_dense(scaled, most);
+}
+
+Real pivot_ratio(const MatX& A) {
+    const Eigen::ColPivHouseholderQR<MatX> qr(A.colwise().normalized());
+    const Eigen::Index last = A.cols() - 1;
+    if (last >= A.rows()) return std::numeric_limits<Real>::infinity();
+    return abs(qr.matrixQR()(0, 0)) / abs(qr.matrixQR()(last, last));
 }
 
 }  // namespace KREISEL_PRECISION

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Which constraint rows are independent. Cholesky factors of C M^{-1} C^T cannot tell: they lose half of the digits, and
-// partial pivoting answers a redundant row with a number. A QR factorisation with column pivoting of M^{-1/2} C^T can, its
-// columns scaled to length 1 so that units and arms do not matter [golubvanloan2013, Sec. 5.4].
+// partial pivoting answers a redundant row with a number. A QR factorisation with column pivoting of C^T can, its columns
+// scaled to length 1 [golubvanloan2013, Sec. 5.4]. Rank is a matter of geometry: torques are divided by a length of their
+// body, so that units do not matter, and masses do not enter.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "mechanics/model.hpp"
@@ -20,11 +20,13 @@ inline const Real dependence = Real(1) / 10000000;
 struct RowChoice {
     std::vector<bool> independent;  ///< of each column of the matrix
     int rank = 0;
-    std::optional<Real> condition;  ///< ratio of the first pivot to the last one that counts
 };
 
-/// The columns of A = M^{-1/2} C^T that pivoting takes first, at most `most` of them.
+/// The columns of A = C^T, torques divided by lengths, that pivoting takes first, at most `most` of them.
 RowChoice choose_rows(const MatX& A, int most);
+
+/// Ratio of the first pivot of A to the last one, its columns scaled to length 1; infinite where columns are dependent.
+Real pivot_ratio(const MatX& A);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -4,6 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "mechanics/scales.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
@@ -83,9 +85,17 @@ const Vec3& end(const Element& element, int body) {
     return element.first == body ? element.r_first : element.r_second;
 }
 
+/// Whether the point of a joint or spring lies on the axis e through the mass centre of its body, to round-off of the size
+/// of the body.
+template <class Element>
+bool is_central(const Model& model, const Element& element, int body, const Vec3& e) {
+    const Vec3& r = end(element, body);
+    return r.cross(e).norm() <= 16 * epsilon * (r.norm() + radius_of_gyration(model.bodies[static_cast<std::size_t>(body)]));
+}
+
 /// Whether the joint exerts no moment about the axis e through the mass centre of the body.
-bool leaves_spin(const Joint& joint, int body, const Vec3& e) {
-    const bool central = end(joint, body).cross(e).norm() <= 16 * epsilon * end(joint, body).norm();
+bool leaves_spin(const Model& model, const Joint& joint, int body, const Vec3& e) {
+    const bool central = is_central(model, joint, body, e);
     const Mat3& axes = joint.first == body ? joint.axes_first : joint.axes_second;
     switch (joint.type) {
         case JointType::spherical:
@@ -131,9 +141,9 @@ std::optional<Vec3> free_spin_axis(const Model& model, int body) {
     if (mine.point) return std::nullopt;
     const auto axis = symmetry_axis(mine.J);
     if (!axis) return std::nullopt;
-    const auto spins = [&](const Joint& joint) { return !touches(joint, body) || leaves_spin(joint, body, *axis); };
+    const auto spins = [&](const Joint& joint) { return !touches(joint, body) || leaves_spin(model, joint, body, *axis); };
     const auto central = [&](const Spring& spring) {
-        return !touches(spring, body) || end(spring, body).cross(*axis).norm() <= 16 * epsilon * end(spring, body).norm();
+        return !touches(spring, body) || is_central(model, spring, body, *axis);
     };
     const bool free = std::all_of(model.joints.begin(), model.joints.end(), spins) &&
                       std::all_of(model.springs.begin(), model.springs.end(), central) &&

@@ -27,5 +27,7 @@ void System::velocity_bias(const Real&, const Real*, Real* b) const { std::fill_
 
 void System::row_scale(Real* scale) const { std::fill_n(scale, constraints(), Real(1)); }
 
+void System::position_scale(const Real*, Real* scale) const { std::fill_n(scale, position_constraints(), Real(1)); }
+
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

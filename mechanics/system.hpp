@@ -90,8 +90,12 @@ class System {
     virtual void velocity_bias(const Real& t, const Real* q, Real* b) const;                  ///< b = dPhi/dt
     virtual void velocity_residual(const Real&, const Real*, const Real*, Real*) const {}     ///< C v + b
     virtual void acceleration_bias(const Real&, const Real*, const Real*, Real*) const {}     ///< xi
-    /// Size of each row's terms: residuals are small or large relative to it.
+    /// Scale of each row (m, or 1 where it compares directions): residuals are small or large relative to it, wherever the
+    /// mechanism is.
     virtual void row_scale(Real* scale) const;
+    /// Sum of the sizes of the terms of each row of Phi (m or 1), distances from the origin among them: what the round-off
+    /// of the row is relative to.
+    virtual void position_scale(const Real* q, Real* scale) const;
 
     virtual ConstraintRank constraint_rank() const { return {constraints(), constraints(), {}, {}}; }
     /// After singular_kkt: where the constraints lost rank.

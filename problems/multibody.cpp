@@ -16,17 +16,8 @@ namespace {
 /// Moves the start onto the joints and says by how much, unless that is round-off.
 void project(Model& model) {
     using reading::text;
-    Real size = 1, speed = 1;
-    for (const Body& body : model.bodies) {
-        size = max(size, Real(body.start.x.norm()));
-        speed = max(speed, Real(body.start.v.norm() + body.start.omega.norm()));
-    }
     const StartCorrection moved = project_start(model);
-    // The data are decimals that came through double precision, such as R from a quaternion.
-    const Real round_off = Real(1) / 10000000000000;
-    if (max(moved.position, moved.rotation) <= round_off * size &&
-        max(moved.velocity, moved.omega) <= round_off * speed)
-        return;
+    if (moved.noise) return;
     model.warnings.push_back("project_initial moved bodies by up to " + text(moved.position) + " m and " +
                              text(moved.rotation) + " rad, and changed velocities by up to " + text(moved.velocity) +
                              " m/s and " + text(moved.omega) + " rad/s");

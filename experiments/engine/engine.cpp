@@ -40,6 +40,7 @@ class RealEngine final : public Engine {
         check_start(model);
         SystemSummary summary;
         summary.warnings = model.warnings;
+        for (const std::string& warning : start_warnings(model)) summary.warnings.push_back(warning);
         summary.skip_reason = formulation(formulation_name).why_not(model);
         if (!summary.skip_reason.empty()) return summary;
         const auto system = make_system(model, formulation_name);

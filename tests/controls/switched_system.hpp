@@ -25,6 +25,7 @@ class SwitchedSystem final : public System {
     int mass_block() const override { return now().mass_block(); }
     int bodies() const override { return now().bodies(); }
     void row_scale(Real* scale) const override { now().row_scale(scale); }
+    void position_scale(const Real* q, Real* size) const override { now().position_scale(q, size); }
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
         System& answering = now();
         ++solves;

@@ -6,8 +6,6 @@
 
 #include "tests/mechanics/linked.hpp"
 
-namespace kreisel {
-inline namespace KREISEL_PRECISION {
 namespace models {
 
 inline const std::vector<JointType>& joint_types() {
@@ -114,5 +112,3 @@ inline Model hinges_in_line(int first, int n) {
 }
 
 }  // namespace models
-}  // namespace KREISEL_PRECISION
-}  // namespace kreisel

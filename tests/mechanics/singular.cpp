@@ -149,3 +149,33 @@ TEST_CASE("rank that is lost along the motion ends a solve, and the joints are n
             CHECK(ask(*s, parallelogram(angle, 1)) == Status::ok);  // and the next one is answered as before
         }
 }
+
+TEST_CASE("a start in a singular position or of extreme masses is warned of, with numbers, and no other is", "[singular]") {
+    const auto warnings = [](const Model& model) {
+        const std::vector<std::string> all = start_warnings(model);
+        return all.empty() ? std::string() : all.front();
+    };
+    for (const Real& size : {Real(1), Real(1) / 1000000}) {
+        for (const Real& angle : {Real(0), Real(1) / 4, Real(-2)}) {
+            INFO(to_double(angle) << " rad, " << to_double(size) << " m");
+            Model model = parallelogram(angle, 1);
+            for (Body& body : model.bodies) body.start.x *= size, body.start.v *= size, body.J *= size * size;
+            for (Joint& joint : model.joints) joint.r_first *= size, joint.r_second *= size;
+            const std::string warning = warnings(model);
+            if (angle == 0) CHECK_THAT(warning, Catch::Contains("is 16 there and 17 beside it"));
+            if (angle != 0) CHECK(warning == "");
+        }
+    }
+    for (const Named& named : all()) {
+        INFO(named.name);
+        CHECK(warnings(named.model) == "");
+    }
+    Model model = jointed(JointType::revolute);
+    const Real ratio = 1 / (epsilon * 1000);  // three digits are left
+    model.bodies[2].mass *= ratio, model.bodies[2].J *= ratio;
+    CHECK_THAT(warnings(model), Catch::Contains("nearly dependent") && Catch::Contains("have a ratio of") &&
+                                    Catch::Contains("\"b1\" and \"b2\""));
+    model.bodies[2].mass /= ratio, model.bodies[2].J /= ratio;
+    model.bodies[0].mass *= ratio, model.bodies[0].J *= ratio;  // a light body on a heavy one does no harm
+    CHECK(warnings(model) == "");
+}

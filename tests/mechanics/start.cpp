@@ -127,10 +127,24 @@ TEST_CASE("a refused start tells how far each joint is apart", "[start]") {
 }
 
 TEST_CASE("a row is as large as the longer of its arms", "[start]") {
+    const Model model = bodies_in_a_row(2);
     const Vec3 near(1, 2, 2), far(2, 3, 6);  // 3 and 7 m
-    CHECK(row_scale({.r_first = near, .r_second = far}, 0) == 7);
-    CHECK(row_scale({.r_first = far, .r_second = near}, 0) == 7);
-    CHECK(row_scale({.r_first = far, .r_second = near, .type = JointType::revolute}, 3) == 1);
-    CHECK(row_scale({.r_first = near, .type = JointType::distance, .length = 5}, 0) == 5);
-    CHECK(row_scale({}, 0) == 1);
+    CHECK(row_scale(model, {.first = 0, .second = 1, .r_first = near, .r_second = far}, 0) == 7);
+    CHECK(row_scale(model, {.first = 0, .second = 1, .r_first = far, .r_second = near}, 0) == 7);
+    CHECK(row_scale(model, {.r_first = far, .r_second = near}, 0) == 3);  // the ground has a place, and no arm
+    CHECK(row_scale(model, {.r_first = far, .r_second = near, .type = JointType::revolute}, 3) == 1);
+    CHECK(row_scale(model, {.r_second = near, .type = JointType::distance, .length = 5}, 0) == 5);
+}
+
+TEST_CASE("a row without an arm is as large as its bodies, or as the mechanism", "[start]") {
+    Model model = bodies_in_a_row(2);
+    for (Body& body : model.bodies) body.J = 9 * body.mass * Mat3(Vec3(1, 2, 5).asDiagonal());
+    CHECK(row_scale(model, {}, 0) == 6);  // sqrt(9 * 8 / 2)
+    model.bodies[0].point = true;
+    CHECK(row_scale(model, {.first = 0, .second = 1}, 0) == 6);
+    model.bodies[1].point = true;
+    model.bodies[0].start.x = Vec3(100, 0, 2), model.bodies[1].start.x = Vec3(100, 12, -3);
+    CHECK(row_scale(model, {.first = 0, .second = 1}, 0) == 13);  // from one mass to the other
+    model.bodies[1].start.x = model.bodies[0].start.x;
+    CHECK(row_scale(model, {.first = 0, .second = 1}, 0) == 1);
 }

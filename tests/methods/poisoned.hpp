@@ -26,6 +26,7 @@ class PoisonedSystem final : public System {
     int constraints() const override { return healthy_.constraints(); }
     int mass_block() const override { return healthy_.mass_block(); }
     void row_scale(Real* scale) const override { healthy_.row_scale(scale); }
+    void position_scale(const Real* q, Real* size) const override { healthy_.position_scale(q, size); }
     /// A system that meets a number which is none says so.
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
         const Status status = healthy_.accelerations(t, q, v, dv, lambda);

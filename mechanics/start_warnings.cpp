@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What is said of a start that is allowed: that it is a singular position, or that the solves keep few digits.
+#include <sstream>
+
+#include "mechanics/formulation.hpp"
+#include "mechanics/joint_solver.hpp"
+#include "mechanics/scales.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+constexpr int most_rows_examined = 120;
+
+std::string text(const Real& x) {
+    std::ostringstream out;
+    out.precision(2);
+    out << to_double(x);
+    return out.str();
+}
+
+ConstraintRank rank_at_start(const Model& model) { return JointSolver(model, SolverChoice::automatic).constraint_rank(); }
+
+/// A force of the size of the masses, in no particular direction.
+VecX some_force(const Model& model, int seed) {
+    const std::vector<Real> lengths = body_lengths(model);
+    VecX force(6 * static_cast<Eigen::Index>(lengths.size()));
+    for (Eigen::Index i = 0; i < force.size(); ++i) {
+        const auto body = static_cast<std::size_t>(i / 6);
+        const Real pattern = cos(Real(static_cast<int>(i) * (seed + 2) + seed));
+        force[i] = model.bodies[body].mass * pattern * (i % 6 < 3 ? extent(model) : Real(lengths[body] * lengths[body]));
+    }
+    return force;
+}
+
+/// The model at rest beside its start, moved by some 1/64 as the joints allow, and back onto them; nothing where no motion
+/// is left, or where the way back is not found.
+std::optional<Model> beside(Model model, int seed) {
+    const auto system = formulation("SO3xR3").make(model);
+    std::vector<Real> y = initial_state(*system, model);
+    const VecX force = some_force(model, seed), still = VecX::Zero(system->constraints());
+    VecX a(force.size());
+    if (system->solve_kkt(0, y.data(), force.data(), still.data(), a.data(), nullptr) != Status::ok) return std::nullopt;
+    Real largest = 0;
+    for (Eigen::Index i = 0; i < a.size(); i += 6)
+        largest = max(largest, max(Real(a.segment<3>(i).norm() / extent(model)), Real(a.segment<3>(i + 3).norm())));
+    if (!(largest > sqrt(epsilon))) return std::nullopt;  // of forces of size 1: what is less is round-off
+    a /= 64 * largest;
+    system->group().append_exp(y.data(), a.data(), y.data());
+    std::vector<BodyState> states(model.bodies.size());
+    system->read(y.data(), states.data());
+    for (std::size_t i = 0; i < states.size(); ++i) model.bodies[i].start = {states[i].x, states[i].R};
+    try {
+        project_start(model);
+    } catch (const ParameterError&) {
+        return std::nullopt;
+    }
+    return model;
+}
+
+/// Ratio of the masses of two bodies that a joint links, the largest of all, and who they are.
+std::string mass_ratio(const Model& model) {
+    Real largest = 1;
+    std::string who;
+    for (const Joint& joint : model.joints) {
+        if (joint.first == ground || joint.second == ground) continue;
+        const Real &a = model.bodies[static_cast<std::size_t>(joint.first)].mass,
+                   &b = model.bodies[static_cast<std::size_t>(joint.second)].mass;
+        const Real ratio = max(Real(a / b), Real(b / a));
+        if (ratio <= largest) continue;
+        largest = ratio;
+        who = "\"" + model.name_of(joint.first) + "\" and \"" + model.name_of(joint.second) + "\"";
+    }
+    return largest > 1000 ? "; the masses of " + who + " have a ratio of " + text(largest) : "";
+}
+
+std::string of_conditioning(const Model& model, const Real& condition) {
+    // A solve loses the square of the condition: the light body between a heavy one and the ground is all that S sees.
+    const Real left = epsilon * condition * condition;
+    if (left <= Real(1) / 1000000) return "";
+    int digits = 0;
+    for (Real share = Real(1) / 10; share > left; share /= 10) ++digits;
+    return "constraint rows are nearly dependent in the metric of the masses: the pivots of M^(-1/2) C^T have a ratio of " +
+           text(condition) + ", so that accelerations and multipliers keep some " + std::to_string(digits) + " digits" +
+           mass_ratio(model);
+}
+
+std::string of_singularity(const Model& model, const ConstraintRank& here) {
+    if (here.rank == here.rows) return "";
+    for (int seed = 0; seed < 2; ++seed) {
+        const std::optional<Model> other = beside(model, seed);
+        const int rank = other ? rank_at_start(*other).rank : here.rank;
+        if (rank > here.rank)
+            return "the start is a singular position: the rank of the constraints is " + std::to_string(here.rank) +
+                   " there and " + std::to_string(rank) +
+                   " beside it, so that more than one motion follows from it; solves beside it may end with singular_kkt";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::vector<std::string> start_warnings(const Model& model) {
+    int rows = 0;
+    for (const Joint& joint : model.joints) rows += rows_of(joint.type);
+    if (rows == 0 || rows > most_rows_examined) return {};
+    const ConstraintRank rank = rank_at_start(model);
+    std::vector<std::string> warnings;
+    for (const std::string& warning : {of_singularity(model, rank), of_conditioning(model, rank.condition.value_or(1))})
+        if (!warning.empty()) warnings.push_back(warning);
+    return warnings;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
