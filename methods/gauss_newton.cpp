@@ -12,11 +12,9 @@ namespace {
 
 constexpr int most_iterations = 25;
 
-Real largest(const std::vector<Real>& values) {
-    Real size = 0;
-    for (const Real& x : values) size = max(size, Real(abs(x)));
-    return size;
-}
+/// A row is at round-off below this share of its terms. Iterations that no longer halve the largest row have met it too, if
+/// what is left is at most `stagnation` times as much; otherwise they do not converge.
+const Real round_off = 4 * epsilon, stagnation = 1000 * round_off;
 
 bool all_finite(const std::vector<Real>& values) {
     return std::all_of(values.begin(), values.end(), [](const Real& x) { return isfinite(x); });
@@ -28,10 +26,15 @@ GaussNewtonProjection::GaussNewtonProjection(System& system)
     : system_(system),
       zero_force_(static_cast<std::size_t>(system.velocities()), Real(0)),
       residual_(static_cast<std::size_t>(system.constraints())),
-      delta_(zero_force_.size()) {
-    std::vector<Real> scale(residual_.size());
-    system.row_scale(scale.data());
-    tolerance_ = 8 * epsilon * largest(scale);
+      terms_(static_cast<std::size_t>(system.position_constraints())),
+      delta_(zero_force_.size()) {}
+
+/// The largest position row relative to its terms.
+Real GaussNewtonProjection::relative_residual() const {
+    Real largest = 0;
+    for (std::size_t i = 0; i < terms_.size(); ++i)
+        if (residual_[i] != 0) largest = max(largest, Real(abs(residual_[i]) / terms_[i]));
+    return largest;
 }
 
 Status GaussNewtonProjection::correction(const Real& t, const Real* q) {
@@ -42,15 +45,14 @@ Status GaussNewtonProjection::correction(const Real& t, const Real* q) {
 
 Status GaussNewtonProjection::project_position(const Real& t, Real* y) {
     if (residual_.empty()) return Status::ok;
+    system_.position_scale(y, terms_.data());
     Real previous = std::numeric_limits<Real>::max();
     for (int i = 0; i < most_iterations; ++i) {
         system_.position_residual(t, y, residual_.data());
         std::fill(residual_.begin() + system_.position_constraints(), residual_.end(), Real(0));
-        if (!all_finite(residual_)) return Status::non_finite;  // not seen by `largest`: NaN compares as false
-        const Real size = largest(residual_);
-        // Convergence is at least linear, so a residual that stops falling has met round-off, or will not converge.
-        if (size <= tolerance_) return Status::ok;
-        if (2 * size > previous && size <= 1000 * tolerance_) return Status::ok;
+        if (!all_finite(residual_)) return Status::non_finite;  // NaN compares as false, and would pass below
+        const Real size = relative_residual();
+        if (size <= round_off || (2 * size > previous && size <= stagnation)) return Status::ok;
         previous = size;
         if (const Status status = correction(t, y); status != Status::ok) return status;
         system_.group().append_exp(y, delta_.data(), y);

@@ -16,17 +16,17 @@ class GaussNewtonProjection : public Projection {
     explicit GaussNewtonProjection(System& system);
 
   protected:
-    /// q <- q exp(delta) until |Phi| is at round-off.
+    /// q <- q exp(delta) until each row of Phi is at round-off of its own terms; projection_failed where that is not met.
     Status project_position(const Real& t, Real* y);
     /// v <- v + delta with C v + b = 0; linear, so one solve.
     Status project_velocity(const Real& t, Real* y);
 
   private:
     Status correction(const Real& t, const Real* q);
+    Real relative_residual() const;
 
     System& system_;
-    Real tolerance_;
-    std::vector<Real> zero_force_, residual_, delta_;
+    std::vector<Real> zero_force_, residual_, terms_, delta_;
 };
 
 }  // namespace KREISEL_PRECISION

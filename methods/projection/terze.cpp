@@ -6,7 +6,8 @@
 // the rows g at z = (p, v): [W G^T; G 0] [delta; mu] = [W (z^ - z); -g].
 // Option `weight`: `identity`, or `mass`: the mass matrix for v, m for x, and for R the metric tr(dR D dR^T) with
 // D = tr(J)/2 I - J, which is J on tangential dR = R hat(theta). D may be singular (a flat body), W then is too; the
-// whole matrix is not, because G fixes those directions. Hence a pivoted LU of it and not a Schur complement in W.
+// whole matrix is not, because G fixes those directions. Hence a pivoted LU of it and not a Schur complement in W. Either
+// weight adds metres to seconds: how a correction is shared between positions and velocities depends on the unit of time.
 #include <Eigen/LU>
 
 #include "mechanics/system.hpp"
@@ -32,6 +33,10 @@ class TerzeProjection final : public Projection {
           weight_(MatX::Identity(unknowns_, unknowns_)),
           joint_jacobian_(joint_rows_, unknowns_),
           jacobian_(MatX::Zero(rows_, unknowns_)),
+          column_unit_(VecX::Ones(unknowns_)),
+          row_unit_(VecX::Ones(rows_)),
+          row_scale_(system.constraints()),
+          terms_(system.constraints()),
           residual_(rows_),
           start_(unknowns_),
           shift_(unknowns_),
@@ -39,16 +44,16 @@ class TerzeProjection final : public Projection {
           rhs_(unknowns_ + rows_),
           solution_(unknowns_ + rows_),
           lu_(unknowns_ + rows_) {
-        VecX scale(system.constraints());
-        system.row_scale(scale.data());
-        if (scale.size() > 0) length_ = scale.maxCoeff();
+        system.row_scale(row_scale_.data());
         if (mass_weighted) set_mass_weight();
+        set_units(mass_weighted);
         kkt_.topLeftCorner(unknowns_, unknowns_) = weight_;
     }
 
     Status project(const Real& t, Real* y) override {
         Eigen::Map<VecX> z(y, unknowns_);
         start_ = z;
+        system_.position_scale(y, terms_.data());
         Real previous = std::numeric_limits<Real>::max();
         for (int i = 0; i < most_iterations; ++i) {
             linearise(t, y);
@@ -58,30 +63,45 @@ class TerzeProjection final : public Projection {
             // At round-off the rows stop falling; above it that means no convergence.
             if (2 * size > previous && size <= 100 * tolerance) return Status::ok;
             previous = size;
-            shift_ = start_ - z;  // an expression in a product would be evaluated into memory of its own
+            shift_ = (start_ - z).cwiseQuotient(column_unit_);  // in a product it would be evaluated into memory of its own
             rhs_.head(unknowns_).noalias() = weight_ * shift_;
-            rhs_.tail(rows_) = -residual_;
+            rhs_.tail(rows_) = -residual_.cwiseProduct(row_unit_);
             lu_.compute(kkt_);
             solution_ = lu_.solve(rhs_);
-            z += solution_.head(unknowns_);
+            z += solution_.head(unknowns_).cwiseProduct(column_unit_);
             ++iterations_;
         }
         return Status::projection_failed;
     }
 
   private:
-    /// Largest row: position rows relative to the length of the joint arms, velocity rows relative to the fastest motion
-    /// (a rate below 1/s counts as 1/s), orthogonality rows as they are.
+    /// Largest row: position rows relative to their terms, velocity rows to the fastest motion of their arm, orthogonality
+    /// rows as they are.
     Real relative_residual(const Real* y) const {
         const Eigen::Index m = system_.constraints();
-        Real speed = length_;
-        for (int body = 0; body < system_.bodies(); ++body) {
-            const Real* v = y + configuration_ + 6 * body;
-            speed = max(speed, max(Real(vec3(v).norm()), Real(length_ * vec3(v + 3).norm())));
+        Real linear = 0, angular = 0;
+        for (const Real* v = y + configuration_; v != y + unknowns_; v += 6)
+            linear = max(linear, Real(vec3(v).norm())), angular = max(angular, Real(vec3(v + 3).norm()));
+        Real largest = residual_.tail(rows_ - joint_rows_).lpNorm<Eigen::Infinity>();
+        for (Eigen::Index i = 0; i < m; ++i) {
+            if (residual_[i] != 0) largest = max(largest, Real(abs(residual_[i]) / terms_[i]));
+            const Real speed = linear + angular * row_scale_[i];
+            if (residual_[m + i] != 0) largest = max(largest, Real(abs(residual_[m + i]) / speed));
         }
-        const Real position = residual_.head(m).lpNorm<Eigen::Infinity>() / length_;
-        const Real velocity = residual_.segment(m, m).lpNorm<Eigen::Infinity>() / speed;
-        return max(max(position, velocity), Real(residual_.tail(rows_ - joint_rows_).lpNorm<Eigen::Infinity>()));
+        return largest;
+    }
+
+    /// Powers of two that make the matrix nearly free of units, so that pivoting compares what is comparable: lengths over
+    /// one of the mechanism, and masses over one of its masses.
+    void set_units(bool mass_weighted) {
+        if (row_scale_.size() == 0) return;
+        const Real length = power_of_two_below(row_scale_.maxCoeff());
+        for (int body = 0; body < system_.bodies(); ++body)
+            for (const Eigen::Index first : {Eigen::Index(body_size * body), configuration_ + 6 * body})
+                column_unit_.segment<3>(first).setConstant(length);
+        row_unit_.head(joint_rows_).setConstant(1 / length);
+        const Real unit = mass_weighted ? Real(power_of_two_below(weight_(0, 0)) * length * length) : Real(1);
+        weight_ = column_unit_.asDiagonal() * weight_ * column_unit_.asDiagonal() / unit;
     }
 
     /// Fills residual_, jacobian_ and kkt_.
@@ -92,8 +112,8 @@ class TerzeProjection final : public Projection {
         system_.ambient_jacobian(t, y, v, joint_jacobian_.data());
         jacobian_.topRows(joint_rows_) = joint_jacobian_;
         for (int body = 0; body < system_.bodies(); ++body) add_orthogonality(body, mat3(y + body_size * body + 3));
-        kkt_.bottomLeftCorner(rows_, unknowns_) = jacobian_;
-        kkt_.topRightCorner(unknowns_, rows_) = jacobian_.transpose();
+        kkt_.bottomLeftCorner(rows_, unknowns_) = row_unit_.asDiagonal() * jacobian_ * column_unit_.asDiagonal();
+        kkt_.topRightCorner(unknowns_, rows_) = kkt_.bottomLeftCorner(rows_, unknowns_).transpose();
     }
 
     /// Rows (R R^T - I)_jk, j <= k: sum_c R_jc R_kc.
@@ -128,9 +148,9 @@ class TerzeProjection final : public Projection {
     System& system_;
     Eigen::Index configuration_, unknowns_, joint_rows_, rows_;
     MatX weight_, joint_jacobian_, jacobian_;
+    VecX column_unit_, row_unit_, row_scale_, terms_;
     VecX residual_, start_, shift_;
     MatX kkt_;
-    Real length_ = 1;
     VecX rhs_, solution_;
     Eigen::PartialPivLU<MatX> lu_;
 };
