@@ -29,6 +29,7 @@ BodySeries::BodySeries(std::size_t size)
 
 BodySeries::BodySeries(const Body& body, std::size_t size) : BodySeries(size) {
     mass_ = body.mass, J_ = body.J, inverse_inertia_ = body.J.inverse(), fixed_ = false;
+    if (!body.point) radius_ = sqrt(J_.trace() / (2 * mass_));
     const Mat3 L = body.J.llt().matrixL();
     inverse_root_ = L.inverse();
 }

@@ -41,6 +41,8 @@ class BodySeries {
     /// The same for a force and a moment that act on top of those.
     void correct(const Vec3& f, const Vec3& n, std::size_t k);
     bool is_fixed() const { return fixed_; }
+    /// Radius of gyration (m), 0 of a point mass.
+    const Real& radius() const { return radius_; }
     /// M^{-1/2} times a force and a moment in space axes, at the expansion point.
     Eigen::Matrix<Real, 6, 1> weighted(const Vec3& f, const Vec3& n) const;
 
@@ -50,7 +52,7 @@ class BodySeries {
   private:
     explicit BodySeries(std::size_t size);
 
-    Real mass_ = 1;
+    Real mass_ = 1, radius_ = 0;
     Mat3 J_ = Mat3::Identity(), inverse_inertia_ = Mat3::Identity(), inverse_root_ = Mat3::Identity();
     Vectors momentum_;  // J omega
     Real force_size_ = 0, moment_size_ = 0;

@@ -7,6 +7,10 @@ inline namespace KREISEL_PRECISION {
 namespace {
 
 Vectors vectors(const BodySeries& body) { return Vectors(body.R.size(), Vec3::Zero()); }
+/// Of an arm or of the body, whichever is more; the ground has neither.
+Real length_on(const BodySeries& body, const Vec3& arm) {
+    return body.is_fixed() ? Real(0) : max(body.radius(), Real(arm.norm()));
+}
 Scalars scalars(const BodySeries& body) { return Scalars(body.R.size(), Real(0)); }
 
 }  // namespace
@@ -63,7 +67,7 @@ void JointSeries::add_rows() {
 }
 
 Real JointSeries::scale(int row) const {
-    const Real largest = max(max(Real(joint_.r_first.norm()), Real(joint_.r_second.norm())), joint_.length);
+    const Real largest = max(joint_.length, max(length_on(first_, joint_.r_first), length_on(second_, joint_.r_second)));
     return is_force(row) && largest > 0 ? largest : Real(1);
 }
 

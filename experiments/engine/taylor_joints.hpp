@@ -23,7 +23,8 @@ class JointSeries {
 
     int rows() const { return static_cast<int>(forces_.size() + turns_.size()); }
     /// The length by which a row and its residuals are divided where multipliers of least norm are asked for: that of
-    /// the longest arm, of the rod or the radius; 1 for rows that compare directions.
+    /// the longest arm on a moving body, of the rod or the radius, or the largest radius of gyration; 1 for rows that
+    /// compare directions, and between points that have none of these.
     Real scale(int row) const;
 
     /// Whether the residual of a row is a velocity.

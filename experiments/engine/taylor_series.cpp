@@ -10,9 +10,9 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Below this ratio of pivots of M^{-1/2} C^T a row counts as dependent: a start may violate its joints by 1e-9.
+/// Below this ratio of pivots a row counts as dependent: a start may violate its joints by 1e-9.
 const Real dependence = Real(1) / 10000000;
-/// Pivots of S are squares of those: below this share of its diagonal, look closer.
+/// Pivots of S are squares of those, but for the masses: below this share of its diagonal, look closer.
 const Real doubtful = Real(1) / 10000000000;
 
 }  // namespace
@@ -27,6 +27,13 @@ TaylorSeries::TaylorSeries(const Model& model, int order) : order_(static_cast<s
         for (int row = 0; row < joints_.back().rows(); ++row)
             rows_.push_back({joints_.size() - 1, row, joints_.back().scale(row)});
     }
+    for (const BodySeries& body : bodies_) lengths_.push_back(body.radius());
+    for (const Joint& joint : model.joints)
+        for (const auto& [body, arm] : {std::pair(joint.first, joint.r_first), std::pair(joint.second, joint.r_second)})
+            if (body != ground) {
+                Real& length = lengths_[static_cast<std::size_t>(body)];
+                length = max(length, Real(arm.norm()));
+            }
     reaction_.resize(bodies_.size());
     A_.resize(6 * static_cast<Eigen::Index>(model.bodies.size()), static_cast<Eigen::Index>(rows_.size()));
 }
@@ -58,17 +65,47 @@ void TaylorSeries::weigh() {
 /// False where the rank has changed since the first expansion.
 bool TaylorSeries::decompose() {
     weigh();
-    if ((factored_ = rank_ == A_.cols() && factor())) return true;
-    Eigen::CompleteOrthogonalDecomposition<MatX> decomposition;
-    decomposition.setThreshold(dependence);
+    if ((factored_ = rank_ == A_.cols() && factor() > doubtful)) return true;
+    const Eigen::Index rank = geometric_rank();
+    if (rank_ < 0) rank_ = rank;
+    if (rank != rank_) return false;
+    if ((factored_ = rank == A_.cols() && factor() > 0)) return true;
+    if (rank == 0) {
+        inverse_.setZero(A_.cols(), A_.rows());
+        return true;
+    }
+    Eigen::CompleteOrthogonalDecomposition<MatX> decomposition(A_.rows(), A_.cols());
+    const auto pivot = [&, qr = Eigen::ColPivHouseholderQR<MatX>(A_)](Eigen::Index i) {
+        return i < min(A_.rows(), A_.cols()) ? Real(abs(qr.matrixQR()(i, i))) : Real(0);
+    };
+    decomposition.setThreshold((pivot(rank - 1) + pivot(rank)) / (2 * pivot(0)));
     decomposition.compute(A_);
     inverse_ = decomposition.pseudoInverse();
-    if (rank_ < 0) rank_ = decomposition.rank();
-    return decomposition.rank() == rank_;
+    return decomposition.rank() == rank;
 }
 
-/// S = L L^T, entry by entry: most joints share no body. False where a pivot leaves the rank in doubt.
-bool TaylorSeries::factor() {
+/// Of C^T with torques over lengths of their bodies and columns of length 1: no matter of masses and units.
+Eigen::Index TaylorSeries::geometric_rank() const {
+    MatX C = MatX::Zero(A_.rows(), A_.cols());
+    for (std::size_t c = 0; c < rows_.size(); ++c) {
+        const JointSeries& joint = joints_[rows_[c].joint];
+        const auto add = [&](const BodySeries& body, const JointSeries::Wrench& wrench) {
+            if (body.is_fixed()) return;
+            const Real& length = lengths_[static_cast<std::size_t>(&body - bodies_.data())];
+            Eigen::Matrix<Real, 6, 1> both;
+            both << wrench.force, wrench.moment / (length > 0 ? length : Real(1));
+            C.block<6, 1>(6 * (&body - bodies_.data()), static_cast<Eigen::Index>(c)) += both;
+        };
+        add(joint.first(), joint.on_first(rows_[c].row)), add(joint.second(), joint.on_second(rows_[c].row));
+    }
+    Eigen::ColPivHouseholderQR<MatX> qr;
+    qr.setThreshold(dependence);
+    qr.compute(C.colwise().normalized());
+    return qr.rank();
+}
+
+/// S = L L^T, entry by entry: most joints share no body.
+Real TaylorSeries::factor() {
     MatX S = MatX::Zero(A_.cols(), A_.cols());
     const auto share = [&](std::size_t a, std::size_t b, Eigen::Index i, Eigen::Index j) {
         for (const BodySeries* body : {&joints_[a].first(), &joints_[a].second()}) {
@@ -82,20 +119,37 @@ bool TaylorSeries::factor() {
             share(rows_[static_cast<std::size_t>(i)].joint, rows_[static_cast<std::size_t>(j)].joint, i, j);
     cholesky_.compute(S);
     const auto& L = cholesky_.matrixLLT();
-    bool sound = cholesky_.info() == Eigen::Success;
-    for (Eigen::Index i = 0; i < S.rows(); ++i) sound = sound && L(i, i) * L(i, i) > doubtful * S(i, i);
-    return sound;
+    if (cholesky_.info() != Eigen::Success) return 0;
+    Real smallest = 1;
+    for (Eigen::Index i = 0; i < S.rows(); ++i) smallest = min(smallest, Real(L(i, i) * L(i, i) / S(i, i)));
+    return smallest;
 }
 
 VecX TaylorSeries::solve(const VecX& residual) const {
     return factored_ ? VecX(cholesky_.solve(residual)) : VecX(inverse_ * (inverse_.transpose() * residual));
 }
 
-/// Whether more than round-off and drift of the residual lies outside the range of S.
+VecX TaylorSeries::terms() const {
+    VecX sizes = VecX::Zero(A_.cols());
+    for (std::size_t c = 0; c < rows_.size(); ++c) {
+        const auto& [index, row, scale] = rows_[c];
+        const JointSeries& joint = joints_[index];
+        const auto add = [&, size = scale](const BodySeries& body, const JointSeries::Wrench& wrench) {
+            if (body.is_fixed()) return;
+            sizes[static_cast<Eigen::Index>(c)] += (wrench.force.norm() * body.acceleration_size() +
+                                                    wrench.moment.norm() * body.turning_size()) / size +
+                                                   body.omega[0].squaredNorm();
+        };
+        add(joint.first(), joint.on_first(row)), add(joint.second(), joint.on_second(row));
+    }
+    return sizes;
+}
+
+/// Whether more than round-off and drift of the residual and of its terms lies outside the range of S.
 bool TaylorSeries::contradicts(const VecX& residual) const {
     if (rank_ == A_.cols()) return false;
     const Real rest = (residual - A_.transpose() * (inverse_.transpose() * residual)).norm();
-    return rest > residual.norm() / 1000000 + Real(1) / 1000000000;
+    return rest > (residual.norm() + terms().norm()) / 1000000;
 }
 
 /// Coefficient k of the multipliers, and what they change.

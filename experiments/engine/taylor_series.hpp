@@ -6,8 +6,9 @@
 //   residual      Phi_{k+2} of every joint row, from x_{k+2} and R_{k+2} of that motion,
 //   multipliers   S lambda_k = (k+1) (k+2) Phi_{k+2},  S = C M^{-1} C^T at the expansion point,
 //   reaction      v', omega' -= M^{-1} C^T lambda_k.
-// S is the same for every k: it is decomposed once [hairer1993, Sec. I.8]. Rows may depend on each other: multipliers
-// are those of least norm, each row divided by its scale. Steps end where the last terms sink into round-off
+// S is the same for every k: it is decomposed once [hairer1993, Sec. I.8]. Rows may depend on each other, which is decided
+// by geometry alone, torques on a body divided by a length of it: multipliers are those of least norm, each row divided by
+// its scale. Steps end where the last terms sink into round-off
 // [jorbazou2005].
 #pragma once
 
@@ -49,7 +50,11 @@ class TaylorSeries {
     BodySeries& at(int body) { return body == ground ? bodies_.back() : bodies_[static_cast<std::size_t>(body)]; }
     void weigh();
     bool decompose();
-    bool factor();
+    Eigen::Index geometric_rank() const;
+    /// Smallest pivot of S relative to its diagonal, not positive where there are no factors.
+    Real factor();
+    /// Sizes of what meets in each row, over its scale (1/s^2).
+    VecX terms() const;
     VecX solve(const VecX& residual) const;
     bool contradicts(const VecX& residual) const;
     Status react(std::size_t k);
@@ -64,6 +69,7 @@ class TaylorSeries {
         Real scale;
     };
     std::vector<Row> rows_;
+    std::vector<Real> lengths_;  // of the bodies: the radius of gyration or the longest arm
     MatX A_;                  // M^{-1/2} C^T, columns divided by the rows' scale, so that S = A^T A
     Eigen::LLT<MatX> cholesky_;
     bool factored_ = false;   // S by Cholesky's factors; else by
