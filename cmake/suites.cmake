@@ -62,7 +62,25 @@ if(NOT KREISEL_SANITIZE)  # exact rationals compile slowly there
   kreisel_suite(outside binary64 LIBRARIES kreisel_binary64 kreisel_simbody
                 SOURCES ${CMAKE_SOURCE_DIR}/tests/problems/states.cpp)
 endif()
+# How perturbations grow is measured in quad where there is quad, whatever the precision of the suite.
+function(kreisel_growth precision)
+  add_library(kreisel_growth_${precision} OBJECT ${CMAKE_SOURCE_DIR}/tests/metamorphic/growth/growth.cpp)
+  kreisel_compile_quickly(kreisel_growth_${precision})
+  target_link_libraries(kreisel_growth_${precision} PRIVATE kreisel_flags_${precision} Catch2::Catch2)
+endfunction()
+if(NOT KREISEL_BINARY128)
+  kreisel_growth(binary64)
+  kreisel_suite(metamorphic binary64 LIBRARIES kreisel_binary64 kreisel_growth_binary64)
+endif()
 if(KREISEL_BINARY128)
+  kreisel_growth(binary128)
+  kreisel_suite(metamorphic binary128 LIBRARIES kreisel_binary128 kreisel_growth_binary128)
+  add_library(kreisel_growth_runs OBJECT ${CMAKE_SOURCE_DIR}/tests/metamorphic/motion.cpp
+                                         ${CMAKE_SOURCE_DIR}/tests/metamorphic/named_models.cpp)
+  kreisel_compile_quickly(kreisel_growth_runs)
+  target_link_libraries(kreisel_growth_runs PRIVATE kreisel_flags_binary128 Catch2::Catch2)
+  kreisel_suite(metamorphic binary64 LIBRARIES kreisel_binary64 kreisel_growth_binary128 kreisel_growth_runs quadmath
+                SOURCES ${KREISEL_OBJECTS_binary128})
   kreisel_suite(series binary128 LIBRARIES kreisel_lie_binary128)
   kreisel_suite(lie binary128 LIBRARIES kreisel_lie_binary128 kreisel_rapid)
   kreisel_suite(mechanics binary128 LIBRARIES kreisel_lie_binary128 kreisel_mechanics_binary128 kreisel_problems_binary128)

@@ -6,6 +6,8 @@
 
 #include "tests/mechanics/linked.hpp"
 
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
 namespace models {
 
 inline const std::vector<JointType>& joint_types() {
@@ -112,3 +114,5 @@ inline Model hinges_in_line(int first, int n) {
 }
 
 }  // namespace models
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

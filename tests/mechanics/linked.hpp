@@ -10,9 +10,9 @@
 #include "lie/so3.hpp"
 #include "mechanics/formulation.hpp"
 
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
 namespace models {
-
-using namespace kreisel;
 
 inline Body asymmetric_body(int i) {
     Body body{.name = "b" + std::to_string(i), .mass = Real(1) + Real(i) / 4};
@@ -42,3 +42,5 @@ inline Model linked(int bodies, const std::vector<std::pair<int, int>>& links) {
 }
 
 }  // namespace models
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -11,9 +11,9 @@
 #include "problems/problem.hpp"
 #include "tests/mechanics/jointed.hpp"
 
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
 namespace models {
-
-using namespace kreisel;
 
 inline ParameterValues defaults(const Problem& problem) {
     return demonstration_parameters(problem.description);
@@ -116,3 +116,5 @@ inline std::vector<Named> all() {
 }
 
 }  // namespace models
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Whether two descriptions of a motion have given the same result.
+#pragma once
+
+#include "tests/metamorphic/growth/growth.hpp"
+#include "tests/metamorphic/named_models.hpp"
+#include "tests/metamorphic/transformation.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+namespace metamorphic {
+
+/// Both runs of a comparison; `changed` has been carried back.
+struct Pair {
+    Outcome original, changed;
+};
+Pair run_both(const Model& model, const Transformed& transformed, const Combination& combination, const Span& span,
+              const Bench& bench = {});
+
+/// The first quantity that differs in a bit, "" if none does.
+std::string difference_in_bits(const Pair& pair, const Model& model);
+
+/// What round-off may make of each quantity, in units of C N eps: kappa s of CONTRIBUTING.md.
+struct Allowance {
+    Real position, rotation, velocity, omega, force, torque;
+};
+/// From the growth of perturbations. `largest_x` is that of either description, in units of the original; where the method
+/// solves Phi = 0 (h > 0 is its step), round-off of positions counts as |x|/h in velocities and |x|/h^2 in forces.
+Allowance allowance(const Model& model, const Sizes& sizes, const Real& largest_x, const growing::Growth& growth,
+                    const Real& h);
+
+/// The largest |difference| / (N eps allowance), and of which quantity.
+struct Excess {
+    Real ratio = 0;
+    std::string what;
+};
+Excess excess(const Pair& pair, const Model& model, const Allowance& allowance, int steps);
+
+/// Joints whose reactions the motion determines: no null vector of C^T has entries in their rows.
+std::vector<bool> unique_joints(const Model& model);
+
+/// Largest of |x|, |R|, |v|, |omega| differences, each over its own size.
+Real distance(const Outcome& a, const Outcome& b, const Model& model);
+
+}  // namespace metamorphic
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

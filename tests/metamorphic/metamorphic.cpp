@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every model, method, formulation and projection, described in other units, places, directions, axes and orders.
+#include <catch2/catch.hpp>
+#include <iostream>
+
+#include "methods/method.hpp"
+#include "tests/metamorphic/suite.hpp"
+
+using namespace kreisel;
+using namespace kreisel::metamorphic;
+
+namespace {
+
+constexpr int steps = KREISEL_QUAD ? 16 : 64;
+
+void check(Extent extent) {
+    const Report report = compare_all(select(extent), steps);
+    std::cout << to_text(report);
+    CHECK(report.objections.empty());
+    for (const auto& [reason, count] : report.covered) {
+        INFO("no longer needed: " << reason);
+        CHECK(report.excepted.contains(reason));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("who is excepted from turning says so itself", "[metamorphic]") {
+    for (const Exception& exception : exceptions())
+        if (exception.transformation == "turned") CHECK_FALSE(method(exception.method).description.equivariant);
+}
+
+TEST_CASE("descriptions of one motion agree", "[metamorphic]") {
+    check(KREISEL_QUAD ? Extent::sparse : Extent::pairwise);
+}
+
+TEST_CASE("descriptions of one motion agree, in every combination", "[.][full]") { check(Extent::full); }

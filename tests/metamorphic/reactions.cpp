@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Relations that one evaluation of the dynamics decides: a joint gives way to its reaction, a model to what is written of it.
+#include <catch2/catch.hpp>
+#include <iostream>
+
+#include "mechanics/formulation.hpp"
+#include "tests/metamorphic/freed.hpp"
+#include "tests/metamorphic/named_models.hpp"
+#include "tests/metamorphic/written.hpp"
+
+using namespace kreisel;
+using namespace kreisel::metamorphic;
+
+namespace {
+
+VecX accelerations_at_start(const Model& model) {
+    const auto system = make_system(model, "SO3xR3");
+    const std::vector<Real> y = initial_state(*system, model);
+    VecX dv(system->velocities());
+    REQUIRE(system->accelerations(0, y.data(), y.data() + system->group().size(), dv.data(), nullptr) == Status::ok);
+    return dv;
+}
+
+}  // namespace
+
+TEST_CASE("a joint may give way to its reaction", "[metamorphic]") {
+    int joints = 0;
+    for (const NamedModel& named : named_models()) {
+        INFO(named.name);
+        if (!named.model.joints.empty()) CHECK(freed_difference(named.model) <= 1000000 * epsilon);
+        joints += static_cast<int>(named.model.joints.size());
+    }
+    std::cout << joints << " joints gave way to their reactions\n";
+    CHECK(joints >= 140);
+}
+
+TEST_CASE("a model that is written down and read again is the same", "[metamorphic]") {
+    int models = 0;
+    for (const NamedModel& named : named_models()) {
+        const auto again = read_again(named.model);
+        if (!again) continue;
+        INFO(named.name);
+        ++models;
+        const VecX a = accelerations_at_start(named.model), b = accelerations_at_start(*again);
+        CHECK((a - b).norm() <= a.norm() / 1000000000);  // data are decimals of double precision
+    }
+    std::cout << models << " models were read again\n";
+    CHECK(models >= 25);
+}

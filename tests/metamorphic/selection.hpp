@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which comparisons are made: all, or so few that every two choices still meet somewhere.
+#pragma once
+
+#include "tests/metamorphic/named_models.hpp"
+#include "tests/metamorphic/transformation.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+namespace metamorphic {
+
+struct Case {
+    const NamedModel* model;
+    const Transformation* transformation;
+    Combination combination;
+};
+/// "heavy_top, lengths times 2^3, rkmk/rk4, SE3, none".
+std::string to_text(const Case& entry);
+
+enum class Extent {
+    sparse,    ///< every two of model, transformation, method, projection, formulation meet somewhere
+    pairwise,  ///< on each model: one method of each family; every two of transformation, method, projection, formulation
+    full       ///< on each model: every combination of all methods and their options
+};
+
+/// Combinations of methods, formulations and projections that run on a model.
+std::vector<Combination> combinations(const Model& model, bool all_methods);
+
+std::vector<Case> select(Extent extent);
+
+}  // namespace metamorphic
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
