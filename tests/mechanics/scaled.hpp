@@ -5,9 +5,9 @@
 
 #include "mechanics/model.hpp"
 
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
 namespace models {
-
-using namespace kreisel;
 
 struct Units {
     int length = 0, mass = 0, time = 0;  ///< exponents of two
@@ -52,3 +52,5 @@ inline std::vector<Units> other_units() {
 }
 
 }  // namespace models
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
