@@ -2,6 +2,7 @@
 #include "mechanics/bodies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <type_traits>
 
 namespace kreisel {
@@ -198,6 +199,17 @@ void Bodies<Coordinates>::ambient_jacobian(const Real&, const Real* q, const Rea
         add(row, joint.second, joint.r_second, -1);
         row += 3;
     }
+}
+
+template <class Coordinates>
+Status Bodies<Coordinates>::reactions(const Real& t, const Real* q, const Real*, const Real* lambda, JointReaction* out) {
+    std::array<Real, most_rows> mine{};
+    for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+        const Joint& joint = model_.joints[j];
+        for (int k = 0; k < places_[j].all; ++k) mine[static_cast<std::size_t>(k)] = lambda[row(j, k)];
+        out[j] = reaction_of(joint, t, motion(q, nullptr, joint.first), motion(q, nullptr, joint.second), mine.data());
+    }
+    return Status::ok;
 }
 
 template <class Coordinates>

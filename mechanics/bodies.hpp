@@ -34,6 +34,8 @@ class Bodies : public System {
     void ambient_jacobian(const Real& t, const Real* q, const Real* v, Real* G) const override;
     void row_scale(Real* scale) const override;
     void position_scale(const Real* q, Real* size) const override;
+    std::vector<ConstraintRow> constraint_rows() const override { return kreisel::constraint_rows(model_); }
+    Status reactions(const Real& t, const Real* q, const Real* v, const Real* lambda, JointReaction* out) override;
     bool has_potential() const override { return is_conservative(model_); }
     Real potential(const Real& t, const Real* q) const override;
 

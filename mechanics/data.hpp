@@ -47,6 +47,7 @@ struct JointData {
     std::array<Vector3, 2> axes = {};
     std::optional<double> length = {};
     double amplitude = 0, frequency = 0;
+    std::string name = {};  ///< empty: results name it by its bodies
     bool operator==(const JointData&) const = default;
 };
 

@@ -82,7 +82,7 @@ class RowWriter {
         act(first_, n, joint_.r_first, column(rows_.first)), act(second_, -n, joint_.r_second, column(rows_.second));
     }
 
-    /// The contact of a disk on a plane: normal, then two tangential directions.
+    /// The contact of a disk on a plane: normal, then two tangential directions; the plane's minus the disk's.
     void rolling() {
         const Vec3 b = joint_.axes_second.col(2), axis = second_.direction(b), axis_rate = second_.direction_rate(b);
         const Vec3 n = first_.direction(joint_.axes_first.col(2));
@@ -90,12 +90,12 @@ class RowWriter {
         const Real size = s.norm();
         const Vec3 c = -joint_.length / size * s, dc = -joint_.length / size * (ds - s.dot(ds) / (size * size) * s);
         const Vec3 omega = second_.R * second_.omega;
-        const Vec3 bias = second_.direction_bias(joint_.r_second) + omega.cross(dc);
+        const Vec3 bias = -second_.direction_bias(joint_.r_second) - omega.cross(dc);
         const Vec3 arm = joint_.r_second + second_.R.transpose() * c;
         for (const int k : {2, 0, 1}) {
             const Vec3 e = first_.direction(joint_.axes_first.col(k));
-            push(k == 2 ? Real(e.dot(c - d_)) : Real(0), 0, e.dot(bias));
-            act(second_, e, arm, column(rows_.second));
+            push(k == 2 ? Real(e.dot(d_ - c)) : Real(0), 0, e.dot(bias));
+            act(second_, -e, arm, column(rows_.second));
         }
     }
 
@@ -151,6 +151,33 @@ void write_rows(const Joint& joint, const Real& t, const Motion& first, const Mo
 }
 
 bool is_direction_row(JointType type, int row) { return row >= counts(type).lengths; }
+
+std::vector<ConstraintRow> constraint_rows(const Model& model) {
+    std::vector<ConstraintRow> rows;
+    for (const bool position : {true, false})
+        for (std::size_t j = 0; j < model.joints.size(); ++j) {
+            const JointType type = model.joints[j].type;
+            for (int k = 0; k < rows_of(type); ++k)
+                if ((k < position_rows_of(type)) == position)
+                    rows.push_back({static_cast<int>(j), k + 1, is_direction_row(type, k)});
+        }
+    return rows;
+}
+
+/// Forces of rows along axes of the second body act at the point of the first: d x F about that of the second.
+JointReaction reaction_of(const Joint& joint, const Real& t, const Motion& first, const Motion& second,
+                          const Real* lambda) {
+    JointRows rows;
+    write_rows(joint, t, first, second, rows);
+    const int lengths = counts(joint.type).lengths, directions = rows.count - lengths;
+    const Eigen::Map<const VecX> multipliers(lambda, rows.count);
+    JointReaction reaction;
+    reaction.force = second.R * (rows.second.topLeftCorner(3, lengths) * -multipliers.head(lengths));
+    reaction.torque = second.R * (rows.second.block(3, lengths, 3, directions) * -multipliers.tail(directions));
+    if (lengths < 3 && directions > 0)
+        reaction.torque += (first.point(joint.r_first) - second.point(joint.r_second)).cross(reaction.force);
+    return reaction;
+}
 
 Real row_scale(const Model& model, const Joint& joint, int row) {
     return is_direction_row(joint.type, row) ? Real(1) : joint_length(model, joint);

@@ -11,8 +11,11 @@
 //   planar       b_3.d = 0,  a_3.b_1 = a_3.b_2 = 0                 3 rows
 //   fixed        d = 0,  a_3.b_1 = a_3.b_2 = a_1.b_2 = 0           6 rows
 //   distance     |d| = L (1 + A sin(W t))                          1 row
-//   rolling      a_3.(p + c - P) = 0,  a_k.(v_p + omega x c) = 0 (k = 1, 2, no position level)   3 rows
+//   rolling      a_3.(P - p - c) = 0,  -a_k.(v_p + omega x c) = 0 (k = 1, 2, no position level)   3 rows
 //
+// Each row is what the first body has minus what the second has, so that lambda of a row along e (a space axis, b_k, a_k of
+// a rolling joint) is the force lambda e on the second body, that of |d| a tension, and that of a_i.b_k the torque
+// lambda a_i x b_k on the second body. The first gets the opposite.
 // A rolling joint is a disk of radius L, its centre p and its axis b_3 on the second body, on the plane through P with
 // normal a_3 that the ground carries; c = -L s/|s| with s = a_3 - (a_3.b_3) b_3 leads from the centre to the contact.
 // The three rows together say that the point of the disk in contact is at rest.
@@ -23,6 +26,7 @@
 
 #include "mechanics/model.hpp"
 #include "mechanics/motion.hpp"
+#include "mechanics/reaction.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -54,6 +58,12 @@ void write_rows(const Joint& joint, const Real& t, const Motion& first, const Mo
 /// Rows that compare directions have no unit; their multipliers are torques.
 bool is_direction_row(JointType type, int row);
 inline bool has_direction_rows(JointType type) { return is_direction_row(type, rows_of(type) - 1); }
+
+/// The rows of C of a model: joints in its order, rows without a position level after all others.
+std::vector<ConstraintRow> constraint_rows(const Model& model);
+
+/// What a joint exerts under the multipliers of its rows, in its order.
+JointReaction reaction_of(const Joint& joint, const Real& t, const Motion& first, const Motion& second, const Real* lambda);
 
 /// Scale of a row: the joint's length (m, mechanics/scales.hpp), 1 for rows that compare directions. Residuals are large or
 /// small relative to it, and rows divided by it are all of one unit.

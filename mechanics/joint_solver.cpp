@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <map>
 
@@ -273,8 +274,8 @@ Status JointSolver::react(bool watch) {
     return !doubtful || refine() ? Status::ok : Status::singular_kkt;
 }
 
-/// lambda -= N (N^T N)^{-1} N^T lambda in rows divided by their scale, where the columns of N are the null vectors of
-/// C^T: (S^{-1} S_k, -1) for each row k left out.
+/// lambda -= P lambda in rows divided by their scale, P = U U^T the projector onto the null vectors of C^T, which are
+/// (S^{-1} S_k, -1) for each row k left out. The norm of a row of U says how much of that row is not unique.
 void JointSolver::minimise_norm() {
     std::vector<Eigen::Index> left_out;
     for (Eigen::Index i = 0; i < matrix_.size; ++i)
@@ -297,9 +298,11 @@ void JointSolver::minimise_norm() {
         solver_->solve(column);
         N.col(c) = scale_.asDiagonal() * (column - unit) / scale_[row];  // free of units
     }
+    const Eigen::HouseholderQR<MatX> factors(N);
+    const MatX U = factors.householderQ() * MatX::Identity(N.rows(), N.cols());
+    share_ = U.rowwise().norm();
     const VecX scaled = scale_.asDiagonal() * lambda_;
-    const VecX shift = N * (N.transpose() * N).ldlt().solve(N.transpose() * scaled);
-    lambda_ -= scale_.cwiseInverse().asDiagonal() * shift;
+    lambda_ -= scale_.cwiseInverse().asDiagonal() * (U * (U.transpose() * scaled));
 }
 
 const VecX& JointSolver::multipliers() {

@@ -48,6 +48,8 @@ class JointSolver {
     Status constrain(const Real& t, const VecX& c);
     /// The multipliers of the last solve over the mass unit, in the order of the joints.
     const VecX& multipliers();
+    /// After multipliers(): whether the null space of C^T leaves a row alone, so that its multiplier is unique.
+    bool is_unique(Eigen::Index row) const { return complete_ || share_[row] <= touched; }
     /// kg; forces of `mobility` and `multipliers` are divided by it.
     const Real& mass_unit() const { return mass_unit_; }
     /// Where row k of a joint stands in that order.
@@ -68,6 +70,9 @@ class JointSolver {
         std::size_t row_end, col_end, block;
         bool diagonal;
     };
+
+    /// A null vector is right to some 1e-9, by which a start may violate its joints; a drifting motion has less.
+    static inline const Real touched = Real(1) / 1000000;
 
     void connect();
     void choose_rows_at_start();
@@ -118,6 +123,7 @@ class JointSolver {
     std::vector<std::size_t> island_;    // of each joint
     std::vector<Real> largest_;          // by island
     VecX residual_, lambda_, correction_, sizes_, bias_, scale_;
+    VecX share_;  // of each row in the null space of C^T, between 0 and 1
     std::string singularity_;
 };
 

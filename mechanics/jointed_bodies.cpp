@@ -6,7 +6,10 @@ inline namespace KREISEL_PRECISION {
 
 template <class Coordinates>
 JointedBodies<Coordinates>::JointedBodies(Model data, SolverChoice choice)
-    : Base(std::move(data)), solver_(model(), choice), c_(VecX::Zero(this->constraints())) {}
+    : Base(std::move(data)),
+      solver_(model(), choice),
+      c_(VecX::Zero(this->constraints())),
+      unique_(static_cast<std::size_t>(this->constraints()), true) {}
 
 template <class Coordinates>
 template <class F>
@@ -18,7 +21,10 @@ void JointedBodies<Coordinates>::each_row(F f) const {
 template <class Coordinates>
 void JointedBodies<Coordinates>::report(Real* lambda) {
     const VecX& multipliers = solver_.multipliers();
-    each_row([&](int row, Eigen::Index at) { lambda[row] = multipliers[at] * solver_.mass_unit(); });
+    each_row([&](int row, Eigen::Index at) {
+        lambda[row] = multipliers[at] * solver_.mass_unit();
+        unique_[static_cast<std::size_t>(row)] = solver_.is_unique(at);
+    });
 }
 
 template <class Coordinates>

@@ -18,6 +18,7 @@ class JointedBodies final : public Bodies<Coordinates> {
     Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
     ConstraintRank constraint_rank() const override { return solver_.constraint_rank(); }
     std::string singularity() const override { return solver_.singularity(); }
+    bool is_unique(int row) const override { return unique_[static_cast<std::size_t>(row)]; }
 
   private:
     using Base = Bodies<Coordinates>;
@@ -30,6 +31,7 @@ class JointedBodies final : public Bodies<Coordinates> {
 
     JointSolver solver_;
     VecX c_;
+    std::vector<bool> unique_;  // by row of C
 };
 
 }  // namespace KREISEL_PRECISION

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <sstream>
 
 #include "lie/so3.hpp"
@@ -52,6 +53,20 @@ std::string Model::name_of(int body) const {
 std::string Model::name_of_joint(std::size_t joint) const {
     const Joint& j = joints[joint];
     return "joint " + std::to_string(joint) + " (" + name_of(j.first) + " - " + name_of(j.second) + ", " + name(j.type) + ")";
+}
+
+std::vector<std::string> Model::joint_names() const {
+    std::set<std::string> taken;
+    for (const Joint& joint : joints) taken.insert(joint.name);
+    std::vector<std::string> names;
+    for (const Joint& joint : joints) {
+        std::string name = joint.name;
+        const std::string bodies_of_it = name_of(joint.first) + "-" + name_of(joint.second);
+        for (int i = 1; name.empty() || (joint.name.empty() && !taken.insert(name).second); ++i)
+            name = bodies_of_it + (i == 1 ? "" : "-" + std::to_string(i));
+        names.push_back(name);
+    }
+    return names;
 }
 
 const char* name(JointType type) {

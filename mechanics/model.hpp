@@ -53,6 +53,7 @@ struct Joint {
     Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();
     Real length = 0;                   ///< of a distance joint; of a rolling joint the radius (m)
     Real amplitude = 0, frequency = 0; ///< of a distance joint: length (1 + amplitude sin(frequency t)), rad/s
+    std::string name = {};             ///< empty: that of its bodies
 };
 
 /// g(t) = g (1 + amplitude sin(frequency t)); frequency in rad/s.
@@ -124,6 +125,8 @@ struct Model {
     std::string name_of(int body) const;
     /// "joint 2 (crank - rod, revolute)".
     std::string name_of_joint(std::size_t joint) const;
+    /// What results call the joints, no two alike: a joint's own name, or "crank-rod"; where that is taken, "crank-rod-2".
+    std::vector<std::string> joint_names() const;
 };
 
 const char* name(JointType type);

@@ -106,6 +106,30 @@ Status PivotedBodies::solve_kkt(const Real&, const Real*, const Real* f, const R
     return isfinite(sum) ? Status::ok : Status::non_finite;
 }
 
+/// Spherical joints exert no torque about their point.
+Status PivotedBodies::reactions(const Real& t, const Real* q, const Real* v, const Real*, JointReaction* out) {
+    std::vector<Real> dv(static_cast<std::size_t>(velocities()));
+    const Status status = accelerations(t, q, v, dv.data(), nullptr);
+    const Vec3 g = model_.gravity.at(t);
+    std::vector<Vec3> on_body;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Vec3 w = vec3(v + 3 * i), c = bodies_[i].lever;
+        const Vec3 A = vec3(&dv[3 * i]).cross(c) + w.cross(w.cross(c));
+        on_body.push_back(bodies_[i].mass * (mat3(q + i * SO3::size) * A - g));
+    }
+    for_each_wrench(model_, t, [&](int body) { return motion(q, v, body); },
+                    [&](int body, const Wrench& wrench) {
+                        on_body[static_cast<std::size_t>(body)] -= mat3(q + body * SO3::size) * wrench.force;
+                    });
+    for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+        const auto& [first, second] = std::pair(model_.joints[j].first, model_.joints[j].second);
+        const Vec3& force = on_body[static_cast<std::size_t>(second == ground ? first : second)];
+        out[j].force = second == ground ? Vec3(-force) : force;
+        out[j].torque.setZero();
+    }
+    return status;
+}
+
 void PivotedBodies::mass(const Real*, Real* blocks) const {
     for (const Pivoted& body : bodies_) store(body.J_O, blocks), blocks += 9;
 }

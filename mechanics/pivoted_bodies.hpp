@@ -3,7 +3,7 @@
 // Bodies that each turn about a fixed point: q = R, v = omega, no constraint left. With the lever c from the point to
 // the mass centre (body axes) and J_O = J + m (|c|^2 I - c c^T),
 //   J_O omega' = c x (m R^T g + force) + torque - omega x J_O omega,   x = P + R c,   x' = R (omega x c),
-// force and torque being those of loads and springs in body axes.
+// force and torque being those of loads and springs in body axes. The point exerts the force m (x'' - g) - R force.
 #pragma once
 
 #include <memory>
@@ -25,6 +25,7 @@ class PivotedBodies final : public System {
 
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override;
     Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
+    Status reactions(const Real& t, const Real* q, const Real* v, const Real* lambda, JointReaction* out) override;
     int mass_block() const override { return 3; }
     void mass(const Real* q, Real* blocks) const override;
     void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override;

@@ -19,6 +19,7 @@
 #include "lie/group.hpp"
 #include "lie/status.hpp"
 #include "mechanics/model.hpp"
+#include "mechanics/reaction.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -98,6 +99,16 @@ class System {
     virtual void position_scale(const Real* q, Real* scale) const;
 
     virtual ConstraintRank constraint_rank() const { return {constraints(), constraints(), {}, {}}; }
+    /// What the rows of C belong to.
+    virtual std::vector<ConstraintRow> constraint_rows() const {
+        return std::vector<ConstraintRow>(static_cast<std::size_t>(constraints()));
+    }
+    /// After a solve for lambda: whether the multiplier of a row is unique. It is not where the null space of C^T touches the
+    /// row.
+    virtual bool is_unique(int) const { return true; }
+    /// What the joints of the model exert in its order under the multipliers lambda (m), those of another method or of
+    /// accelerations. Where the formulation eliminates the joints, Newton's law says it, and lambda is not read.
+    virtual Status reactions(const Real&, const Real*, const Real*, const Real*, JointReaction*) { return Status::ok; }
     /// After singular_kkt: where the constraints lost rank.
     virtual std::string singularity() const { return ""; }
 

@@ -32,6 +32,7 @@ class JointReader {
     Joint read() {
         const auto [first, second] = reading::bodies_between(model_, data_.between, path_, who_);
         joint_.first = first, joint_.second = second, joint_.type = data_.type;
+        if (!data_.name.empty()) joint_.name = to_name(data_.name, path_ + "/name");
         check_point_masses();
         joint_.r_first = point(0, first), joint_.r_second = point(1, second);
         if (has_axes()) read_axes();

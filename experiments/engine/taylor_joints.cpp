@@ -118,8 +118,7 @@ void JointSeries::react(std::size_t k) {
         turns_[r].t[k] = cross(turns_[r].a.series(), turns_[r].b.series(), k);
         couple += product(lambda_[forces_.size() + r], turns_[r].t, k);
     }
-    const Real sense = hold_ == Hold::contact ? -1 : 1;
-    if (!second_.is_fixed()) second_.act(sense * force_[k], sense * cross(lever_, force_, k) + couple, k);
+    if (!second_.is_fixed()) second_.act(force_[k], cross(lever_, force_, k) + couple, k);
     if (!first_.is_fixed()) first_.act(-force_[k], -cross(arm_first_.series(), force_, k) - couple, k);
 }
 
@@ -134,8 +133,8 @@ Real JointSeries::acceleration(int row, std::size_t k) const {
         case Hold::distance: return twice * (length_[i] - law_[i]);
         case Hold::contact: break;
     }
-    if (!is_velocity(row)) return twice * axis.dot(second_.x[i] + lever_[i]);
-    return real(k + 1) * axis.dot(rate(second_.x, k + 1) + cross(omega_, lever_, k + 1));
+    if (!is_velocity(row)) return -twice * axis.dot(second_.x[i] + lever_[i]);
+    return -real(k + 1) * axis.dot(rate(second_.x, k + 1) + cross(omega_, lever_, k + 1));
 }
 
 JointSeries::Wrench JointSeries::on_first(int row) const {
@@ -146,7 +145,7 @@ JointSeries::Wrench JointSeries::on_first(int row) const {
 
 JointSeries::Wrench JointSeries::on_second(int row) const {
     if (!is_force(row)) return {Vec3::Zero(), -turn_row(row).t[0]};
-    const Vec3 n = (hold_ == Hold::contact ? 1 : -1) * force_row(row).n[0];
+    const Vec3 n = -force_row(row).n[0];
     return {n, lever_[0].cross(n)};
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <algorithm>
 
 #include "mechanics/joint_rows.hpp"
 #include "tests/mechanics/models.hpp"
@@ -125,6 +126,7 @@ std::vector<Redundant> redundant() {
 /// a and the scaled multipliers of least norm, from dense factors of M and C.
 struct LeastNorm {
     VecX a, lambda;
+    VecX share;  // of each row in the null space of C^T
     int rank;
 };
 
@@ -153,9 +155,10 @@ LeastNorm dense_solution(System& s, const std::vector<Real>& y) {
     out.a = free + L.transpose().triangularView<Eigen::Upper>().solve(VecX(weighted.solve(VecX(xi - C * free))));
     // C^T lambda = Q - M a with lambda scaled: of all solutions the one of least norm.
     Eigen::JacobiSVD<MatX> transposed(MatX(C.transpose() * scale.cwiseInverse().asDiagonal()),
-                                      Eigen::ComputeThinU | Eigen::ComputeThinV);
+                                      Eigen::ComputeFullU | Eigen::ComputeFullV);
     transposed.setThreshold(Real(1) / 10000000);
     out.lambda = scale.cwiseInverse().cwiseProduct(VecX(transposed.solve(VecX(Q - M * out.a))));
+    out.share = transposed.matrixV().rightCols(m - transposed.rank()).rowwise().norm();
     return out;
 }
 
@@ -182,8 +185,43 @@ TEST_CASE("redundant rows: right accelerations and multipliers of least norm", "
             const Real tolerance = sqrt(epsilon) / 1000;
             CHECK((a - expected.a).norm() <= tolerance * (1 + expected.a.norm()));
             CHECK((lambda - expected.lambda).norm() <= tolerance * (1 + expected.lambda.norm()));
+            for (int row = 0; row < rank.rows; ++row) {
+                INFO("row " << row << ", share " << to_double(expected.share[row]));
+                CHECK(s->is_unique(row) == (expected.share[row] < Real(1) / 1000000));
+            }
         }
     }
+}
+
+namespace {
+
+/// Joints of which every multiplier is unique, where the model starts.
+std::vector<bool> unique_joints(const Model& model) {
+    const auto s = make_system(model, "SO3xR3");
+    const auto y = initial_state(*s, model);
+    VecX a(s->velocities()), lambda(s->constraints());
+    REQUIRE(s->accelerations(0, y.data(), y.data() + s->group().size(), a.data(), lambda.data()) == Status::ok);
+    std::vector<bool> unique(model.joints.size(), true);
+    const auto of = s->constraint_rows();
+    for (std::size_t row = 0; row < of.size(); ++row)
+        if (!s->is_unique(static_cast<int>(row))) unique[static_cast<std::size_t>(of[row].joint)] = false;
+    return unique;
+}
+
+}  // namespace
+
+TEST_CASE("joints outside of a redundant loop have unique reactions, those of the loop have not", "[redundant]") {
+    Model model = door();
+    model.bodies.push_back(asymmetric_body(1));
+    model.join(0, 1, Vec3(1, 0, 1));
+    project_start(model);
+    CHECK(unique_joints(model) == std::vector<bool>{false, false, false, true});
+    for (const char* linkage : {"four_bar", "bricard"}) {
+        const auto unique = unique_joints(standard(linkage));
+        CHECK(std::none_of(unique.begin(), unique.end(), [](bool one) { return one; }));
+    }
+    const auto independent = unique_joints(standard("double_pendulum"));
+    CHECK(std::all_of(independent.begin(), independent.end(), [](bool one) { return one; }));
 }
 
 TEST_CASE("the rows left out are named by joint", "[redundant]") {

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The signs of NOTATION.md: each row is what the first-named body has minus what the second has, so that a unit multiplier
+// of a row along e is the force e on the second body, that of a_i.b_k the torque a_i x b_k, that of a distance a tension.
+// Written here a second time, for the two bodies in either order and either of them the ground.
+#include "mechanics/joint_rows.hpp"
+#include "tests/mechanics/models.hpp"
+
+using namespace kreisel;
+using namespace models;
+
+namespace {
+
+/// A row as NOTATION.md has it: its residual, and the force and the couple of a unit multiplier on the second body, at a
+/// point from its mass centre; all in space axes.
+struct SignedRow {
+    Real phi;
+    Vec3 force, point, couple;
+};
+
+struct Ends {
+    const Joint& joint;
+    Motion first, second;
+    Vec3 a(int k) const { return first.R * joint.axes_first.col(k - 1); }
+    Vec3 b(int k) const { return second.R * joint.axes_second.col(k - 1); }
+    Vec3 p1() const { return first.x + first.R * joint.r_first; }
+    Vec3 p2() const { return second.x + second.R * joint.r_second; }
+    Vec3 d() const { return p1() - p2(); }
+    SignedRow coincide(int k) const { return {d()[k], Vec3::Unit(k), p2() - second.x, Vec3::Zero()}; }
+    SignedRow along(int k) const { return {b(k).dot(d()), b(k), p1() - second.x, Vec3::Zero()}; }
+    SignedRow compare(int i, int k) const { return {a(i).dot(b(k)), Vec3::Zero(), Vec3::Zero(), a(i).cross(b(k))}; }
+    SignedRow distance() const { return {d().norm() - joint.length, d().normalized(), p2() - second.x, Vec3::Zero()}; }
+    SignedRow contact(int k) const {
+        const Vec3 down = (a(3).dot(b(3)) * b(3) - a(3)).normalized(), touching = p2() + joint.length * down;
+        return {k == 3 ? Real(a(3).dot(p1() - touching)) : Real(0), a(k), touching - second.x, Vec3::Zero()};
+    }
+};
+
+std::vector<SignedRow> rows_of_notation(const Ends& e) {
+    const SignedRow x = e.coincide(0), y = e.coincide(1), z = e.coincide(2);
+    switch (e.joint.type) {
+        case JointType::spherical:
+            return {x, y, z};
+        case JointType::revolute:
+            return {x, y, z, e.compare(3, 1), e.compare(3, 2)};
+        case JointType::universal:
+            return {x, y, z, e.compare(3, 3)};
+        case JointType::prismatic:
+            return {e.along(1), e.along(2), e.compare(3, 1), e.compare(3, 2), e.compare(1, 2)};
+        case JointType::cylindrical:
+            return {e.along(1), e.along(2), e.compare(3, 1), e.compare(3, 2)};
+        case JointType::planar:
+            return {e.along(3), e.compare(3, 1), e.compare(3, 2)};
+        case JointType::fixed:
+            return {x, y, z, e.compare(3, 1), e.compare(3, 2), e.compare(1, 2)};
+        case JointType::distance:
+            return {e.distance()};
+        case JointType::rolling:
+            return {e.contact(3), e.contact(1), e.contact(2)};
+    }
+    return {};
+}
+
+/// What speaks against rows; empty: nothing.
+std::string fault_of(const Ends& ends, const JointRows& rows) {
+    const auto expected = rows_of_notation(ends);
+    if (static_cast<int>(expected.size()) != rows.count) return "number of rows";
+    const Mat3& R = ends.second.R;
+    for (int k = 0; k < rows.count; ++k) {
+        const SignedRow& row = expected[static_cast<std::size_t>(k)];
+        const Vec3 force = R * -rows.second.block<3, 1>(0, k), torque = R * -rows.second.block<3, 1>(3, k);
+        const std::string where = " of row " + std::to_string(k + 1);
+        if (!(abs(rows.phi[k] - row.phi) <= 1000 * epsilon)) return "residual" + where;
+        if (!((force - row.force).norm() <= 1000 * epsilon)) return "force" + where;
+        if (!((torque - row.point.cross(row.force) - row.couple).norm() <= 1000 * epsilon)) return "torque" + where;
+    }
+    return "";
+}
+
+/// Poses in which no joint is closed, so that every residual shows its sign.
+Motion displaced(int i) {
+    const BodyState pose = asymmetric_body(i).start;
+    return {pose.x + Vec3(i, 2, 1) / 7, SO3::exp(Vec3(1, i, -2) / 9) * pose.R};
+}
+
+template <class F>
+void for_each_order(F f) {
+    std::vector<JointType> types = joint_types();
+    types.push_back(JointType::rolling);
+    for (const JointType type : types)
+        for (const auto& [first, second] :
+             {std::pair(ground, 1), std::pair(1, ground), std::pair(1, 2), std::pair(2, 1)}) {
+            if (type == JointType::rolling && first != ground) continue;
+            const Joint joint{.first = first,
+                              .second = second,
+                              .r_first = Vec3(1, -1, 2) / 5,
+                              .r_second = Vec3(2, 1, -1) / 3,
+                              .type = type,
+                              .axes_first = axes_about(Vec3(1, -2, 2)),
+                              .axes_second = axes_about(Vec3(3, 1, 1)),
+                              .length = Real(3) / 4};
+            const auto motion = [](int body) { return body == ground ? Motion() : displaced(body); };
+            INFO(name(type) << " between " << first << " and " << second);
+            f(Ends{joint, motion(first), motion(second)});
+        }
+}
+
+}  // namespace
+
+TEST_CASE("rows of every joint have the signs of the notation, the bodies in either order", "[reactions]") {
+    int judged = 0;
+    for_each_order([&](const Ends& ends) {
+        JointRows rows;
+        write_rows(ends.joint, 0, ends.first, ends.second, rows);
+        CHECK(fault_of(ends, rows) == "");
+        ++judged;
+    });
+    CHECK(judged == 33);
+}
+
+TEST_CASE("a reversed row of any joint is turned down", "[reactions]") {
+    for_each_order([](const Ends& ends) {
+        JointRows rows;
+        write_rows(ends.joint, 0, ends.first, ends.second, rows);
+        for (int k = 0; k < rows.count; ++k) {
+            JointRows reversed = rows;
+            reversed.phi[k] *= -1, reversed.second.col(k) *= -1, reversed.first.col(k) *= -1;
+            CHECK(fault_of(ends, reversed) != "");
+            reversed = rows;
+            reversed.second.col(k) *= -1;
+            CHECK(fault_of(ends, reversed) != "");
+        }
+    });
+}

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What joints exert: by hand where bodies rest, and by Newton's and Euler's laws for each body wherever they move.
+#include "mechanics/jointed_bodies.hpp"
+#include "mechanics/spherical_bodies.hpp"
+#include "tests/mechanics/models.hpp"
+
+using namespace kreisel;
+using namespace models;
+
+namespace {
+
+struct Answered {
+    std::vector<BodyState> states;
+    std::vector<Vec3> acceleration, turning;  // x'' in space axes, omega' in body axes
+    VecX lambda;
+    std::vector<JointReaction> reactions;
+};
+
+/// Of a system in coordinates whose v' is (x'', omega').
+Answered answered(System& s, const Model& model, const Real& t) {
+    const auto y = initial_state(s, model);
+    const Real *q = y.data(), *v = q + s.group().size();
+    Answered out;
+    VecX dv(s.velocities());
+    out.lambda.resize(s.constraints());
+    REQUIRE(s.accelerations(t, q, v, dv.data(), out.lambda.size() > 0 ? out.lambda.data() : nullptr) == Status::ok);
+    out.states.resize(model.bodies.size()), out.reactions.resize(model.joints.size());
+    s.read(q, out.states.data());
+    REQUIRE(s.reactions(t, q, v, out.lambda.data(), out.reactions.data()) == Status::ok);
+    for (Eigen::Index i = 0; s.mass_block() == 6 && i < dv.size(); i += 6)
+        out.acceleration.push_back(dv.segment<3>(i)), out.turning.push_back(dv.segment<3>(i + 3));
+    return out;
+}
+
+/// The point of the second body about which its torque is given, in space axes.
+Vec3 joint_point(const Joint& joint, const std::vector<BodyState>& states) {
+    if (joint.second == ground) return joint.r_second;
+    const BodyState& body = states[static_cast<std::size_t>(joint.second)];
+    const Vec3 p = body.x + body.R * joint.r_second;
+    if (joint.type != JointType::rolling) return p;
+    const Vec3 n = joint.axes_first.col(2), b = body.R * joint.axes_second.col(2);
+    return p - joint.length * (n - n.dot(b) * b).normalized();
+}
+
+/// Largest share by which a body misses m x'' = F and J omega' + omega x J omega = tau about its mass centre.
+Real newton_euler_defect(const Model& model, const Answered& now, const Real& t) {
+    const std::size_t n = model.bodies.size();
+    std::vector<Vec3> force(n, Vec3::Zero()), torque = force;
+    std::vector<Real> size(n, Real(1));
+    const auto add = [&](int body, const Vec3& f, const Vec3& tau, const Vec3& point) {
+        if (body == ground) return;
+        const auto i = static_cast<std::size_t>(body);
+        const Vec3 moment = tau + (point - now.states[i].x).cross(f);
+        force[i] += f, torque[i] += moment, size[i] += f.norm() + moment.norm();
+    };
+    for (std::size_t j = 0; j < model.joints.size(); ++j) {
+        const auto& [f, tau] = now.reactions[j];
+        const Vec3 point = joint_point(model.joints[j], now.states);
+        add(model.joints[j].second, f, tau, point), add(model.joints[j].first, -f, -tau, point);
+    }
+    const auto motion = [&](int body) -> Motion {
+        if (body == ground) return {};
+        const BodyState& s = now.states[static_cast<std::size_t>(body)];
+        return {s.x, s.R, s.R.transpose() * s.v, s.omega};
+    };
+    for_each_wrench(model, t, motion, [&](int body, const Wrench& w) {
+        const BodyState& s = now.states[static_cast<std::size_t>(body)];
+        add(body, s.R * w.force, s.R * w.torque, s.x);
+    });
+    Real worst = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Body& body = model.bodies[i];
+        const BodyState& s = now.states[i];
+        const Vec3 f = force[i] - body.mass * (now.acceleration[i] - model.gravity.at(t));
+        const Vec3 tau = s.R.transpose() * torque[i] - body.J * now.turning[i] - s.omega.cross(body.J * s.omega);
+        worst = max(worst, Real(max(Real(f.norm()), Real(body.point ? 0 : tau.norm())) / size[i]));
+    }
+    return worst;
+}
+
+/// The two bodies of a joint in the other order.
+Joint reversed(Joint joint) {
+    std::swap(joint.first, joint.second), std::swap(joint.r_first, joint.r_second);
+    std::swap(joint.axes_first, joint.axes_second);
+    return joint;
+}
+
+std::vector<Named> in_both_orders() {
+    std::vector<Named> named = all();
+    for (const JointType type : joint_types()) {
+        named.push_back({std::string("reversed ") + name(type), damped(type)});
+        for (Joint& joint : named.back().model.joints) joint = reversed(joint);
+    }
+    for (const JointType type : {JointType::prismatic, JointType::cylindrical, JointType::planar}) {
+        Model model = damped(type);  // the points apart along what the joint leaves free
+        for (Joint& joint : model.joints) joint.r_first += joint.axes_first.col(type == JointType::planar ? 0 : 2);
+        project_start(model);
+        named.push_back({std::string("slid ") + name(type), model});
+        for (Joint& joint : model.joints) joint = reversed(joint);
+        named.push_back({std::string("reversed, slid ") + name(type), model});
+    }
+    named.push_back({"two hinges in line", hinges_in_line(0, 2)});
+    return named;
+}
+
+Real reactions_tolerance(const System& s) {
+    const Real condition = s.constraint_rank().condition.value_or(1);
+    return (4000 + 10 * condition * condition) * epsilon;
+}
+
+}  // namespace
+
+TEST_CASE("reactions and loads move each body as Newton and Euler say, on every path", "[reactions]") {
+    const Real t = Real(3) / 10;
+    int judged = 0;
+    for (const Named& named : in_both_orders()) {
+        INFO(named.name);
+        std::vector<std::unique_ptr<System>> systems;
+        for (const SolverChoice choice : {SolverChoice::dense, SolverChoice::graph, SolverChoice::sparse})
+            systems.push_back(std::make_unique<JointedBodies<MixedCoordinates>>(named.model, choice));
+        const Real tolerance = reactions_tolerance(*systems[0]);
+        if (SphericalBodies<MixedCoordinates>::fits(named.model))
+            systems.push_back(std::make_unique<SphericalBodies<MixedCoordinates>>(named.model));
+        for (const auto& system : systems) {
+            const Answered now = answered(*system, named.model, t);
+            CHECK(newton_euler_defect(named.model, now, t) <= tolerance);
+            ++judged;
+        }
+    }
+    CHECK(judged > 150);
+}
+
+TEST_CASE("a reaction on the wrong body or about the wrong point is noticed", "[reactions]") {
+    const Model model = damped(JointType::prismatic);
+    JointedBodies<MixedCoordinates> system(model);
+    const Answered good = answered(system, model, 0);
+    for (std::size_t j = 0; j < model.joints.size(); ++j) {
+        Answered bad = good;
+        bad.reactions[j].force *= -1, bad.reactions[j].torque *= -1;
+        CHECK(newton_euler_defect(model, bad, 0) > Real(1) / 100);
+        bad = good;
+        bad.reactions[j].torque += Vec3(1, 2, -1).cross(bad.reactions[j].force);
+        CHECK(newton_euler_defect(model, bad, 0) > Real(1) / 100);
+    }
+}
+
+TEST_CASE("reactions are the same in every formulation", "[reactions]") {
+    for (const Named& named : in_both_orders()) {
+        if (!has_independent_rows(named.model)) continue;
+        INFO(named.name);
+        const auto reference = make_system(named.model, "SO3xR3");
+        const Answered expected = answered(*reference, named.model, Real(1) / 4);
+        const Real tolerance = reactions_tolerance(*reference);
+        for (const std::string& formulation : applicable(named.model)) {
+            INFO(formulation);
+            const auto system = make_system(named.model, formulation);
+            const Answered now = answered(*system, named.model, Real(1) / 4);
+            for (std::size_t j = 0; j < named.model.joints.size(); ++j) {
+                const JointReaction &a = now.reactions[j], &b = expected.reactions[j];
+                const Real size = 1 + b.force.norm() + b.torque.norm() + expected.lambda.norm();
+                CHECK((a.force - b.force).norm() <= tolerance * size);
+                CHECK((a.torque - b.torque).norm() <= tolerance * size);
+            }
+        }
+    }
+}
+
+namespace {
+
+/// A body of 2 kg at `centre` that a joint of its axes holds at rest against gravity (0, 0, -10) and a torque.
+Model at_rest(JointType type, const Vec3& point, const Vec3& axis, const Vec3& centre, const Vec3& torque,
+              bool other_order) {
+    Model model;
+    model.bodies.push_back({.name = "b", .mass = 2});
+    model.bodies[0].start.x = centre;
+    model.join(ground, 0, point, type, axis);
+    Joint& joint = model.joints[0];
+    if (type == JointType::universal) joint.axes_second = axes_about(axis.cross(Vec3::UnitZ()));
+    if (type == JointType::distance) joint.r_second = Vec3::Zero(), joint.length = (point - centre).norm();
+    if (type == JointType::rolling)
+        joint.r_first.setZero(), joint.r_second.setZero(), joint.axes_first.setIdentity(), joint.length = centre[2];
+    if (other_order) joint = reversed(joint);
+    model.gravity.g = Vec3(0, 0, -10);
+    model.loads.push_back({.body = 0, .torque = torque});
+    return model;
+}
+
+struct AtRest {
+    JointType type;
+    Vec3 point, axis, centre, torque;  ///< the joint's point and axis, the mass centre, a torque from outside
+    Vec3 joint_torque;                 ///< on the body about the joint's point
+};
+
+}  // namespace
+
+TEST_CASE("joints hold a body at rest with its weight and its moment", "[reactions]") {
+    const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ(), o = Vec3::Zero();
+    const AtRest cases[] = {
+        {JointType::spherical, 2 * z, z, o, o, o},
+        {JointType::revolute, o, x, x / 2, o, Vec3(0, -10, 0)},  // the weight turns about +y, the hinge against it
+        {JointType::revolute, o, y, o, 3 * x - 4 * z, -3 * x + 4 * z},
+        {JointType::universal, o, x, o, 3 * z, -3 * z},  // axes x and -y
+        {JointType::prismatic, o, x, 3 * y, Vec3(1, 2, 3), Vec3(-1 + 60, -2, -3)},
+        {JointType::cylindrical, o, x, 2 * x, Vec3(0, 2, 3), Vec3(0, -2 - 40, -3)},
+        {JointType::planar, o, z, 2 * x, Vec3(4, 5, 0), Vec3(-4, -5 - 40, 0)},
+        {JointType::fixed, o, z, Vec3(2, 3, 4), Vec3(1, 2, 3), Vec3(-1 + 60, -2 - 40, -3)},
+        {JointType::distance, 3 * z, z, o, o, o},
+        {JointType::rolling, o, y, 2 * z, o, o}};
+    for (const AtRest& one : cases)
+        for (const bool other_order : {false, true}) {
+            if (other_order && one.type == JointType::rolling) continue;
+            INFO(name(one.type) << (other_order ? ", ground second" : ""));
+            const Model model = at_rest(one.type, one.point, one.axis, one.centre, one.torque, other_order);
+            JointedBodies<MixedCoordinates> system(model);
+            const Answered now = answered(system, model, 0);
+            const Real sense = other_order ? -1 : 1, tolerance = 10000 * epsilon;
+            CHECK(now.acceleration[0].norm() + now.turning[0].norm() <= tolerance);
+            CHECK((now.reactions[0].force - sense * Vec3(0, 0, 20)).norm() <= tolerance);
+            CHECK((now.reactions[0].torque - sense * one.joint_torque).norm() <= tolerance);
+        }
+}
+
+TEST_CASE("a distance joint pulls with a positive multiplier, in either order", "[reactions]") {
+    for (const bool other_order : {false, true})
+        for (const int side : {1, -1}) {  // a rod from above, and one from below
+            const Model model = at_rest(JointType::distance, Vec3(0, 0, 3 * side), Vec3::UnitZ(), Vec3::Zero(),
+                                        Vec3::Zero(), other_order);
+            JointedBodies<MixedCoordinates> system(model);
+            CHECK(abs(answered(system, model, 0).lambda[0] - 20 * side) <= 100 * epsilon);
+        }
+}
