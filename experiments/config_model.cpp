@@ -118,6 +118,7 @@ BodyData read_body(const Node& node, const ElementType& type, std::size_t) {
 JointData read_joint(const Node& node, const ElementType& type, std::size_t index) {
     JointData joint;
     joint.type = static_cast<JointType>(index);
+    if (const auto name = node.find("name")) { assign(joint.name, name->text(expectation(ValueKind::label), longest_name)); }
     read_between(node, joint.between);
     read_vectors(node, "point", "points", joint.points);
     if (type.has("axes")) { read_vectors(node, "axis", "axes", joint.axes); }
@@ -201,12 +202,13 @@ std::optional<ParameterValue> read_list(const Node& node, ParameterKind kind, st
     return all;
 }
 
-void check_names(const Node& node, const std::vector<BodyData>& bodies) {
+template <class Data>
+void check_names(const Node& node, const std::vector<Data>& named, const std::string& what) {
     std::set<std::string> names;
     const auto entries = node.elements_or_self();
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (!bodies[i].name.empty() && !names.insert(bodies[i].name).second) {
-            entries[i].error("bodies with different names", "a second " + in_quotes(bodies[i].name));
+    for (std::size_t i = 0; i < named.size(); ++i) {
+        if (!named[i].name.empty() && !names.insert(named[i].name).second) {
+            entries[i].error(what + " with different names", "a second " + in_quotes(named[i].name));
         }
     }
 }
@@ -215,12 +217,14 @@ void check_names(const Node& node, const std::vector<BodyData>& bodies) {
 
 std::optional<ParameterValue> read_bodies(const Node& node) {
     auto bodies = read_list(node, ParameterKind::bodies, 1, read_body);
-    if (bodies) { check_names(node, std::get<std::vector<BodyData>>(*bodies)); }
+    if (bodies) { check_names(node, std::get<std::vector<BodyData>>(*bodies), "bodies"); }
     return bodies;
 }
 
 std::optional<ParameterValue> read_joints(const Node& node) {
-    return read_list(node, ParameterKind::joints, 0, read_joint);
+    auto joints = read_list(node, ParameterKind::joints, 0, read_joint);
+    if (joints) { check_names(node, std::get<std::vector<JointData>>(*joints), "joints"); }
+    return joints;
 }
 
 std::optional<ParameterValue> read_forces(const Node& node) {

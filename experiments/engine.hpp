@@ -33,18 +33,28 @@ struct ReportedBody {
     std::array<Number, 9> R;
 };
 
-/// A state as reported. `multipliers`: see mechanics/system.hpp; empty where there are none or they are not unique.
+/// What a joint exerts on its second-named body (mechanics/reaction.hpp), N and N m in space axes; of least norm where it is
+/// not unique.
+struct ReportedReaction {
+    std::string joint;
+    std::array<Number, 3> force, torque;
+    bool unique = true;
+};
+
+/// A state as reported. `multipliers`: see mechanics/system.hpp; empty where there are none or they are not all unique.
 struct ReportedState {
     Number t;
     std::vector<ReportedBody> bodies;
     std::vector<Number> multipliers;
+    std::vector<std::string> multiplier_names;  ///< "lambda.crank-rod.2 [N m]" of each row
+    std::vector<ReportedReaction> reactions;    ///< of each joint
 };
 
 /// A reference solution at one time, its error bound (the larger of the differences between two step sizes and between
 /// two routes, in the unit of each `error.*` metric) and the horizon T* up to which all of them agree.
 struct Reference {
     ReportedState state;
-    std::map<std::string, Number> error;  ///< keys: error.position, error.rotation, error.velocity, error.omega, error.multipliers
+    std::map<std::string, Number> error;  ///< keys: the metrics error.*
     double horizon = 0;                   ///< s; past it no error is measured
     std::string route;                    ///< how it was computed, for the manifest
     bool interrupted = false;             ///< it was asked to stop, and nothing else is filled in

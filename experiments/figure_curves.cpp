@@ -175,9 +175,13 @@ std::string metric_label(const std::string& metric) {
         {"error.velocity", "|v − v_{ref}| [m/s]"},
         {"error.omega", "|ω − ω_{ref}| [rad/s]"},
         {"error.multipliers", "|λ − λ_{ref}| [N]"},
+        {"error.multipliers.torque", "|λ − λ_{ref}| [N m]"},
         {"defect.position", "max |Φ| [m]"},
         {"defect.velocity", "max |dΦ/dt| [m/s]"},
         {"defect.acceleration", "max |d^2Φ/dt^2| [m/s^2]"},
+        {"defect.direction", "max |Φ|, directions"},
+        {"defect.direction.velocity", "max |dΦ/dt|, directions [1/s]"},
+        {"defect.direction.acceleration", "max |d^2Φ/dt^2|, directions [1/s^2]"},
         {"defect.orthogonality", "max |R^T R − I|"},
         {"invariant.energy", "max |E − E_0| [J]"},
         {"invariant.angular_momentum_vertical", "max |L_z − L_{z,0}| [N m s]"}};
@@ -319,27 +323,57 @@ PanelFigure scaling_figure(const FigureSpec& spec, const Results& results) {
     return figure;
 }
 
+namespace {
+
+struct Component {
+    std::string label, unit;
+    const std::vector<double>* values;
+};
+
+// Of a vector of a body, or of all multipliers: forces, then torques.
+std::vector<Component> components_of(const std::string& prefix, const std::string& symbol,
+                                     const TrajectoryTable& trajectory) {
+    std::vector<Component> all;
+    for (std::size_t i = 0; i < trajectory.names.size(); ++i) {
+        const std::string& name = trajectory.names[i];
+        if (!name.starts_with(prefix)) { continue; }
+        const std::string index = enhanced_escape(name.substr(prefix.size()));
+        const std::string label =
+            index.size() > 1 ? fmt::format("{}_{{{}}}", symbol, index) : fmt::format("{}_{}", symbol, index);
+        all.push_back({label, trajectory.units[i], &trajectory.columns[i]});
+    }
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.unit < b.unit; });
+    return all;
+}
+
+}  // namespace
+
 PanelFigure components_figure(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder) {
-    static const std::map<std::string, std::pair<std::string, std::string>> symbols = {
-        {"x", {"x", "m"}}, {"v", {"v", "m/s"}}, {"omega", {"ω", "rad/s"}}, {"multipliers", {"λ", "N"}}};
+    static const std::map<std::string, std::string> symbols = {
+        {"x", "x"}, {"v", "v"}, {"omega", "ω"}, {"multipliers", "λ"}};
     const TrajectoryTable trajectory = selected_samples(spec, selected_trajectory(spec, results), folder);
     const auto* t = trajectory.find("t");
-    const auto& [symbol, unit] = symbols.at(spec.quantity);
-    const std::string prefix =
-        spec.quantity == "multipliers" ? "lambda" : body_of(spec, trajectory) + "." + spec.quantity;
+    const std::string& symbol = symbols.at(spec.quantity);
+    const bool multipliers = spec.quantity == "multipliers";
+    const std::string prefix = multipliers ? "lambda." : body_of(spec, trajectory) + "." + spec.quantity;
+    const auto components = components_of(prefix, symbol, trajectory);
+    if (t == nullptr || components.empty()) {
+        throw FigureError(
+            fmt::format("{}: the trajectory has no columns {}{}, ...", spec.name, prefix, multipliers ? "JOINT.1" : "1"));
+    }
     PanelFigure figure = empty_figure(spec);
     if (spec.stacked) { figure.axes_height = 2.2; }
-    for (int i = 1; const auto* values = trajectory.find(fmt::format("{}{}", prefix, i)); ++i) {
-        if (spec.stacked || figure.panels.empty()) {
-            const std::string name = spec.stacked ? fmt::format("{}_{}", symbol, i) : symbol;
+    std::string unit;
+    for (const Component& component : components) {
+        if (spec.stacked || figure.panels.empty() || component.unit != unit) {
+            const std::string& name = spec.stacked ? component.label : symbol;
+            unit = component.unit;
             if (!figure.panels.empty() && spec.columns == 1) { figure.panels.back().x_label.clear(); }
             figure.panels.push_back({"", "t [s]", fmt::format("{} [{}]", name, unit), false, false, {}, {}, {}});
         }
-        const std::string label = spec.stacked ? "" : fmt::format("{}_{}", symbol, i);
-        figure.panels.back().curves.push_back({label, zipped(*t, *values), spec.stacked ? 1 : i});
-    }
-    if (t == nullptr || figure.panels.empty()) {
-        throw FigureError(fmt::format("{}: the trajectory has no columns {}1, ...", spec.name, prefix));
+        auto& curves = figure.panels.back().curves;
+        curves.push_back({spec.stacked ? "" : component.label, zipped(*t, *component.values),
+                          spec.stacked ? 1 : static_cast<int>(curves.size()) + 1});
     }
     return figure;
 }

@@ -31,7 +31,9 @@ std::string json_element(const BodyData& body) {
 std::string json_element(const JointData& joint) {
     const ElementType& type = type_of(ParameterKind::joints, joint.type);
     ObjectWriter object;
-    object.member("type", json_text(type.name)).member("between", json_list(joint.between, json_text));
+    object.member("type", json_text(type.name));
+    if (!joint.name.empty()) { object.member("name", json_text(joint.name)); }
+    object.member("between", json_list(joint.between, json_text));
     object.member("points", json_list(joint.points, json_vector));
     if (type.has("axes")) { object.member("axes", json_list(joint.axes, json_vector)); }
     if (joint.length) { object.member(type.has("radius") ? "radius" : "length", json_number(*joint.length)); }

@@ -87,6 +87,14 @@ std::string json_value(const ReportedState& state, bool quad) {
     ObjectWriter object;
     object.member("t", write(state.t)).member("bodies", json_list(state.bodies, write_body));
     if (!state.multipliers.empty()) { object.member("multipliers", json_list(state.multipliers, write)); }
+    if (!state.multiplier_names.empty()) { object.member("multiplier_names", json_value(state.multiplier_names)); }
+    const auto write_reaction = [&](const ReportedReaction& reaction) {
+        ObjectWriter one;
+        one.member("joint", json_text(reaction.joint)).member("force", json_list(reaction.force, write));
+        one.member("torque", json_list(reaction.torque, write));
+        return one.member("unique", reaction.unique ? "true" : "false").text();
+    };
+    if (!state.reactions.empty()) { object.member("reactions", json_list(state.reactions, write_reaction)); }
     return object.text();
 }
 

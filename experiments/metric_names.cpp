@@ -11,10 +11,14 @@ const std::vector<MetricDescription>& common_metrics() {
         {"error.rotation", "rad", "norm of log(R_ref^T R) at the end, over all bodies"},
         {"error.velocity", "m/s", "norm of v - v_ref at the end, over all bodies"},
         {"error.omega", "rad/s", "norm of omega - omega_ref at the end, over all bodies"},
-        {"error.multipliers", "as the rows", "norm of lambda - lambda_ref at the end"},
-        {"defect.position", "as the rows", "largest |Phi| over all steps"},
-        {"defect.velocity", "as the rows per s", "largest |d Phi/dt| over all steps"},
-        {"defect.acceleration", "as the rows per s^2", "largest |d^2 Phi/dt^2| over all steps"},
+        {"error.multipliers", "N", "norm of lambda - lambda_ref at the end, of the rows that are lengths"},
+        {"error.multipliers.torque", "N m", "norm of lambda - lambda_ref at the end, of the rows that compare directions"},
+        {"defect.position", "m", "largest |Phi| over all steps, of the rows that are lengths"},
+        {"defect.direction", "1", "largest |Phi| over all steps, of the rows that compare directions"},
+        {"defect.velocity", "m/s", "largest |d Phi/dt| over all steps, of the rows that are lengths"},
+        {"defect.direction.velocity", "1/s", "the same of the rows that compare directions"},
+        {"defect.acceleration", "m/s^2", "largest |d^2 Phi/dt^2| over all steps, of the rows that are lengths"},
+        {"defect.direction.acceleration", "1/s^2", "the same of the rows that compare directions"},
         {"defect.orthogonality", "1", "largest Frobenius norm of R^T R - I over all steps"},
     };
     return all;

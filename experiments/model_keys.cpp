@@ -53,7 +53,7 @@ ElementList joints() {
                      amplitude = {"amplitude", Kind::number, false}, frequency = {"frequency", Kind::number, false};
     ElementType universal = at_point("universal", "the points coincide, the two axes stay perpendicular");
     universal.keys.push_back(axes);
-    return {
+    ElementList list = {
         "joint",
         "",
         {at_point("spherical", "the points coincide"),
@@ -70,6 +70,8 @@ ElementList joints() {
           "a disk rolls without slip on a plane: between ground and disk, a point of the plane and the disk's centre, "
           "the normal and the disk's axis",
           {between, points, axes, {"radius", Kind::positive, true}}}}};
+    for (ElementType& type : list.types) { type.keys.push_back({"name", Kind::label, false}); }
+    return list;
 }
 
 ElementList forces() {
@@ -118,7 +120,8 @@ const ElementList& elements_of(ParameterKind kind) {
 
 std::string meaning_of_key(const std::string& key) {
     static const std::map<std::string, std::string> all = {
-        {"name", "letters, digits, _ and -; joints and forces call the body by it"},
+        {"name",
+         "letters, digits, _ and -; joints and forces call a body by it, results a joint (default: its bodies)"},
         {"mass", "kg"},
         {"inertia", "about the mass centre, body axes, kg m^2; three numbers or a symmetric matrix"},
         {"x", "initial mass centre, space axes, m"},
@@ -148,6 +151,8 @@ std::string expectation(ValueKind kind) {
     switch (kind) {
         case Kind::name:
             return "the name of a body";
+        case Kind::label:
+            return "a name of letters, digits, _ and -";
         case Kind::names:
             return "a list of two bodies: names, or \"ground\" and a name";
         case Kind::number:

@@ -14,6 +14,7 @@ namespace kreisel {
 /// What the value of a key is.
 enum class ValueKind {
     name,
+    label,
     names,
     number,
     positive,

@@ -52,6 +52,7 @@ Schema inertia() { return {{"anyOf", {list_of_three(number()), matrix()}}}; }
 Schema value(ValueKind kind) {
     switch (kind) {
         case ValueKind::name:
+        case ValueKind::label:
             return text(64);
         case ValueKind::names:
             return list_of(2, text(64));

@@ -14,7 +14,9 @@ namespace {
 using Metrics = std::vector<std::string>;
 
 const std::vector<Metrics> levels = {
-    {"error.position", "error.rotation"}, {"error.velocity", "error.omega"}, {"error.multipliers"}};
+    {"error.position", "error.rotation"},
+    {"error.velocity", "error.omega"},
+    {"error.multipliers", "error.multipliers.torque"}};
 
 // The claim is about h -> 0: where the slopes of the window still rise, its finest one speaks.
 bool falls_short(const ObservedOrder& order, int declared) {

@@ -113,9 +113,19 @@ std::vector<CellGroup> group_by_method(const std::vector<ResultRow>& rows) {
 
 std::string metric_unit(const std::string& metric) {
     static const std::map<std::string, std::string> units = {
-        {"error.position", "m"},    {"error.rotation", "rad"},        {"error.velocity", "m/s"},
-        {"error.omega", "rad/s"},   {"error.multipliers", "N"},       {"defect.position", "m"},
-        {"defect.velocity", "m/s"}, {"defect.acceleration", "m/s^2"}, {"defect.orthogonality", "1"}};
+        {"error.position", "m"},
+        {"error.rotation", "rad"},
+        {"error.velocity", "m/s"},
+        {"error.omega", "rad/s"},
+        {"error.multipliers", "N"},
+        {"error.multipliers.torque", "N m"},
+        {"defect.position", "m"},
+        {"defect.direction", "1"},
+        {"defect.velocity", "m/s"},
+        {"defect.direction.velocity", "1/s"},
+        {"defect.acceleration", "m/s^2"},
+        {"defect.direction.acceleration", "1/s^2"},
+        {"defect.orthogonality", "1"}};
     std::string base = metric;
     for (const char* suffix : {".final", ".max"}) {
         if (base.ends_with(suffix)) { base.resize(base.size() - std::string(suffix).size()); }

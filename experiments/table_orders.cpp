@@ -138,7 +138,8 @@ ObservedOrder order_of(const CellGroup& group, const std::string& metric) {
 std::vector<std::string> error_metrics(const std::vector<ResultRow>& rows) {
     std::vector<std::string> found;
     for (const char* metric :
-         {"error.position", "error.rotation", "error.velocity", "error.omega", "error.multipliers"}) {
+         {"error.position", "error.rotation", "error.velocity", "error.omega", "error.multipliers",
+          "error.multipliers.torque"}) {
         const bool occurs =
             std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.metrics.contains(metric); });
         if (occurs) { found.emplace_back(metric); }

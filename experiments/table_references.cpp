@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -10,8 +11,15 @@ namespace kreisel {
 
 namespace {
 
-const std::vector<std::string> metrics = {"error.position", "error.rotation", "error.velocity", "error.omega",
-                                          "error.multipliers"};
+std::vector<std::string> metrics_of(const Results& results) {
+    std::vector<std::string> metrics = {"error.position", "error.rotation", "error.velocity", "error.omega",
+                                        "error.multipliers"};
+    const std::string torque = "error.multipliers.torque";
+    const bool occurs = std::any_of(results.rows.begin(), results.rows.end(),
+                                    [&](const ResultRow& row) { return row.reference_error.contains(torque); });
+    if (occurs) { metrics.push_back(torque); }
+    return metrics;
+}
 
 std::string digits(const ResultRow& row, const std::string& metric) {
     const auto bound = row.reference_error.find(metric);
@@ -24,6 +32,7 @@ std::string digits(const ResultRow& row, const std::string& metric) {
 }  // namespace
 
 TextTable references_table(const Results& results) {
+    const std::vector<std::string> metrics = metrics_of(results);
     TextTable table{"references", "References: " + results.name, {"problem", "t [s]", "horizon [s]"}, {}};
     table.notes = {
         "Digits up to which two step sizes and two independent routes agree at the end, relative to the size of the "

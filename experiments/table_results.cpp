@@ -66,7 +66,15 @@ std::map<std::string, double> scales(const json& final) {
                                            {"error.rotation", 1},
                                            {"error.velocity", or_one(norm_over_bodies(final, "v"))},
                                            {"error.omega", or_one(norm_over_bodies(final, "omega"))}};
-    if (final.contains("multipliers")) { scale["error.multipliers"] = or_one(norm(final.at("multipliers"))); }
+    if (!final.contains("multipliers")) { return scale; }
+    const json names = final.value("multiplier_names", json::array());
+    json forces = json::array(), torques = json::array();
+    for (std::size_t i = 0; i < final.at("multipliers").size(); ++i) {
+        const bool torque = i < names.size() && names[i].get<std::string>().ends_with("[N m]");
+        (torque ? torques : forces).push_back(final.at("multipliers")[i]);
+    }
+    if (!forces.empty()) { scale["error.multipliers"] = or_one(norm(forces)); }
+    if (!torques.empty()) { scale["error.multipliers.torque"] = or_one(norm(torques)); }
     return scale;
 }
 
@@ -76,7 +84,8 @@ std::map<std::string, int> declared_orders(const json& order) {
             {"error.rotation", configuration},
             {"error.velocity", velocity},
             {"error.omega", velocity},
-            {"error.multipliers", order.at("multipliers")}};
+            {"error.multipliers", order.at("multipliers")},
+            {"error.multipliers.torque", order.at("multipliers")}};
 }
 
 bool is_hash(const std::string& text) {

@@ -17,14 +17,16 @@ namespace kreisel {
 
 inline bool is_velocity(const std::string& metric) { return metric == "error.velocity" || metric == "error.omega"; }
 
+inline bool is_multiplier(const std::string& metric) { return metric.starts_with("error.multipliers"); }
+
 inline int declared(const Order& order, const std::string& metric) {
-    if (metric == "error.multipliers") return order.multipliers;
+    if (is_multiplier(metric)) return order.multipliers;
     return is_velocity(metric) ? order.velocity : order.configuration;
 }
 
 /// Sizes of the quantities on the acceptance problems, for what counts as round-off and as pre-asymptotic.
 inline double scale_of(const std::string& metric) {
-    return metric == "error.multipliers" ? 100 : is_velocity(metric) ? 5 : 1;
+    return is_multiplier(metric) ? 100 : is_velocity(metric) ? 5 : 1;
 }
 
 /// The errors of one quantity, and the bound of the reference's own error.
@@ -50,7 +52,7 @@ inline std::string order_rule(const std::map<std::string, OrderCurve>& curves, c
         if (!(finest >= p - 0.1))
             return metric + ": slope " + std::to_string(finest) + " of order " + std::to_string(p);
         double& best = nearest[is_velocity(metric) ? 1 : 0];
-        if (metric != "error.multipliers") best = std::min(best, std::abs(*observed.order - p));
+        if (!is_multiplier(metric)) best = std::min(best, std::abs(*observed.order - p));
     }
     if (!sharp || curves.empty()) return "";
     if (!(nearest[0] <= 0.1)) return "no quantity of the configuration shows the declared order";

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/engine.hpp"
 
+#include "experiments/engine/joint_forces.hpp"
 #include "experiments/engine/reference.hpp"
 #include "experiments/engine/report.hpp"
 #include "experiments/engine/run.hpp"
 #include "experiments/engine/taylor_route.hpp"
 #include "mechanics/formulation.hpp"
+#include "mechanics/joint_rows.hpp"
 #include "methods/method.hpp"
 #include "methods/projection.hpp"
 #include "problems/problem.hpp"
@@ -80,8 +82,9 @@ class RealEngine final : public Engine {
         reference.error = {{"error.position", to_number(solution.position_error)},
                            {"error.rotation", to_number(solution.rotation_error)},
                            {"error.velocity", to_number(solution.velocity_error)},
-                           {"error.omega", to_number(solution.omega_error)},
-                           {"error.multipliers", to_number(solution.multiplier_error)}};
+                           {"error.omega", to_number(solution.omega_error)}};
+        if (!solution.multipliers.empty())
+            add_multiplier_errors(constraint_rows(model), solution.multiplier_error, reference.error);
         reference.horizon = to_double(solution.horizon);
         reference.route = solution.route;
         return reference;
@@ -92,7 +95,8 @@ class RealEngine final : public Engine {
         if (reference.state.bodies.empty()) return {.difference = {}, .failure = "it has no state: " + reference.route};
         if (reference.state.t.value > reference.horizon)
             return {.difference = {}, .failure = "it lies past its horizon"};
-        TaylorRoute route(problem(name).build(Parameters(values)));
+        const Model model = problem(name).build(Parameters(values));
+        TaylorRoute route(model);
         std::vector<Real> lambda, exact;
         Status status = route.advance(from_number(reference.state.t), {});
         if (status == Status::ok) status = route.multipliers(lambda);
@@ -106,7 +110,9 @@ class RealEngine final : public Engine {
         };
         add("error.position", d.position), add("error.rotation", d.rotation);
         add("error.velocity", d.velocity), add("error.omega", d.omega);
-        if (exact.size() == lambda.size()) add("error.multipliers", norm_of_difference(lambda, exact));
+        const auto rows = constraint_rows(model);
+        if (exact.size() == rows.size() && lambda.size() == rows.size())
+            add_multiplier_errors(rows, multiplier_distance(rows, lambda, exact), check.difference);
         return check;
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/engine/metrics.hpp"
 
+#include <algorithm>
+
 #include "experiments/engine/report.hpp"
 
 namespace kreisel {
@@ -51,26 +53,31 @@ Monitor::Monitor(System& system, std::vector<std::string> patterns)
     : system_(system),
       patterns_(std::move(patterns)),
       states_(static_cast<std::size_t>(system.bodies())),
+      directions_(system.constraint_rows()),
       rows_(system.constraints()),
       xi_(system.constraints()),
       bias_(system.constraints()),
       dv_(system.velocities()) {
-    const auto add = [&](Level level, const char* name, const char* unit) {
-        if (any_matches(patterns_, name, defect_suffixes)) defects_.push_back({level, name, unit});
+    const auto add = [&](Level level, bool direction, const char* name, const char* unit) {
+        const bool occurs = level == Level::orthogonality ||
+                            std::any_of(directions_.begin(), directions_.end(),
+                                        [&](const ConstraintRow& row) { return row.direction == direction; });
+        if (occurs && any_matches(patterns_, name, defect_suffixes)) defects_.push_back({level, direction, name, unit});
     };
-    if (system.constraints() > 0) {
-        add(Level::position, "defect.position", "m");
-        add(Level::velocity, "defect.velocity", "m/s");
-        add(Level::acceleration, "defect.acceleration", "m/s^2");
-    }
-    add(Level::orthogonality, "defect.orthogonality", "1");
+    add(Level::position, false, "defect.position", "m");
+    add(Level::position, true, "defect.direction", "1");
+    add(Level::velocity, false, "defect.velocity", "m/s");
+    add(Level::velocity, true, "defect.direction.velocity", "1/s");
+    add(Level::acceleration, false, "defect.acceleration", "m/s^2");
+    add(Level::acceleration, true, "defect.direction.acceleration", "1/s^2");
+    add(Level::orthogonality, false, "defect.orthogonality", "1");
     for (const FirstIntegral& integral : system.integrals()) {
         const std::string name = "invariant." + integral.name;
         if (any_matches(patterns_, name, integral_suffixes)) integrals_.push_back({&integral, name});
     }
 }
 
-Real Monitor::measure(Level level, const Real& t, const Real* y) {
+void Monitor::measure(Level level, const Real& t, const Real* y) {
     const Real* v = y + system_.group().size();
     switch (level) {
         case Level::position:
@@ -78,7 +85,7 @@ Real Monitor::measure(Level level, const Real& t, const Real* y) {
             system_.position_residual(t, y, rows_.data());
             break;
         case Level::velocity: system_.velocity_residual(t, y, v, rows_.data()); break;
-        case Level::orthogonality: return system_.group().orthogonality_defect(y);
+        case Level::orthogonality: break;
         case Level::acceleration:
             ++evaluations_;
             if (system_.accelerations(t, y, v, dv_.data(), nullptr) != Status::ok) measured_ = false;
@@ -88,7 +95,13 @@ Real Monitor::measure(Level level, const Real& t, const Real* y) {
             rows_ -= bias_ + xi_;
             break;
     }
-    return rows_.norm();
+}
+
+Real Monitor::norm(bool direction) const {
+    Real sum = 0;
+    for (std::size_t i = 0; i < directions_.size(); ++i)
+        if (const Real& row = rows_[static_cast<Eigen::Index>(i)]; directions_[i].direction == direction) sum += row * row;
+    return sqrt(sum);
 }
 
 namespace {
@@ -101,9 +114,12 @@ void keep_worst(Real& worst, const Real& now) {
 }  // namespace
 
 void Monitor::observe(const Real& t, const Real* y) {
+    const Defect* before = nullptr;
     for (Defect& defect : defects_) {
-        defect.now = measure(defect.level, t, y);
+        if (!before || before->level != defect.level) measure(defect.level, t, y);
+        defect.now = defect.level == Level::orthogonality ? system_.group().orthogonality_defect(y) : norm(defect.direction);
         keep_worst(defect.worst, defect.now);
+        before = &defect;
     }
     if (integrals_.empty()) return;
     system_.read(y, states_.data());

@@ -49,6 +49,7 @@ class Monitor {
     enum class Level { position, velocity, acceleration, orthogonality };
     struct Defect {
         Level level;
+        bool direction;  ///< of rows that compare directions, else of lengths
         std::string name, unit;
         Real now = 0, worst = 0;
     };
@@ -59,13 +60,16 @@ class Monitor {
         bool has_relative = false;
         LineFit fit = {};
     };
-    Real measure(Level level, const Real& t, const Real* y);
+    /// Puts the rows of a level into rows_.
+    void measure(Level level, const Real& t, const Real* y);
+    Real norm(bool direction) const;
 
     System& system_;
     std::vector<std::string> patterns_;
     std::vector<Defect> defects_;
     std::vector<Integral> integrals_;
     std::vector<BodyState> states_;
+    std::vector<ConstraintRow> directions_;
     VecX rows_, xi_, bias_, dv_;
     bool started_ = false, measured_ = true;
     long evaluations_ = 0;

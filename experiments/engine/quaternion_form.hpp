@@ -45,6 +45,7 @@ class QuaternionForm {
     };
     AccelerationScale acceleration_scale(const Real& t, const Real* w);
     bool has_redundant_rows() const;
+    std::vector<ConstraintRow> rows() const { return system_->constraint_rows(); }
 
   private:
     void load(const Real* w);

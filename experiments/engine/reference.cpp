@@ -191,10 +191,7 @@ void compare_ends(QuaternionForm& form, const Real& t_end, const Run& coarse, co
     std::vector<Real> lambda;
     for (const Status s : {form.multipliers(t_end, a, lambda), form.multipliers(t_end, b, out.multipliers)})
         if (s != Status::ok) out.stopped = name(s);
-    Real sum = 0;
-    for (std::size_t i = 0; i < lambda.size(); ++i)
-        sum += (lambda[i] - out.multipliers[i]) * (lambda[i] - out.multipliers[i]);
-    out.multiplier_error = sqrt(sum);
+    if (out.stopped.empty()) out.multiplier_error = multiplier_distance(form.rows(), lambda, out.multipliers);
 }
 
 }  // namespace

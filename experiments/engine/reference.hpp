@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/engine/joint_forces.hpp"
 #include "mechanics/model.hpp"
 
 namespace kreisel {
@@ -25,13 +26,14 @@ struct ReferencePoint {
 
 /// The state at t_end and what is known of its error. Errors are the differences between big steps H and H/2, each in
 /// the unit and norm of its metric (Euclidean over all bodies, rotation by the norm of the logarithm: m, rad, m/s,
-/// rad/s; multipliers in N over all rows); position and velocity at least the constraint residuals |Phi|, |C v + b|.
+/// rad/s; multipliers in N and N m over their rows); position and velocity at least the constraint residuals |Phi|, |C v + b|.
 /// If the equations of motion fail on the way (a singular configuration, NaN), `stopped` names the status and there
 /// are no states and no multipliers.
 struct ReferenceSolution {
     std::vector<BodyState> states;
     std::vector<Real> multipliers;  ///< rows in space axes, joints in the order of the model; none if rows are redundant
-    Real position_error = 0, rotation_error = 0, velocity_error = 0, omega_error = 0, multiplier_error = 0;
+    Real position_error = 0, rotation_error = 0, velocity_error = 0, omega_error = 0;
+    MultiplierDistance multiplier_error;
     Real horizon = 0;     ///< s; last big step up to which both runs agree to 1e-12 of each quantity's largest size
     /// The largest ones of the finer run, at least what the forces would do to free bodies within a thousandth of a big
     /// step: a body that is held fast moves by round-off alone.

@@ -24,7 +24,7 @@ ConstraintSummary to_summary(const ConstraintRank& rank) {
 
 ReportedState to_report(const Real& t, const std::vector<BodyState>& states, const std::vector<std::string>& names,
                         const std::vector<Real>& multipliers) {
-    ReportedState report{to_number(t), {}, {}};
+    ReportedState report{to_number(t), {}, {}, {}, {}};
     for (std::size_t i = 0; i < states.size(); ++i) {
         const BodyState& s = states[i];
         ReportedBody body{names[i], numbers(s.x), numbers(s.v), numbers(s.omega), {}};

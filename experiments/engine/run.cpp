@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "experiments/engine/joint_forces.hpp"
 #include "experiments/engine/metrics.hpp"
 #include "experiments/engine/report.hpp"
 #include "mechanics/formulation.hpp"
@@ -76,12 +77,11 @@ class Run {
           t_end_(decimal(cell.t_end)),
           h_(t_end_ / Real(cell.steps)),
           y_(initial_state(*system_, model_)),
-          states_(model_.bodies.size()),
-          multipliers_(static_cast<std::size_t>(system_->constraints())),
-          dv_(static_cast<std::size_t>(system_->velocities())) {
+          states_(model_.bodies.size()) {
         for (const Body& body : model_.bodies) names_.push_back(body.name);
         outcome_.constraints = to_summary(system_->constraint_rank());
         outcome_.bodies = system_->bodies();
+        if (!cell.timed || cell.samples > 0) joint_forces_.emplace(*system_, model_);
     }
 
     Outcome execute(const Reference* reference, const std::stop_token& stop) {
@@ -180,7 +180,7 @@ class Run {
             add("v", "m/s", 3);
             add("omega", "rad/s", 3);
         }
-        for (std::size_t i = 0; i < multipliers_.size(); ++i) all.push_back({"lambda" + std::to_string(i + 1), "N"});
+        for (Column& column : joint_forces_->columns()) all.push_back(std::move(column));
         for (Column& column : monitor_.columns()) all.push_back(std::move(column));
         return all;
     }
@@ -195,46 +195,39 @@ class Run {
                 for (int j = 0; j < 3; ++j) row.push_back(s.R(i, j));
             row.insert(row.end(), {s.v[0], s.v[1], s.v[2], s.omega[0], s.omega[1], s.omega[2]});
         }
-        const bool known = find_multipliers(time(step)) && !outcome_.constraints.has_redundant_rows();
         std::string line;
         const auto append = [&](const std::string& text) { line += (line.empty() ? "" : ",") + text; };
         for (const Real& x : row) append(to_text(x));
-        for (const Real& lambda : multipliers_) append(known ? to_text(lambda) : "");
+        std::vector<std::string> forces;
+        joint_forces_->append_values(find_joint_forces(time(step)), forces);
+        for (const std::string& text : forces) append(text);
         row.clear();
         monitor_.append_values(row);
         for (const Real& x : row) append(isfinite(x) ? to_text(x) : "");
         outcome_.trajectory.rows.push_back(std::move(line));
     }
 
-    /// Multipliers at the present state: the method's own, or those of the index-1 form; false where these cannot be
-    /// solved for.
-    bool find_multipliers(const Real& t) {
-        if (multipliers_.empty()) return true;
-        if (const Real* own = integrator_->multipliers()) {
-            std::copy_n(own, multipliers_.size(), multipliers_.begin());
-            return true;
-        }
-        ++outcome_.cost.output_evaluations;
-        const Real* v = y_.data() + system_->group().size();
-        return system_->accelerations(t, y_.data(), v, dv_.data(), multipliers_.data()) == Status::ok;
-    }
+    bool find_joint_forces(const Real& t) { return joint_forces_->find(t, y_.data(), integrator_->multipliers()); }
 
     void finish(const Reference* reference) {
         const Real t = time(outcome_.steps_done);
         outcome_.t_reached = to_double(t);
         outcome_.cost.evaluations = cell_.timed ? evaluations_ : system_->evaluations();
         outcome_.cost.projection_iterations = projection_->iterations();
-        outcome_.cost.output_evaluations += monitor_.evaluations();
         if (outcome_.status == "ok" && !cell_.timed) {
-            bool known = find_multipliers(t);
+            const bool found = find_joint_forces(t);
+            bool known = found;
             if (known && outcome_.constraints.has_redundant_rows()) {  // they are not unique
-                for (const Real& lambda : multipliers_) outcome_.constraints.least_norm.push_back(to_number(lambda));
+                for (const Real& x : joint_forces_->multipliers()) outcome_.constraints.least_norm.push_back(to_number(x));
                 known = false;
             }
             system_->read(y_.data(), states_.data());
-            outcome_.final = to_report(t, states_, names_, known ? multipliers_ : std::vector<Real>());
+            outcome_.final = to_report(t, states_, names_, known ? joint_forces_->multipliers() : std::vector<Real>());
+            if (found) joint_forces_->report(*outcome_.final);
             if (reference) add_errors(*reference, known);
         }
+        outcome_.cost.output_evaluations += monitor_.evaluations();
+        if (joint_forces_) outcome_.cost.output_evaluations += joint_forces_->evaluations();
         // A run that failed in its first step has measured nothing but its start.
         const bool finished = outcome_.status == "ok";
         if (!finished && outcome_.steps_done == 0) return;
@@ -251,14 +244,14 @@ class Run {
         add("error.rotation", d.rotation);
         add("error.velocity", d.velocity);
         add("error.omega", d.omega);
-        const auto& exact = reference.state.multipliers;
-        if (!multipliers_known || multipliers_.empty() || exact.size() != multipliers_.size()) return;
-        Real sum = 0;
-        for (std::size_t i = 0; i < exact.size(); ++i) {
-            const Real difference = multipliers_[i] - from_number(exact[i]);
-            sum += difference * difference;
-        }
-        add("error.multipliers", sqrt(sum));
+        std::vector<Real> exact;
+        for (const Number& row : reference.state.multipliers) exact.push_back(from_number(row));
+        const std::vector<Real>& multipliers = joint_forces_->multipliers();
+        if (!multipliers_known || exact.size() != multipliers.size()) return;
+        const auto rows = system_->constraint_rows();
+        std::map<std::string, Number> errors;
+        add_multiplier_errors(rows, multiplier_distance(rows, multipliers, exact), errors);
+        for (const auto& [metric, value] : errors) add(metric, from_number(value));
     }
 
     const Cell& cell_;
@@ -268,11 +261,11 @@ class Run {
     std::unique_ptr<Integrator> integrator_;
     std::unique_ptr<Projection> projection_;
     Monitor monitor_;
+    std::optional<JointForces> joint_forces_;  // not of a timed cell, which would count its memory
     Real t_end_, h_;
     std::vector<Real> y_;
     std::vector<BodyState> states_;
     std::vector<std::string> names_;
-    std::vector<Real> multipliers_, dv_;
     long evaluations_ = 0;
     Outcome outcome_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/engine/taylor_route.hpp"
 
+#include "mechanics/joint_rows.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
@@ -86,8 +88,9 @@ ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, con
     std::vector<Real> lambda;
     if (out.horizon != t_end || route.multipliers(lambda) != Status::ok) return out;
     allow_for(out, agreement.distance);
-    if (lambda.size() == out.multipliers.size())
-        out.multiplier_error = max(out.multiplier_error, norm_of_difference(lambda, out.multipliers));
+    if (lambda.size() != out.multipliers.size()) return out;
+    const MultiplierDistance apart = multiplier_distance(constraint_rows(model), lambda, out.multipliers);
+    out.multiplier_error = {max(out.multiplier_error.force, apart.force), max(out.multiplier_error.torque, apart.torque)};
     return out;
 }
 

@@ -103,7 +103,7 @@ TEST_CASE("a sample is the state of a run that ends there", "[campaign]") {
         CHECK(columns[4].name == "top.R11");
         CHECK(columns[18].name == "top.omega3");
         CHECK(columns[18].unit == "rad/s");
-        CHECK(columns[19].name == "lambda1");
+        CHECK(columns[19].name == "lambda.ground-top.1");
         for (std::size_t i = 1; i <= 4; ++i) {
             const auto part = static_cast<double>(i) / 4;
             const Outcome end = engine->run(swinging_top(0.125 * part, std::lround(64 * part), 0), nullptr, {});

@@ -140,6 +140,13 @@ TEST_CASE("forces of every type are read") {
     CHECK(forces[5] == ForceData{.type = Type::force, .between = {"", "a"}, .value = {0, 1, 0}});
 }
 
+TEST_CASE("a joint may have a name") {
+    const std::string named = R"([{"type": "fixed", "name": "weld_1", "between": ["ground", "a"], "point": [1, 2, 3]}])";
+    CHECK(entries<JointData>("joints", named)[0].name == "weld_1");
+    const ParameterValues values = read({{"joints", ordered_json::parse(named)}});
+    CHECK(read(ordered_json::parse(json_value(values))) == values);
+}
+
 TEST_CASE("lists of joints and forces may be empty") {
     CHECK(entries<JointData>("joints", "[]").empty());
     CHECK(entries<ForceData>("forces", "[]").empty());

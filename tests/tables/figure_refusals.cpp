@@ -95,7 +95,7 @@ TEST_CASE("a figure that the results cannot fill says what they lack") {
         {{{"kind", "components"}, {"quantity", "omega"}, {"select", bare}},
          "the trajectory has no columns top.omega1, ..."},
         {{{"kind", "components"}, {"quantity", "multipliers"}, {"select", bare}},
-         "the trajectory has no columns lambda1, ..."},
+         "the trajectory has no columns lambda.JOINT.1, ..."},
         {{{"kind", "motion"}, {"select", one}, {"lever", {0, 0, 0}}}, "f: the lever is zero"},
         {{{"kind", "convergence"}, {"metric", "error.omega"}}, "the selected cells hold no such error"},
         {{{"kind", "drift"}, {"metric", "defect.velocity"}}, "the selected cells hold no such defect"},

@@ -99,7 +99,8 @@ inline std::string trajectory_text(int samples = 50) {
         << "t [s],top.x1 [m],top.x2 [m],top.x3 [m],top.R11 [1],top.R12 [1],top.R13 [1],top.R21 [1],top.R22 [1],top.R23 "
            "[1],"
            "top.R31 [1],top.R32 [1],top.R33 [1],top.v1 [m/s],top.v2 [m/s],top.v3 [m/s],top.omega1 [rad/s],top.omega2 "
-           "[rad/s],top.omega3 [rad/s],lambda1 [N],lambda2 [N],lambda3 [N],defect.position [m],defect.position.max [m],"
+           "[rad/s],top.omega3 [rad/s],lambda.pin.1 [N],lambda.pin.2 [N],lambda.pin.3 [N],"
+           "defect.position [m],defect.position.max [m],"
            "invariant.energy [J],invariant.energy.max [J]\n";
     text.precision(17);
     for (int i = 0; i <= samples; ++i) {

@@ -56,6 +56,7 @@ TEST_CASE("numbers of quad cells are read from decimal strings") {
     CHECK(row.metrics.at("error.position") == 1.25e-30);
     CHECK(row.h == 0.015625);
     CHECK(row.scale.at("error.multipliers") == 3);
+    CHECK_FALSE(row.scale.contains("error.multipliers.torque"));
 }
 
 TEST_CASE("failed and skipped cells are listed with their reason, and enter no order") {
