@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "experiments/config_parts.hpp"
@@ -9,6 +11,11 @@ namespace kreisel {
 
 namespace {
 
+std::optional<ParameterValue> read_count(const Node& node) {
+    const auto count = node.count(1, largest_parameter_count, "parts");
+    return count ? std::optional<ParameterValue>(static_cast<double>(*count)) : std::nullopt;
+}
+
 std::optional<ParameterValue> read_value(const Node& node, ParameterKind kind) {
     const auto widened = [](auto value) { return value ? std::optional<ParameterValue>(*value) : std::nullopt; };
     switch (kind) {
@@ -16,6 +23,8 @@ std::optional<ParameterValue> read_value(const Node& node, ParameterKind kind) {
             return widened(node.number());
         case ParameterKind::positive:
             return widened(node.positive());
+        case ParameterKind::count:
+            return read_count(node);
         case ParameterKind::vector:
             return widened(read_vector(node, expectation(kind)));
         case ParameterKind::inertia:
@@ -34,7 +43,9 @@ std::optional<ParameterValue> read_value(const Node& node, ParameterKind kind) {
     return std::nullopt;
 }
 
-bool is_number(ParameterKind kind) { return kind == ParameterKind::scalar || kind == ParameterKind::positive; }
+bool is_number(ParameterKind kind) {
+    return kind == ParameterKind::scalar || kind == ParameterKind::positive || kind == ParameterKind::count;
+}
 
 std::vector<double> read_list(const Node& list, ParameterKind kind) {
     std::vector<double> values;
@@ -73,6 +84,8 @@ std::string expectation(ParameterKind kind) {
             return "a number";
         case ParameterKind::positive:
             return "a number greater than 0";
+        case ParameterKind::count:
+            return fmt::format("a whole number from 1 to {}", largest_parameter_count);
         case ParameterKind::vector:
             return expectation(ValueKind::vector);
         case ParameterKind::inertia:

@@ -115,6 +115,8 @@ Schema parameter(ParameterKind kind) {
             return one_or_list(number());
         case ParameterKind::positive:
             return one_or_list(positive());
+        case ParameterKind::count:
+            return one_or_list(integer(1, largest_parameter_count));
         case ParameterKind::vector:
             return list_of_three(number());
         case ParameterKind::inertia:

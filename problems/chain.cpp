@@ -30,11 +30,12 @@ Model chain(const Parameters& p) {
 KREISEL_PROBLEM(chain, {.name = "chain",
                         .summary = "chain of N rods on spherical joints; the cost per step is linear in N",
                         .cites = {},
-                        .parameters = {{"links", ParameterKind::positive, "1", "number of rods", 5.0},
+                        .parameters = {{"links", ParameterKind::count, "1", "number of rods", 5.0},
                                        {"mass", ParameterKind::positive, "kg", "mass of a rod", 0.5},
                                        {"length", ParameterKind::positive, "m", "length of a rod", 0.4},
                                        {"width", ParameterKind::positive, "m", "side of its square section", 0.1},
-                                       {"omega", ParameterKind::vector, "rad/s", "initial turning of the chain", Vector3{1, 0.5, 2}},
+                                       {"omega", ParameterKind::vector, "rad/s", "initial turning of the chain",
+                                        Vector3{1, 0.5, 2}},
                                        gravity_parameter({0, 0, -9.81})}});
 
 }  // namespace KREISEL_PRECISION

@@ -10,10 +10,13 @@
 
 namespace kreisel {
 
-/// The kind decides what a config may write: `inertia` is three numbers or a symmetric 3x3 matrix, `rotation` a 3x3
-/// matrix, `bodies`, `joints` and `forces` lists of objects, `flag` true or false; the alternative of ParameterValue
-/// follows from it (inertia, rotation: Matrix3).
-enum class ParameterKind { scalar, positive, vector, inertia, rotation, bodies, joints, forces, flag };
+/// Largest number of the kind `count`.
+inline constexpr long largest_parameter_count = 1'000'000;
+
+/// The kind decides what a config may write: `count` is a whole number from 1 to 1,000,000, `inertia` three numbers or a
+/// symmetric 3x3 matrix, `rotation` a 3x3 matrix, `bodies`, `joints` and `forces` lists of objects, `flag` true or false;
+/// the alternative of ParameterValue follows from it (scalar, positive, count: double; inertia, rotation: Matrix3).
+enum class ParameterKind { scalar, positive, count, vector, inertia, rotation, bodies, joints, forces, flag };
 
 struct ParameterDescription {
     std::string name;

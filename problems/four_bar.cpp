@@ -39,12 +39,13 @@ Model four_bar(const Parameters& p) {
 
 }  // namespace
 
-KREISEL_PROBLEM(four_bar, {.name = "four_bar",
-                           .summary = "four-bar mechanism with N windows (IFToMM A02): redundant rows, singular positions",
-                           .cites = {"gonzalez2006"},
-                           .parameters = {{"windows", ParameterKind::positive, "1", "number of windows N", 2.0},
-                                          {"speed", ParameterKind::scalar, "m/s", "initial speed of the tips, along x", 1.0},
-                                          gravity_parameter({0, -9.81, 0})}});
+KREISEL_PROBLEM(four_bar,
+                {.name = "four_bar",
+                 .summary = "four-bar mechanism with N windows (IFToMM A02): redundant rows, singular positions",
+                 .cites = {"gonzalez2006"},
+                 .parameters = {{"windows", ParameterKind::count, "1", "number of windows N", 2.0},
+                                {"speed", ParameterKind::scalar, "m/s", "initial speed of the tips, along x", 1.0},
+                                gravity_parameter({0, -9.81, 0})}});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -25,7 +25,7 @@ ProblemRegistration::ProblemRegistration(const char* file, Model (*build)(const 
 
 int Parameters::count(const std::string& name) const {
     const double value = std::get<double>(values_.at(name));
-    if (!(value >= 1 && value <= 1000000) || value != static_cast<int>(value))
+    if (!(value >= 1 && value <= largest_parameter_count) || value != static_cast<int>(value))
         throw ParameterError("/" + name, "expected a whole number from 1 to 1,000,000, got " + std::to_string(value));
     return static_cast<int>(value);
 }

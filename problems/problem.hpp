@@ -19,10 +19,12 @@ class Parameters {
     explicit Parameters(const ParameterValues& values) : values_(values) {}
     Real scalar(const std::string& name) const { return decimal(std::get<double>(values_.at(name))); }
     Real mass(const std::string& name) const { return to_mass(std::get<double>(values_.at(name)), "/" + name); }
-    /// A whole number from 1 to 1,000,000. Throws ParameterError.
+    /// A number of the kind `count`. Throws ParameterError where it is none.
     int count(const std::string& name) const;
     Vec3 vector(const std::string& name) const { return to_vec3(std::get<Vector3>(values_.at(name))); }
-    Mat3 rotation(const std::string& name) const { return to_rotation(std::get<Matrix3>(values_.at(name)), "/" + name); }
+    Mat3 rotation(const std::string& name) const {
+        return to_rotation(std::get<Matrix3>(values_.at(name)), "/" + name);
+    }
     Mat3 inertia(const std::string& name, TriangleInequality rule, std::vector<std::string>& warnings) const {
         return to_inertia(std::get<Matrix3>(values_.at(name)), "/" + name, rule, warnings);
     }

@@ -30,7 +30,7 @@ Model pendulum(const Parameters& p) {
 KREISEL_PROBLEM(pendulum, {.name = "spherical_pendulum_chain",
                            .summary = "the literature's N-fold spherical pendulum of point masses on massless rods",
                            .cites = {"celledoni2022"},
-                           .parameters = {{"masses", ParameterKind::positive, "1", "number of point masses N", 3.0},
+                           .parameters = {{"masses", ParameterKind::count, "1", "number of point masses N", 3.0},
                                           {"mass", ParameterKind::positive, "kg", "mass of each", 1.0},
                                           {"length", ParameterKind::positive, "m", "of all rods together", 5.0},
                                           gravity_parameter({0, 0, -9.81})}});

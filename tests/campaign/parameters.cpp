@@ -72,6 +72,8 @@ ParameterValue other_than_standard(const ParameterDescription& parameter, const 
         case ParameterKind::scalar:
         case ParameterKind::positive:
             return awkward(std::get<double>(parameter.standard));
+        case ParameterKind::count:
+            return std::get<double>(parameter.standard) + 1;
         case ParameterKind::vector:
             return awkward(std::get<Vector3>(parameter.standard));
         case ParameterKind::inertia:
@@ -130,6 +132,34 @@ TEST_CASE("parameters of every problem round-trip through JSON", "[campaign]") {
         CHECK(read_back(problem.name, json_value(other), registry) == other);
         if (required_parameters(problem).empty()) CHECK(read_back(problem.name, "{}", registry) == standard);
     }
+}
+
+TEST_CASE("a number of parts is a whole one, alone or in a list, for the reader and for the problem itself",
+          "[campaign]") {
+    const Registry registry(engine_binary64());
+    int counts = 0;
+    for (const ProblemDescription& problem : registry.problems)
+        for (const ParameterDescription& parameter : problem.parameters) {
+            if (parameter.kind != ParameterKind::count) continue;
+            ++counts;
+            const auto read = [&](const std::string& value) {
+                return read_back(problem.name, ObjectWriter().member(parameter.name, value).text(), registry);
+            };
+            INFO(problem.name << " " << parameter.name);
+            CHECK(read("3").at(parameter.name) == ParameterValue(3.0));
+            CHECK(read("[3, 4]").at(parameter.name) == ParameterValue(3.0));
+            for (const char* value :
+                 {"2.5", "[2, 2.5]", "2.000000000000001", "0", "-1", "1000001", "[2, 0]", "true", "1e3"})
+                CHECK_THROWS_WITH(read(value), Catch::Contains("/problems/0/parameters/" + parameter.name) &&
+                                                   Catch::Contains("a whole number from 1 to 1000000"));
+            for (const double value : {2.5, 0.0, -1.0, 1000001.0, std::nextafter(2.0, 3)}) {
+                ParameterValues values;
+                for (const ParameterDescription& other : problem.parameters) values[other.name] = other.standard;
+                values[parameter.name] = value;
+                CHECK_THROWS_AS(engine_binary64().summary(problem.name, values, "SO3xR3"), ParameterError);
+            }
+        }
+    CHECK(counts >= 3);  // windows, links, masses
 }
 
 TEST_CASE("a round trip that loses a bit is noticed", "[campaign][control]") {
