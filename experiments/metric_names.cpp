@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "experiments/pattern.hpp"
+
 namespace kreisel {
 
 const std::vector<MetricDescription>& common_metrics() {
@@ -49,32 +51,10 @@ std::vector<std::string> metric_names(const std::vector<std::string>& integrals)
     return names;
 }
 
-bool matches(std::string_view pattern, std::string_view name) {
-    // Greedy matching with one point of return: linear in practice, no recursion for hostile patterns.
-    std::size_t p = 0, n = 0, star = std::string_view::npos, resume = 0;
-    while (n < name.size()) {
-        if (p < pattern.size() && pattern[p] == '*') {
-            star = p++;
-            resume = n;
-        } else if (p < pattern.size() && pattern[p] == name[n]) {
-            ++p;
-            ++n;
-        } else if (star != std::string_view::npos) {
-            p = star + 1;
-            n = ++resume;
-        } else {
-            return false;
-        }
-    }
-    return pattern.find_first_not_of('*', p) == std::string_view::npos;
-}
-
 bool asks_for_errors(const std::vector<std::string>& patterns) {
     const auto names = metric_names({});
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-        return name.starts_with("error.") &&
-               std::any_of(patterns.begin(), patterns.end(),
-                           [&](const std::string& pattern) { return matches(pattern, name); });
+        return name.starts_with("error.") && matches_any(patterns, name);
     });
 }
 

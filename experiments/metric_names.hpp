@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace kreisel {
@@ -21,9 +20,6 @@ std::vector<std::string> metric_names(const std::vector<std::string>& integrals)
 
 /// Suffixes of `invariant.<integral>` and what they say.
 const std::vector<MetricDescription>& invariant_suffixes();
-
-/// True if `name` fits `pattern`, in which `*` stands for any characters, none included.
-bool matches(std::string_view pattern, std::string_view name);
 
 /// True if some `error.*` metric fits one of the patterns, so that a reference is needed.
 bool asks_for_errors(const std::vector<std::string>& patterns);

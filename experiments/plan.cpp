@@ -10,6 +10,7 @@
 #include "experiments/json_writer.hpp"
 #include "experiments/metric_names.hpp"
 #include "experiments/nearest.hpp"
+#include "experiments/pattern.hpp"
 #include "experiments/plan_figures.hpp"
 
 namespace kreisel {
@@ -63,19 +64,42 @@ std::vector<std::string> known_metrics(const Plan& plan) {
     return metric_names({integrals.begin(), integrals.end()});
 }
 
-void check_metrics(const Document& document, const Config& config, Diagnostics& sink,
-                   const std::vector<std::string>& names) {
-    if (!config.metrics_given) { return; }
-    const std::vector<std::string> families = {"error.*", "defect.*", "invariant.*", "*"};
-    for (std::size_t i = 0; i < config.metrics.size(); ++i) {
-        const std::string& pattern = config.metrics[i];
-        const bool family = std::find(families.begin(), families.end(), pattern) != families.end();
-        if (!family &&
-            std::none_of(names.begin(), names.end(), [&](const auto& name) { return matches(pattern, name); })) {
-            const std::string pointer = fmt::format("/metrics/{}", i);
+// Whether some cell can measure a metric: what is said of constraints needs some, and of multipliers unique ones.
+bool can_be_measured(const Plan& plan, const std::string& name) {
+    const bool of_constraints = name.starts_with("defect.") && !name.starts_with("defect.orthogonality");
+    const bool of_multipliers = name.starts_with("error.multipliers");
+    return std::any_of(plan.systems.begin(), plan.systems.end(), [&](const auto& entry) {
+        const SystemSummary& system = entry.second;
+        if (!system.skip_reason.empty()) { return false; }
+        if (name.starts_with("invariant.")) {
+            const auto names = metric_names(names_of(system.integrals));
+            return std::find(names.begin(), names.end(), name) != names.end();
+        }
+        if (of_multipliers) { return system.constraints.rows > 0 && !system.constraints.has_redundant_rows(); }
+        return !of_constraints || system.constraints.rows > 0;
+    });
+}
+
+// A plain name must exist; a pattern may fit nothing, and a metric may be of no use here: both are said.
+void check_metrics(const Document& document, const std::vector<std::string>& names, Diagnostics& sink, Plan& plan) {
+    if (!plan.config.metrics_given) { return; }
+    std::vector<std::string> suggestions = names;
+    suggestions.insert(suggestions.end(), {"error.*", "defect.*", "invariant.*"});
+    for (std::size_t i = 0; i < plan.config.metrics.size(); ++i) {
+        const std::string& pattern = plan.config.metrics[i];
+        const bool plain = pattern.find('*') == std::string::npos;
+        const std::string pointer = fmt::format("/metrics/{}", i);
+        const auto fits = [&](const std::string& name) { return matches(pattern, name); };
+        if (plain && std::none_of(names.begin(), names.end(), fits)) {
             sink.mismatch(pointer, document.value["metrics"][i],
                           "a metric of these problems, or a pattern that fits one (see kreisel list metrics)",
                           nearest_name(pattern, names));
+        } else if (std::none_of(names.begin(), names.end(),
+                                [&](const auto& name) { return fits(name) && can_be_measured(plan, name); })) {
+            const std::string nearest = plain ? "" : nearest_name(pattern, suggestions);
+            plan.warnings.push_back(fmt::format("{}: {} fits no metric that a cell of this config can measure{}",
+                                                pointer, in_quotes(pattern),
+                                                nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?"));
         }
     }
 }
@@ -234,7 +258,7 @@ Plan make_plan(const Document& document, const Config& config, const Engines& en
     summarise(config, engines, sink, plan);
     sink.raise();
     const auto metrics = known_metrics(plan);
-    check_metrics(document, config, sink, metrics);
+    check_metrics(document, metrics, sink, plan);
     check_figures(document, plan, metrics, sink);
     Crossing(document, engines, sink, plan).cross();
     sink.raise();

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "experiments/figure.hpp"
-#include "experiments/metric_names.hpp"
 #include "experiments/nearest.hpp"
+#include "experiments/pattern.hpp"
 #include "experiments/table_scaling.hpp"
 
 namespace kreisel {
@@ -82,8 +82,7 @@ class FigureCheck {
         if (!in_list(metrics_, metric)) {
             sink_.add({pointer, "a metric of these problems (see kreisel list metrics)", in_quotes(metric),
                        nearest_name(metric, metrics_)});
-        } else if (std::none_of(config_.metrics.begin(), config_.metrics.end(),
-                                [&](const std::string& pattern) { return matches(pattern, metric); })) {
+        } else if (!matches_any(config_.metrics, metric)) {
             sink_.add({pointer,
                        "a metric that this experiment measures (key \"metrics\"; here " +
                            (config_.metrics.empty() ? "none" : listed(config_.metrics)) + ")",

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "experiments/engine/report.hpp"
+#include "experiments/pattern.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -25,29 +26,17 @@ Real LineFit::slope_error() const {
 
 namespace {
 
-bool matches_one(const char* pattern, const char* name) {
-    if (*pattern == '\0') return *name == '\0';
-    if (*pattern == '*') return matches_one(pattern + 1, name) || (*name != '\0' && matches_one(pattern, name + 1));
-    return *pattern == *name && matches_one(pattern + 1, name + 1);
-}
-
 const char* const defect_suffixes[] = {"", ".final"};
 const char* const integral_suffixes[] = {"", ".final", ".relative", ".slope", ".slope_error"};
 
 template <std::size_t n>
 bool any_matches(const std::vector<std::string>& patterns, const std::string& name, const char* const (&suffixes)[n]) {
     for (const char* suffix : suffixes)
-        if (matches(patterns, name + suffix)) return true;
+        if (matches_any(patterns, name + suffix)) return true;
     return false;
 }
 
 }  // namespace
-
-bool matches(const std::vector<std::string>& patterns, const std::string& name) {
-    for (const std::string& pattern : patterns)
-        if (matches_one(pattern.c_str(), name.c_str())) return true;
-    return false;
-}
 
 Monitor::Monitor(System& system, std::vector<std::string> patterns)
     : system_(system),
@@ -140,7 +129,7 @@ void Monitor::observe(const Real& t, const Real* y) {
 std::vector<std::pair<std::string, Number>> Monitor::metrics(bool finished) const {
     std::vector<std::pair<std::string, Number>> all;
     const auto add = [&](const std::string& name, const Real& value) {
-        if (isfinite(value) && matches(patterns_, name)) all.emplace_back(name, to_number(value));
+        if (isfinite(value) && matches_any(patterns_, name)) all.emplace_back(name, to_number(value));
     };
     for (const Defect& defect : defects_) {
         if (defect.level == Level::acceleration && !measured_) continue;

@@ -28,9 +28,6 @@ class LineFit {
     Real t_ = 0, y_ = 0, t_t_ = 0, t_y_ = 0, y_y_ = 0;
 };
 
-/// Name patterns of metrics, `*` standing for any text.
-bool matches(const std::vector<std::string>& patterns, const std::string& name);
-
 class Monitor {
   public:
     Monitor(System& system, std::vector<std::string> patterns);

@@ -10,6 +10,7 @@
 #include "experiments/engine/joint_forces.hpp"
 #include "experiments/engine/metrics.hpp"
 #include "experiments/engine/report.hpp"
+#include "experiments/pattern.hpp"
 #include "mechanics/formulation.hpp"
 #include "methods/integrator.hpp"
 #include "methods/projection.hpp"
@@ -237,7 +238,7 @@ class Run {
     void add_errors(const Reference& reference, bool multipliers_known) {
         if (cell_.t_end > reference.horizon) return;
         const auto add = [&](const std::string& metric, const Real& value) {
-            if (isfinite(value) && matches(cell_.metrics, metric)) outcome_.metrics.emplace_back(metric, to_number(value));
+            if (isfinite(value) && matches_any(cell_.metrics, metric)) outcome_.metrics.emplace_back(metric, to_number(value));
         };
         const Distance d = distance(states_, from_report(reference.state));
         add("error.position", d.position);

@@ -12,8 +12,17 @@ using namespace kreisel::acceptance;
 namespace {
 
 Cell cell_of(const std::string& problem, const std::string& method, double t_end, long steps) {
-    Cell cell{.problem = problem, .parameters = defaults(problem), .formulation = "SO3", .method = method, .options = {},
-              .projection = "none", .projection_options = {}, .t_end = t_end, .steps = steps, .samples = 0, .metrics = {"*"}};
+    Cell cell{.problem = problem,
+              .parameters = defaults(problem),
+              .formulation = "SO3",
+              .method = method,
+              .options = {},
+              .projection = "none",
+              .projection_options = {},
+              .t_end = t_end,
+              .steps = steps,
+              .samples = 0,
+              .metrics = {"*"}};
     for (const MethodDescription& description : engine_binary64().methods())
         if (description.name == method) cell.options = standard_options(description);
     return cell;
@@ -100,4 +109,14 @@ TEST_CASE("a timed cell tells time and memory, counts one run, and keeps no stat
     CHECK(*many.cost.step_s * 10 * 5 <= many.cost.cpu_s);
     REQUIRE(many.cost.memory);
     CHECK(*many.cost.memory / *few.cost.memory == Approx(8).epsilon(0.1));
+}
+
+TEST_CASE("a pattern of a hundred stars matches as fast as any other", "[campaign]") {
+    Cell cell = cell_of("heavy_top", "rkmk/rk4", 0.125, 8);
+    std::string stars = "*";
+    for (int i = 0; i < 100; ++i) stars += "e*";
+    cell.metrics = {stars + "final", std::string(100, '*') + "energy.final", stars};
+    const Outcome outcome = engine_binary64().run(cell, nullptr, {});
+    REQUIRE(outcome.metrics.size() == 1);
+    CHECK(outcome.metrics[0].first == "invariant.energy.final");
 }

@@ -10,7 +10,6 @@
 #include "experiments/errors.hpp"
 #include "experiments/hash.hpp"
 #include "experiments/json_strict.hpp"
-#include "experiments/metric_names.hpp"
 #include "experiments/plan.hpp"
 #include "tests/driver/command_line.hpp"
 #include "tests/driver/other_engine.hpp"
@@ -159,17 +158,6 @@ TEST_CASE("a resolved config is a config and leads to the same cells") {
     for (std::size_t i = 0; i < plan.cells.size(); ++i) { CHECK(again.cells[i].identity == plan.cells[i].identity); }
     CHECK(again.config.figure == plan.config.figure);
     CHECK(resolved_config(again.config) == resolved_config(plan.config));
-}
-
-TEST_CASE("patterns") {
-    CHECK(matches("error.*", "error.position"));
-    CHECK(matches("*", ""));
-    CHECK(matches("*.fin*l", "defect.position.final"));
-    CHECK(matches("a*b*c", "aXbYbZc"));
-    CHECK_FALSE(matches("a*b*c", "aXbYbZ"));
-    CHECK_FALSE(matches("error.position", "error.positions"));
-    CHECK_FALSE(matches("", "x"));
-    CHECK_FALSE(matches(std::string(30, '*') + "b", std::string(5000, 'a')));
 }
 
 TEST_CASE("a warning of the engine is said once for all formulations and precisions") {
