@@ -17,9 +17,9 @@ namespace {
 
 // Centimetres on the page.
 constexpr double column_width = 8.5, page_width = 17.0;
-constexpr double left_margin = 1.6, right_margin = 0.3, bottom_margin = 0.95, bare_bottom = 0.4;
+constexpr double left_margin = 1.6, right_margin = 0.4, bottom_margin = 0.95, bare_bottom = 0.4;
 constexpr double legend_row = 0.335, legend_gap = 0.15, title_height = 0.5;
-constexpr double character = 0.14, legend_sample = 1.0;
+constexpr double character = 0.14, legend_sample = 1.15;
 
 struct Range {
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -61,6 +61,7 @@ std::pair<Range, Range> ranges(const Panel& panel) {
     for (const Mark& mark : panel.marks) { add({mark.at}); }
     Range wide_x = padded(x, panel.log_x);
     if (!panel.log_x && x.low >= 0 && x.low < 0.05 * x.high) { wide_x = {0, x.high}; }  // time starts at the axis
+    if (panel.from_zero) { return {wide_x, {0, padded({0, y.high}, false).high}}; }
     return {wide_x, padded(y, panel.log_y)};
 }
 
@@ -124,13 +125,6 @@ double top_margin_of(const PanelFigure& figure) {
     return titles ? 0.6 : 0.25;
 }
 
-// gnuplot breaks a legend into more columns than asked for where it is higher than the axes.
-double axes_height_of(const PanelFigure& figure, double panel_width) {
-    std::size_t rows = 0;
-    for (const Panel& panel : figure.panels) { rows = std::max(rows, legend_of(panel, panel_width).rows); }
-    return std::max(figure.axes_height, legend_row * static_cast<double>(rows + 1));
-}
-
 // Where the panels lie: rows of panels, each row as high as its longest legend asks for.
 struct Layout {
     double width = 0, height = 0;                              // cm
@@ -142,7 +136,7 @@ Layout layout_of(const PanelFigure& figure) {
     const std::size_t columns = std::min<std::size_t>(n, static_cast<std::size_t>(figure.columns));
     Layout layout;
     const double panel_width = panel_width_of(figure);
-    const double axes_height = axes_height_of(figure, panel_width);
+    const double axes_height = figure.axes_height;
     layout.width = panel_width * static_cast<double>(columns);
     layout.height = figure.title.empty() ? 0 : title_height;
     std::vector<double> row_top;
@@ -211,8 +205,10 @@ void write_axes(Settings& settings, const PanelFigure& figure) {
     const auto flag = [](bool value) { return value ? "1" : "0"; };
     settings.array("log_x", panels, [&](const Panel& panel) { return flag(panel.log_x); });
     settings.array("log_y", panels, [&](const Panel& panel) { return flag(panel.log_y); });
-    settings.array("legend_columns", panels,
-                   [&](const Panel& panel) { return fmt::format("{}", legend_of(panel, width).columns); });
+    settings.number("legend_row", legend_row);
+    settings.array("legend_width", panels, [&](const Panel& panel) {  // of a column of it
+        return fmt::format("{}", (width - right_margin) / static_cast<double>(legend_of(panel, width).columns));
+    });
     settings.array("legend_rows", panels,
                    [&](const Panel& panel) { return fmt::format("{}", legend_of(panel, width).rows); });
     settings.array("panel_title", panels, [](const Panel& panel) { return gnuplot_quoted(panel.title); });

@@ -31,6 +31,7 @@ struct Panel {
     std::vector<Curve> curves;
     std::vector<std::vector<Point>> guides;  ///< thin grey lines without a legend: fitted laws, slope triangles
     std::vector<Mark> marks;                 ///< small grey texts centred at a point
+    bool from_zero = false;                  ///< a linear y axis that starts at zero, whatever the data
 };
 
 struct PanelFigure {

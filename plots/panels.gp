@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Small multiples of curves, each panel with its legend below. Everything that is drawn stands in plotdata/.
+# Axis labels and legends are placed on the page by themselves: gnuplot's own key and labels lie where each terminal's guess
+# of the size of its letters puts them, in SVG beyond the page.
 page_width = width_cm
 page_height = height_cm
 do for [format in 'pdf svg png'] {
@@ -19,8 +21,6 @@ do for [format in 'pdf svg png'] {
         set bmargin at screen panel_bottom[p]
         set tmargin at screen panel_top[p]
         set title panel_title[p] offset 0, -0.5
-        set xlabel x_label[p] offset 0, 0.4
-        set ylabel y_label[p]
         unset logscale
         set format '%g'
         if (log_x[p]) {
@@ -37,22 +37,32 @@ do for [format in 'pdf svg png'] {
         set xrange [x_low[p]:x_high[p]]
         set yrange [y_low[p]:y_high[p]]
         unset label
+        unset arrow
+        set label 1001 x_label[p] at screen (panel_left[p] + panel_right[p]) / 2, screen panel_bottom[p] - 0.75 / height_cm center
+        set label 1002 y_label[p] at screen panel_left[p] - 1.28 / width_cm, screen (panel_bottom[p] + panel_top[p]) / 2 center rotate by 90
         do for [m = first_mark[p]:last_mark[p]] {
             set label m mark_text[m] at mark_x[m], mark_y[m] center textcolor rgb '#555555' font ',6.5'
         }
+        unset key
         if (legend_rows[p]) {
-            set key at screen panel_left[p] - 1.5 / width_cm, screen legend_top[p] left top Left reverse vertical \
-                maxrows legend_rows[p] samplen 2.2 spacing 1.05 width 0.5 height 0
-        } else {
-            unset key
+            do for [c = first_curve[p]:last_curve[p]] {
+                k = c - first_curve[p]
+                entry_x = panel_left[p] + (k / legend_rows[p] * legend_width[p] - 1.5) / width_cm
+                entry_y = legend_top[p] - (k % legend_rows[p] + 0.5) * legend_row / height_cm
+                set arrow 2000 + c from screen entry_x, screen entry_y to screen entry_x + 0.75 / width_cm, screen entry_y nohead ls curve_style[c]
+                set label 2000 + c curve_label[c] at screen entry_x + 0.9 / width_cm, screen entry_y left
+                if (curve_with eq 'linespoints') {
+                    set label 3000 + c '' at screen entry_x + 0.375 / width_cm, screen entry_y point ls curve_style[c]
+                }
+            }
         }
         if (has_guides[p]) {
             plot 'plotdata/' . figure_name . '.guides' . p . '.dat' with lines ls 100 notitle, \
                  for [c = first_curve[p]:last_curve[p]] 'plotdata/' . curve_file[c] \
-                 with @curve_with ls curve_style[c] title curve_label[c]
+                 with @curve_with ls curve_style[c]
         } else {
             plot for [c = first_curve[p]:last_curve[p]] 'plotdata/' . curve_file[c] \
-                 with @curve_with ls curve_style[c] title curve_label[c]
+                 with @curve_with ls curve_style[c]
         }
     }
     unset multiplot

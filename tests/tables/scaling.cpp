@@ -92,12 +92,23 @@ TEST_CASE("a figure of time and memory: one curve for each formulation, the expo
     spec.metrics = {"cost.step_per_body"};
     const PanelFigure per_body = scaling_figure(spec, scaling_results());
     CHECK_FALSE(per_body.panels.at(0).log_y);
+    CHECK(per_body.panels[0].from_zero);
+    CHECK(per_body.panels[0].guides.empty());  // no line of zeros
     CHECK(per_body.panels[0].curves[0].label == "SE3");
     CHECK(per_body.panels[0].curves[1].points[0].y == Approx(3000 * 2));  // ns: 3e-6 * 2^2 / 2 s
 
     Results untimed = scaling_results();
     for (ResultRow& row : untimed.rows) { row.cost.clear(); }
     CHECK_THROWS_WITH(scaling_figure(spec, untimed), Catch::Contains("journals"));
+}
+
+TEST_CASE("the axis of a cost per body starts at zero, and nothing is drawn there") {
+    FigureSpec spec = standard_figure("scaling", "s");
+    spec.metrics = {"cost.memory_per_body"};
+    const ResultFolder folder;
+    write_panels(folder.path(), scaling_figure(spec, scaling_results()));
+    CHECK(folder.read("s.gp").find("array y_low[1] = [0]\n") != std::string::npos);
+    CHECK(folder.read("s.gp").find("array has_guides[1] = [0]\n") != std::string::npos);
 }
 
 TEST_CASE("times are read from the journals of the build that made the results") {
