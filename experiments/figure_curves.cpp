@@ -152,6 +152,11 @@ std::string trajectory_legend(const CellNames& names, const std::vector<std::str
     return text;
 }
 
+// What became of a cell that did not come to its end; its samples are drawn up to there.
+std::string end_text(const ResultRow& row) {
+    return enhanced_escape(row.status) + fmt::format(" at {:.3g} s", row.t_reached);
+}
+
 bool steps_vary(const std::vector<ResultRow>& rows) {
     return std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.steps != rows.front().steps; });
 }
@@ -207,7 +212,10 @@ PanelFigure convergence_figure(const FigureSpec& spec, const Results& results) {
                 std::none_of(group.rows.begin(), group.rows.end(), [](const auto* row) { return row->ok(); });
             if (order.points.empty() && !failed) { continue; }
             const std::string label = names.legend(group.front(), axes);
-            const std::string remark = failed ? enhanced_escape(group.front().status) : order_text(order);
+            const bool past =
+                std::any_of(group.rows.begin(), group.rows.end(), [](const auto* row) { return row->past_horizon; });
+            const std::string remark =
+                failed ? enhanced_escape(group.front().status) : order_text(order) + (past ? ", past the horizon" : "");
             Curve curve{enhanced_escape(label) + ": " + remark, {}, styles.of(label)};
             for (const ErrorPoint& point : order.points) { curve.points.push_back({point.h, point.error}); }
             panel.curves.push_back(std::move(curve));
@@ -223,7 +231,7 @@ PanelFigure convergence_figure(const FigureSpec& spec, const Results& results) {
 }
 
 PanelFigure drift_figure(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder) {
-    const auto rows = with_samples(selected_rows(spec, results), spec);
+    const auto rows = with_samples(selected_rows(spec, results, true), spec);
     const CellNames names(rows);
     const auto axes = legend_axes(spec, names);
     Styles styles;
@@ -238,9 +246,11 @@ PanelFigure drift_figure(const FigureSpec& spec, const Results& results, const s
             if (values == nullptr || t == nullptr) { continue; }
             const auto law = growth_of(trajectory, key.metric, row.precision);
             const std::string label = trajectory_legend(names, axes, row, steps_vary(rows));
-            const std::string growth = growth_text(law, largest_of(*values), roundoff_level(trajectory, row.precision));
+            const std::string growth =
+                row.ok() ? growth_text(law, largest_of(*values), roundoff_level(trajectory, row.precision))
+                         : end_text(row);
             panel.curves.push_back({enhanced_escape(label) + ": " + growth, zipped(*t, *values), styles.of(label)});
-            if (law) { panel.guides.push_back(growth_line(*law)); }
+            if (law && row.ok()) { panel.guides.push_back(growth_line(*law)); }
         }
         if (!panel.curves.empty()) { figure.panels.push_back(std::move(panel)); }
     }
@@ -251,7 +261,7 @@ PanelFigure drift_figure(const FigureSpec& spec, const Results& results, const s
 }
 
 PanelFigure invariants_figure(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder) {
-    const auto rows = with_samples(selected_rows(spec, results), spec);
+    const auto rows = with_samples(selected_rows(spec, results, true), spec);
     const CellNames names(rows);
     const auto axes = legend_axes(spec, names);
     Styles styles;
@@ -270,7 +280,8 @@ PanelFigure invariants_figure(const FigureSpec& spec, const Results& results, co
             if (values == nullptr || t == nullptr) { continue; }
             const double factor = spec.relative ? relative->second / largest->second : 1;
             const std::string label = trajectory_legend(names, axes, row, steps_vary(rows));
-            panel.curves.push_back({enhanced_escape(label), zipped(*t, *values, factor), styles.of(label)});
+            const std::string remark = row.ok() ? "" : ": " + end_text(row);
+            panel.curves.push_back({enhanced_escape(label) + remark, zipped(*t, *values, factor), styles.of(label)});
         }
         if (!panel.curves.empty()) { figure.panels.push_back(std::move(panel)); }
     }
@@ -293,10 +304,11 @@ PanelFigure scaling_figure(const FigureSpec& spec, const Results& results) {
                                            [&](const ScalingQuantity& one) { return one.name == key.metric; });
         if (quantity == quantities.end()) { continue; }
         Panel panel{
-            facet_title(spec, key), "number of bodies N", quantity->label, true, !quantity->per_body, {}, {}, {}};
+            facet_title(spec, key), "number of bodies N", quantity->label, true, !quantity->per_body, {}, {}, {},
+            quantity->per_body};
         for (const CellGroup& group : curves) {
             if (!in_panel(spec, names, group.front(), key)) { continue; }
-            // Constant or not is what a curve per body shows by itself, above zero.
+            // Constant or not is what a curve per body shows by itself, on an axis that starts at zero.
             const auto law = quantity->per_body ? std::nullopt : scaling_law(group, key.metric);
             const std::string label = names.legend(group.front(), axes);
             Curve curve{enhanced_escape(label) + scaling_text(law), {}, styles.of(label)};
@@ -306,9 +318,6 @@ PanelFigure scaling_figure(const FigureSpec& spec, const Results& results) {
                 }
             }
             if (curve.points.empty()) { continue; }
-            if (quantity->per_body) {
-                panel.guides.push_back({{curve.points.front().x, 0}, {curve.points.back().x, 0}});
-            }
             if (law) { panel.guides.push_back(scaling_line(*law)); }
             panel.curves.push_back(std::move(curve));
         }

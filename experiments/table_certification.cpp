@@ -37,7 +37,8 @@ std::string level_text(const CellGroup& group, const Metrics& metrics) {
         const auto declared = group.front().declared_order.find(metric);
         low = low || (declared != group.front().declared_order.end() && falls_short(order, declared->second));
     }
-    return (least ? fmt::format("{:.2f}", *least) : "-") + (settled ? "" : "?") + (low ? "!" : "");
+    const std::string marks = std::string(settled ? "" : "?") + (low ? "!" : "");
+    return (least ? fmt::format("{:.2f}", *least) : marks.empty() ? "-" : "") + marks;
 }
 
 std::string cell_text(const CellGroup& group) {
@@ -82,8 +83,9 @@ TextTable table_of(const std::string& label, bool single, const std::vector<Cell
     TextTable table{file_name(label, single), "Declared and observed orders: " + label, {"method", "declared"}, {}};
     table.notes = {
         "Orders of configuration / velocity / multipliers, each the least over its metrics (position and rotation, "
-        "velocity and omega) of which an order can be stated, \"-\" if there is none; \"?\" where the slopes of one have "
-        "not settled; \"!\" where one does not converge, or its order and the finest slope of its window fall short of "
+        "velocity and omega) of which an order can be stated, \"-\" if there is none; \"?\" where the slopes of one "
+        "have not settled, alone where those of all have not; \"!\" where one does not converge, or its order and the "
+        "finest slope of its window fall short of "
         "the declared one by more than 0.1 (0.2 from order 6)."};
     const auto axes = names.varying_axes({});
     for (const CellGroup& group : groups) {
@@ -119,9 +121,7 @@ std::vector<TextTable> certification_tables(const Results& results) {
     }
     std::vector<TextTable> tables;
     tables.reserve(labels.size());
-    for (const std::string& label : labels) {
-        tables.push_back(table_of(label, labels.size() == 1, groups, names));
-    }
+    for (const std::string& label : labels) { tables.push_back(table_of(label, labels.size() == 1, groups, names)); }
     return tables;
 }
 

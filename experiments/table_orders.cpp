@@ -91,6 +91,12 @@ std::vector<std::string> errors_row(const ResultRow& row, const std::vector<std:
     return cells;
 }
 
+// Marks the errors of a row that ends past the horizon of its reference; the first two cells are no errors.
+std::vector<std::string> marked(std::vector<std::string> cells, const ResultRow& row) {
+    for (std::size_t i = 2; i < cells.size() && row.past_horizon; ++i) { cells[i] += cells[i] == "-" ? "" : "*"; }
+    return cells;
+}
+
 std::vector<std::string> with_units(const std::vector<std::string>& metrics) {
     std::vector<std::string> titles;
     titles.reserve(metrics.size());
@@ -187,11 +193,12 @@ TextTable errors_in_full(const Results& results) {
     const CellNames names(results.rows);
     const auto metrics = error_metrics(results.rows);
     TextTable table{"errors", "Errors of the final state: " + results.name, {}, {}};
-    table.columns = with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics));
+    table.columns = with(with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics)), {"past_horizon"});
     for (const CellGroup& group : group_by_method(results.rows)) {
         for (const ResultRow* row : group.rows) {
             if (!row->ok()) { continue; }
             table.rows.push_back(with(identity(names, *row), errors_row(*row, metrics, exact_number)));
+            table.rows.back().emplace_back(row->past_horizon ? "yes" : "");
         }
     }
     return table;
@@ -201,11 +208,17 @@ TextTable errors_in_brief(const Results& results) {
     const CellNames names(results.rows);
     const auto metrics = error_metrics(results.rows);
     TextTable table{"errors", "Errors of the final state, finest step: " + results.name, {}, {}};
+    bool past = false;
     table.columns = with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics));
     for (const CellGroup& group : group_by_method(results.rows)) {
         const ResultRow* best = finest(group);
         if (best == nullptr) { continue; }
-        table.rows.push_back(with(identity(names, *best), errors_row(*best, metrics, short_number)));
+        table.rows.push_back(with(identity(names, *best), marked(errors_row(*best, metrics, short_number), *best)));
+        past = past || best->past_horizon;
+    }
+    if (past) {
+        table.notes.emplace_back(
+            "An asterisk marks errors past the horizon of the reference: they are above 100 times its uncertainty.");
     }
     return without_constant_columns(table, with(CellNames::axes(), {"steps", "h [s]"}));
 }

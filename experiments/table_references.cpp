@@ -36,14 +36,15 @@ TextTable references_table(const Results& results) {
     TextTable table{"references", "References: " + results.name, {"problem", "t [s]", "horizon [s]"}, {}};
     table.notes = {
         "Digits up to which two step sizes and two independent routes agree at the end, relative to the size of the "
-        "final state; \"exact\" where they are equal."};
+        "final state; \"exact\" where they are equal. An asterisk marks a horizon that ends before t."};
     for (const std::string& metric : metrics) { table.columns.push_back(metric.substr(metric.find('.') + 1)); }
     std::map<std::pair<std::string, double>, std::size_t> lines;
     for (const ResultRow& row : results.rows) {
         if (!row.ok() || row.reference_error.empty()) { continue; }
         const auto [line, fresh] = lines.insert({{row.label, row.t_end}, table.rows.size()});
         if (fresh) {
-            table.rows.push_back({row.label, fmt::format("{}", row.t_end), fmt::format("{:.4g}", row.reference_horizon)});
+            table.rows.push_back({row.label, fmt::format("{}", row.t_end),
+                                  fmt::format("{:.4g}{}", row.reference_horizon, row.past_horizon ? "*" : "")});
             table.rows.back().resize(table.columns.size(), "-");
         }
         auto& cells = table.rows[line->second];

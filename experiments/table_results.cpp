@@ -172,11 +172,13 @@ ResultRow read_result_line(const std::string& text) {
     row.t_end = number(line.at("t_end"));
     row.status = line.at("status");
     row.detail = line.value("detail", "");
+    row.t_reached = line.contains("t_reached") ? number(line.at("t_reached")) : 0;
     row.metrics = numbers(line, "metrics");
     row.cost = numbers(line, "cost");
     if (line.contains("reference")) {
         row.reference_error = numbers(line.at("reference"), "error");
         row.reference_horizon = number(line.at("reference").at("horizon"));
+        row.past_horizon = line.at("reference").value("past_horizon", false);
     }
     if (line.contains("final")) { row.scale = scales(line.at("final")); }
     if (line.contains("order")) { row.declared_order = declared_orders(line.at("order")); }

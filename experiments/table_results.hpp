@@ -20,9 +20,11 @@ struct ResultRow {
     long steps = 0;
     long bodies = 0;  ///< 0 where the line does not tell
     double h = 0, t_end = 0;
+    double t_reached = 0;  ///< of a failed cell, s
     std::map<std::string, double> metrics;
     std::map<std::string, double> reference_error;  ///< by error.* metric; empty without a reference
     double reference_horizon = 0;                   ///< s; 0 without a reference
+    bool past_horizon = false;                      ///< it ends past that: errors hold to 1 % only
     std::map<std::string, double> scale;            ///< by error.* metric: size of the final state, same unit
     std::map<std::string, double> cost;             ///< of timed cells with what the journals tell: "step_s", "memory"
     std::map<std::string, int> declared_order;      ///< by error.* metric; empty where the method declares none

@@ -48,12 +48,12 @@ std::string csv_safe(const std::string& text) {
 }
 
 std::string latex_cell(const std::string& text) {
-    static const std::regex power(R"((-?\d(?:\.\d+)?)e([-+])0*(\d+))");
+    static const std::regex power(R"((-?\d(?:\.\d+)?)e([-+])0*(\d+)(\*?))");  // an asterisk refers to a note
     std::smatch match;
     if (std::regex_match(text, match, power)) {
         const std::string sign = match[2] == "-" ? "-" : "";
         const std::string exponent = match[3].length() == 0 ? "0" : match[3].str();
-        return fmt::format("${}\\cdot10^{{{}{}}}$", match[1].str(), sign, exponent);
+        return fmt::format("${}\\cdot10^{{{}{}}}${}", match[1].str(), sign, exponent, match[4].str());
     }
     return text == "-" ? "--" : latex_escaped(text);
 }

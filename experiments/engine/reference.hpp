@@ -35,13 +35,14 @@ struct ReferenceSolution {
     Real position_error = 0, rotation_error = 0, velocity_error = 0, omega_error = 0;
     MultiplierDistance multiplier_error;
     Real horizon = 0;     ///< s; last big step up to which both runs agree to 1e-12 of each quantity's largest size
+    bool compared = true;  ///< false: a second route could not be followed to t_end, and the errors are not known
     /// The largest ones of the finer run, at least what the forces would do to free bodies within a thousandth of a big
     /// step: a body that is held fast moves by round-off alone.
     MotionSize sizes;
     std::vector<ReferencePoint> path;  ///< the big steps up to the horizon, the start included
-    std::string route;    ///< how it was computed
-    std::string stopped;  ///< empty, or the name of the Status that ended the integration
-    bool interrupted = false;  ///< it was asked to stop, and nothing else is filled in
+    std::string route;                 ///< how it was computed
+    std::string stopped;               ///< empty, or the name of the Status that ended the integration
+    bool interrupted = false;          ///< it was asked to stop, and nothing else is filled in
 };
 
 /// Integrates from t = 0 to t_end (s), which may be negative: once with big steps chosen by their local error, and once

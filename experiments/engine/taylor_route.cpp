@@ -79,14 +79,20 @@ ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, con
     ReferenceSolution out = reference_solution(model, t_end, stop);
     if (out.interrupted || !out.stopped.empty()) return out;
     TaylorRoute route(model);
-    const Agreement agreement = follow(route, out, stop);
+    Agreement agreement = follow(route, out, stop);
     if (route.interrupted()) return {.interrupted = true};
     out.horizon = agreement.horizon;
+    if (agreement.status == Status::ok && out.horizon != t_end) {  // past the horizon: how far the routes are apart
+        agreement.status = route.advance(t_end, stop);
+        if (route.interrupted()) return {.interrupted = true};
+        if (agreement.status == Status::ok) agreement.distance = distance(route.states(), out.states);
+    }
     out.route += "; Taylor series of order " + std::to_string(taylor_order) + " in rotation matrices, " +
                  std::to_string(route.steps()) + " steps";
     if (agreement.status != Status::ok) out.route += std::string(", ended by ") + name(agreement.status);
+    out.compared = agreement.status == Status::ok && isfinite(agreement.distance.rotation);
     std::vector<Real> lambda;
-    if (out.horizon != t_end || route.multipliers(lambda) != Status::ok) return out;
+    if (!out.compared || route.multipliers(lambda) != Status::ok) return out;
     allow_for(out, agreement.distance);
     if (lambda.size() != out.multipliers.size()) return out;
     const MultiplierDistance apart = multiplier_distance(constraint_rows(model), lambda, out.multipliers);

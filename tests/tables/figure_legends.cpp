@@ -97,6 +97,37 @@ TEST_CASE("a legend says how a defect grows") {
                Catch::EndsWith(": no growth law"));
 }
 
+TEST_CASE("a cell that did not come to its end is drawn as far as it came, and says where that was") {
+    const ResultFolder folder;
+    folder.write("trajectories/aa.csv", trajectory_text());
+    const nlohmann::json end = {{"trajectory", "trajectories/aa.csv"},
+                                {"status", "singular_kkt"},
+                                {"detail", "rows"},
+                                {"t_reached", 0.61},
+                                {"final", nullptr},
+                                {"metrics", {{"defect.position", 1e-6}, {"invariant.energy", 1e-3}}}};
+    folder.write("results.jsonl", result_line("aa", 50, 0, end).dump() + "\n");
+    const Results results = read_results(folder.path());
+    const PanelFigure drift =
+        drift_figure(spec_of({{"kind", "drift"}, {"metric", "defect.position"}}), results, folder.path());
+    const PanelFigure energy = invariants_figure(spec_of({{"kind", "invariants"}}), results, folder.path());
+    for (const PanelFigure* figure : {&drift, &energy}) {
+        REQUIRE(figure->panels.size() == 1);
+        REQUIRE(figure->panels[0].curves.size() == 1);
+        CHECK_THAT(figure->panels[0].curves[0].label, Catch::EndsWith(": singular\\_kkt at 0.61 s"));
+        CHECK(figure->panels[0].guides.empty());
+    }
+}
+
+TEST_CASE("an order past the horizon of its reference says so") {
+    const ResultFolder folder;
+    const nlohmann::json past = {
+        {"reference", {{"error", {{"error.position", 1e-20}}}, {"horizon", 0.5}, {"past_horizon", true}}}};
+    folder.write("results.jsonl", convergence_lines(4, past));
+    const PanelFigure figure = convergence_figure(spec_of({{"kind", "convergence"}}), read_results(folder.path()));
+    CHECK_THAT(figure.panels.at(0).curves.at(0).label, Catch::EndsWith(": 4.00 ± 0.00, past the horizon"));
+}
+
 TEST_CASE("select names cells by step count, label, problem, method, options and projection") {
     const ResultFolder folder;
     std::string lines;

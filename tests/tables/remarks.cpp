@@ -110,8 +110,8 @@ TEST_CASE("certification marks what falls short, has not settled, or failed") {
     CHECK(entry(tables[0], "good", "SO3xR3") == "4.00 / - / -");
     CHECK(entry(tables[0], "good", "declared") == "4 / 4 / 3");
     CHECK(entry(tables[0], "low", "SO3xR3") == "3.00! / - / -");
-    CHECK(entry(tables[0], "bent", "SO3xR3") == "-? / - / -");
-    CHECK(entry(tables[0], "flat", "SO3xR3") == "-! / - / -");
+    CHECK(entry(tables[0], "bent", "SO3xR3") == "? / - / -");
+    CHECK(entry(tables[0], "flat", "SO3xR3") == "! / - / -");
     CHECK(entry(tables[0], "silent", "SO3xR3") == "2.00 / - / -");
     CHECK(entry(tables[0], "silent", "declared") == "-");
     CHECK(entry(tables[0], "failed", "SO3xR3") == "left_chart");

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "experiments/errors.hpp"
+#include "experiments/past_horizon.hpp"
 #include "experiments/table.hpp"
 #include "experiments/table_drift.hpp"
 #include "experiments/table_orders.hpp"
@@ -26,14 +27,36 @@ TEST_CASE("a convergence study becomes a table of orders with windows") {
     const std::string orders = folder.read("tables/orders.csv");
     CHECK(orders.find("heavy_top,SO3xR3,rkmk/rk4,none,double,error.position,4,4.0000,0.0000,64,1024,least squares") !=
           std::string::npos);
-    CHECK(
-        orders.find("heavy_top,SO3xR3,rkmk/midpoint,none,double,error.position,4,2.0000,0.0000,64,2048,least squares") !=
-        std::string::npos);
+    CHECK(orders.find(
+              "heavy_top,SO3xR3,rkmk/midpoint,none,double,error.position,4,2.0000,0.0000,64,2048,least squares") !=
+          std::string::npos);
     CHECK(folder.read("tables/orders.tex").find("4.00 $\\pm$ 0.00 [64--1024]") != std::string::npos);
     CHECK(folder.read("tables/errors.csv").find("2048,0.00048828125,5.684341886080802e-14") != std::string::npos);
     CHECK(folder.has("tables/cost.md"));
     // |x| = 1 and a bound of 1e-25; the other quantities have no bound.
     CHECK(folder.read("tables/references.csv").find("heavy_top,1,10,25.0,-,-,-,-") != std::string::npos);
+}
+
+TEST_CASE("errors past the horizon of their reference are marked in every table") {
+    const ResultFolder folder;
+    const nlohmann::json past = {
+        {"label", "far"},
+        {"reference", {{"error", {{"error.position", 1e-20}}}, {"horizon", 0.5}, {"past_horizon", true}}}};
+    folder.write("results.jsonl", convergence_lines(4) + convergence_lines(4, past, 16));
+    CHECK(table_command(folder.path()) == ok);
+    const std::string errors = folder.read("tables/errors.md"), full = folder.read("tables/errors.csv");
+    CHECK(errors.find("| far |") != std::string::npos);
+    CHECK(errors.find("5.68e-14\\*") != std::string::npos);
+    CHECK(errors.find("asterisk marks errors past the horizon") != std::string::npos);
+    CHECK(folder.read("tables/errors.tex").find("$5.68\\cdot10^{-14}$*") != std::string::npos);
+    CHECK(full.find("5.684341886080802e-14,yes\n") != std::string::npos);
+    CHECK(full.find("5.684341886080802e-14,\n") != std::string::npos);
+    CHECK(folder.read("tables/references.csv").find("far,1,0.5*,20.0") != std::string::npos);
+    const auto notes = past_horizon_notes(read_results(folder.path()).rows);
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0] ==
+          "far: 6 cells end at 1 s, past the horizon T* = 0.5 s of their reference, which is uncertain by "
+          "1.0e-20 m there: only errors above 100 times its uncertainty are measured");
 }
 
 TEST_CASE("declared and observed orders stand side by side, and a shortfall is marked") {
