@@ -11,6 +11,7 @@
 #include "experiments/campaign_work.hpp"
 #include "experiments/errors.hpp"
 #include "experiments/interrupt.hpp"
+#include "experiments/past_horizon.hpp"
 #include "experiments/provenance.hpp"
 
 namespace kreisel {
@@ -94,6 +95,16 @@ void list_failures(const Plan& plan, const Finished& finished, CampaignReport& r
     }
 }
 
+std::vector<ResultRow> rows_past_horizon(const Finished& finished) {
+    std::vector<ResultRow> rows;
+    for (const auto& [hash, cell] : finished) {
+        if (cell.line.find("\"past_horizon\":true") != std::string::npos) {
+            rows.push_back(read_result_line(cell.line));
+        }
+    }
+    return rows;
+}
+
 }  // namespace
 
 std::string shard_name(const RunSettings& settings) {
@@ -150,6 +161,8 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
         prune_journal(journal_file(folder, shard), settings.build);
     }
     list_failures(plan, finished, report);
+    report.past_horizon = past_horizon_notes(rows_past_horizon(finished));
+    report.parts = trajectory_parts(folder);
     return report;
 }
 

@@ -31,7 +31,9 @@ struct CampaignReport {
     std::vector<std::pair<std::string, std::string>>
         failures;  ///< one line for each failed cell; the second: its status
     bool interrupted = false;
-    bool workers_left_behind = false;  ///< the process must end without waiting for them
+    bool workers_left_behind = false;          ///< the process must end without waiting for them
+    std::vector<std::filesystem::path> parts;  ///< samples of cells that were interrupted, this time or before
+    std::vector<std::string> past_horizon;     ///< one line for each reference that ends before its cells
 };
 
 /// "", or "I-of-N".
@@ -45,9 +47,9 @@ void check_output_folder(const std::filesystem::path& folder, const RunSettings&
 CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
                             const RunSettings& settings, std::ostream& messages);
 
-/// Runs one cell; what it throws becomes its status.
+/// Runs one cell; what it throws becomes its status, but for a FileError of `samples`, which may be null.
 Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Reference* reference,
-                 const std::stop_token& stop);
+                 const std::stop_token& stop, SampleSink* samples);
 
 /// results.jsonl and results.csv of the cells that are there, in the order of the plan.
 void write_results(const Plan& plan, const std::map<std::string, FinishedCell>& finished,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "experiments/errors.hpp"
 #include "experiments/hash.hpp"
 
 namespace kreisel {
@@ -25,12 +26,12 @@ Outcome thrown(const std::string& what) {
 }  // namespace
 
 Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Reference* reference,
-                 const std::stop_token& stop) {
+                 const std::stop_token& stop, SampleSink* samples) {
     try {
-        return engine.run(planned.cell, reference, stop);
-    } catch (const std::exception& error) { return thrown(error.what()); } catch (...) {
-        return thrown("something that is no std::exception was thrown");
-    }
+        return engine.run(planned.cell, reference, stop, samples);
+    } catch (const FileError&) { throw; } catch (const std::exception& error) {
+        return thrown(error.what());
+    } catch (...) { return thrown("something that is no std::exception was thrown"); }
 }
 
 bool Campaign::trajectory_is_whole(const FinishedCell& cell) const {
@@ -114,6 +115,7 @@ void Campaign::compute_cell(const PlannedCell& planned, const std::stop_token& t
         reference_error = reference == nullptr ? reference_errors_[planned.reference] : "";
     }
     Outcome outcome;
+    TrajectoryFile samples(folder_ / trajectory_file(planned.hash));
     if (!planned.skip_reason.empty()) {
         outcome.status = "skipped";
         outcome.detail = planned.skip_reason;
@@ -121,26 +123,27 @@ void Campaign::compute_cell(const PlannedCell& planned, const std::stop_token& t
         outcome.status = "reference_failed";
         outcome.detail = reference_error;
     } else {
-        outcome = run_cell(planned, engines_.of(planned.precision), reference, token);
+        outcome = run_cell(planned, engines_.of(planned.precision), reference, token, &samples);
     }
-    if (outcome.status != "interrupted") { record(planned, outcome, reference); }
+    if (outcome.status == "interrupted") { return samples.flush(); }
+    record(planned, outcome, reference, samples);
 }
 
-void Campaign::record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference) {
+void Campaign::record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
+                      TrajectoryFile& samples) {
     FinishedCell cell;
     try {
-        cell = finished_cell(planned, outcome, reference);
+        cell = finished_cell(planned, outcome, reference, outcome.status == "exception" ? "" : samples.sum());
     } catch (const std::logic_error& error) {
         Outcome broken;
         broken.status = "exception";
         broken.detail = error.what();
         cell = finished_cell(planned, broken, reference);
     }
+    samples.flush();
     const std::lock_guard lock(mutex_);
     if (closed_) { return; }
-    if (!cell.trajectory_sum.empty()) {
-        write_atomically(folder_ / trajectory_file(cell.hash), trajectory_text(outcome.trajectory));
-    }
+    cell.trajectory_sum.empty() ? samples.discard() : samples.keep();
     journal_.append(journal_line(cell, build_));
     weight_done_ += planned.weight;
     finished_.insert_or_assign(cell.hash, std::move(cell));

@@ -16,6 +16,7 @@
 #include "experiments/journal.hpp"
 #include "experiments/progress.hpp"
 #include "experiments/reference_store.hpp"
+#include "experiments/trajectory_file.hpp"
 #include "experiments/work_queue.hpp"
 
 namespace kreisel {
@@ -65,7 +66,8 @@ class Campaign {
   private:
     void compute_reference(const std::string& hash, const std::stop_token& token);
     void compute_cell(const PlannedCell& planned, const std::stop_token& token);
-    void record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference);
+    void record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
+                TrajectoryFile& samples);
     bool trajectory_is_whole(const FinishedCell& cell) const;
 
     const Plan plan_;

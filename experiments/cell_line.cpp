@@ -5,6 +5,7 @@
 
 #include "experiments/hash.hpp"
 #include "experiments/json_writer.hpp"
+#include "experiments/trajectory_file.hpp"
 
 namespace kreisel {
 
@@ -37,10 +38,12 @@ std::string constraints_text(const ConstraintSummary& constraints, bool quad) {
 }
 
 // References are computed in quad whatever the cell's precision: their bounds are given as rounded decimals.
-std::string reference_text(const Reference& reference) {
-    ObjectWriter error;
+std::string reference_text(const Reference& reference, double t_end) {
+    ObjectWriter error, object;
     for (const auto& [name, number] : reference.error) { error.member(name, json_number(number.value)); }
-    return ObjectWriter().member("error", error.text()).member("horizon", json_number(reference.horizon)).text();
+    object.member("error", error.text()).member("horizon", json_number(reference.horizon));
+    if (t_end > reference.horizon) { object.member("past_horizon", "true"); }
+    return object.text();
 }
 
 std::string cost_text(const Cost& cost) {
@@ -62,18 +65,8 @@ std::string member(std::string_view key, const std::string& json) { return "," +
 
 }  // namespace
 
-std::string trajectory_file(const std::string& hash) { return "trajectories/" + hash + ".csv"; }
-
-std::string trajectory_text(const Trajectory& trajectory) {
-    std::string text;
-    for (const Column& column : trajectory.columns) {
-        text += (text.empty() ? "" : ",") + fmt::format("{} [{}]", column.name, column.unit);
-    }
-    for (const std::string& row : trajectory.rows) { text += "\n" + row; }
-    return text + "\n";
-}
-
-FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, const Reference* reference) {
+FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
+                           const std::string& trajectory_sum) {
     FinishedCell cell{
         planned.hash, outcome.status, outcome.detail, outcome.t_reached, planned.identity, outcome.cost, ""};
     cell.line += member("status", json_text(outcome.status));
@@ -88,9 +81,9 @@ FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, c
         cell.line += member("constraints", constraints_text(outcome.constraints, planned.quad()));
     }
     if (outcome.status != "skipped") { cell.line += member("metrics", metrics_text(outcome, planned.quad())); }
-    if (reference != nullptr) { cell.line += member("reference", reference_text(*reference)); }
-    if (!outcome.trajectory.rows.empty()) {
-        cell.trajectory_sum = hash_text(trajectory_text(outcome.trajectory));
+    if (reference != nullptr) { cell.line += member("reference", reference_text(*reference, planned.cell.t_end)); }
+    if (!trajectory_sum.empty()) {
+        cell.trajectory_sum = trajectory_sum;
         cell.line += member("trajectory", json_text(trajectory_file(planned.hash)));
         cell.line += member("trajectory_sum", json_text(cell.trajectory_sum));
     }

@@ -22,14 +22,10 @@ struct FinishedCell {
     bool failed() const { return status != "ok" && status != "skipped"; }
 };
 
-/// Path of a cell's trajectory below the output folder.
-std::string trajectory_file(const std::string& hash);
-
-/// Comma-separated values: a header of `name [unit]`, then one line per sample.
-std::string trajectory_text(const Trajectory& trajectory);
-
-/// Throws std::logic_error if the outcome holds a number that is not finite.
-FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, const Reference* reference);
+/// `trajectory_sum`: of the samples, empty where there are none. Throws std::logic_error if the outcome holds a number that
+/// is not finite.
+FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
+                           const std::string& trajectory_sum = "");
 
 /// The journal line of a cell: its result line, then its times, build and check sum.
 std::string journal_line(const FinishedCell& cell, const std::string& build);

@@ -59,6 +59,7 @@ Exit report(const CampaignReport& report, const PlannedConfig& planned, const st
             const RunSettings& settings, std::ostream& messages) {
     const CellCounts& counts = report.counts;
     for (const auto& [text, status] : report.failures) { fmt::print(messages, "failed: {}\n", text); }
+    for (const std::string& note : report.past_horizon) { fmt::print(messages, "note: {}\n", note); }
     std::string text = fmt::format("{}: {} ok, {} skipped, {} failed", planned.plan.config.name, counts.ok,
                                    counts.skipped, counts.failed);
     if (report.reused > 0) { text += fmt::format(" ({} taken over from before)", report.reused); }
@@ -66,6 +67,9 @@ Exit report(const CampaignReport& report, const PlannedConfig& planned, const st
     if (report.interrupted) {
         const std::string shard =
             settings.shards == 1 ? "" : fmt::format(" --shard {}/{}", settings.shard, settings.shards);
+        for (const auto& part : report.parts) {
+            fmt::print(messages, "samples of an unfinished cell: {}\n", part.string());
+        }
         fmt::print(messages, "interrupted with {} cells to go; continue with: kreisel run {} -o {}{} --resume\n",
                    counts.missing, config.string(), planned.folder.string(), shard);
         return Exit::interrupted;

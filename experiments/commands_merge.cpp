@@ -6,6 +6,7 @@
 #include "experiments/files.hpp"
 #include "experiments/journal.hpp"
 #include "experiments/provenance.hpp"
+#include "experiments/trajectory_file.hpp"
 
 namespace kreisel {
 

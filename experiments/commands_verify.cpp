@@ -10,6 +10,7 @@
 #include "experiments/files.hpp"
 #include "experiments/json_writer.hpp"
 #include "experiments/reference_store.hpp"
+#include "experiments/trajectory_file.hpp"
 
 namespace kreisel {
 
@@ -47,7 +48,9 @@ std::string recomputed(const PlannedCell& planned, const Plan& plan, const std::
                            : engines.binary128.reference(wanted.problem, wanted.parameters, wanted.t_end, {});
     }
     const Reference* known = reference ? &*reference : nullptr;
-    return finished_cell(planned, run_cell(planned, engines.of(planned.precision), known, {}), known).line;
+    TrajectorySum samples;
+    const Outcome outcome = run_cell(planned, engines.of(planned.precision), known, {}, &samples);
+    return finished_cell(planned, outcome, known, outcome.status == "exception" ? "" : samples.sum()).line;
 }
 
 /// What is wrong with a reference: the first quantity further from the second route than its bound says. Other

@@ -50,12 +50,13 @@ struct ReportedState {
     std::vector<ReportedReaction> reactions;    ///< of each joint
 };
 
-/// A reference solution at one time, its error bound (the larger of the differences between two step sizes and between
-/// two routes, in the unit of each `error.*` metric) and the horizon T* up to which all of them agree.
+/// A reference solution at one time, its uncertainty (the larger of the differences between two step sizes and between
+/// two routes, in the unit of each `error.*` metric) and the horizon T* up to which all of them agree. Past it the
+/// uncertainty may be of any size, and an error is measured only where it is above 100 times that.
 struct Reference {
     ReportedState state;
-    std::map<std::string, Number> error;  ///< keys: the metrics error.*
-    double horizon = 0;                   ///< s; past it no error is measured
+    std::map<std::string, Number> error;  ///< by metric error.*; past the horizon only where both routes reached the end
+    double horizon = 0;                   ///< s
     std::string route;                    ///< how it was computed, for the manifest
     bool interrupted = false;             ///< it was asked to stop, and nothing else is filled in
 };
@@ -83,9 +84,9 @@ struct Cell {
 };
 
 struct Cost {
-    long evaluations = 0;             ///< solves of the dynamics inside the steps, or residuals of implicit ones
-    long projection_iterations = 0;   ///< Gauss-Newton iterations, all steps
-    long output_evaluations = 0;      ///< solves for start, metrics and samples
+    long evaluations = 0;            ///< solves of the dynamics inside the steps, or residuals of implicit ones
+    long projection_iterations = 0;  ///< Gauss-Newton iterations, all steps
+    long output_evaluations = 0;     ///< solves for start, metrics and samples
     double cpu_s = 0;
     std::optional<double> step_s;  ///< of a timed cell: CPU time per step in the fastest of several runs, s
     std::optional<double> memory;  ///< of a timed cell: what model, system, method, projection and state occupy, bytes
@@ -95,10 +96,15 @@ struct Column {
     std::string name, unit;
 };
 
-/// A sampled trajectory: one comma-separated line of numbers per sample.
-struct Trajectory {
-    std::vector<Column> columns;
-    std::vector<std::string> rows;
+/// Where the samples of a run go, each as soon as it is taken. What an implementation throws ends the run and passes
+/// through it.
+class SampleSink {
+  public:
+    virtual ~SampleSink() = default;
+    /// Called once, before the first sample.
+    virtual void begin(const std::vector<Column>& columns) = 0;
+    /// One sample: numbers separated by commas, one for each column; empty where something could not be measured.
+    virtual void add(const std::string& row) = 0;
 };
 
 /// The constraint rows of a system and how many of them are independent where it starts. Where rows follow from others the
@@ -124,7 +130,6 @@ struct Outcome {
     ConstraintSummary constraints;
     std::vector<std::pair<std::string, Number>> metrics;
     Cost cost;
-    Trajectory trajectory;
 };
 
 /// What a problem becomes in one formulation.
@@ -146,13 +151,18 @@ class Engine {
     virtual std::vector<FormulationDescription> formulations() const = 0;
 
     /// Builds the system. Throws ParameterError where the parameters describe no system.
-    virtual SystemSummary summary(const std::string& problem, const ParameterValues&, const std::string& formulation) const = 0;
+    virtual SystemSummary summary(const std::string& problem, const ParameterValues&,
+                                  const std::string& formulation) const = 0;
     /// The order a method declares under these options.
     virtual Order declared_order(const std::string& method, const OptionValues&) const = 0;
     /// Why this cell cannot run; empty if it can. Throws ParameterError, OptionError.
     virtual std::string skip_reason(const Cell&) const = 0;
-    /// Runs one cell. `reference` may be null: then no error.* is measured.
-    virtual Outcome run(const Cell&, const Reference* reference, const std::stop_token&) const = 0;
+    /// Runs one cell. `reference` may be null: then no error.* is measured. So may `samples`: then samples are taken and
+    /// dropped.
+    virtual Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const = 0;
+    Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop) const {
+        return run(cell, reference, stop, nullptr);
+    }
     /// The reference solution of a problem at `t_end`; only the quad engine is asked for it.
     virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end,
                                 const std::stop_token&) const = 0;

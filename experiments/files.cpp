@@ -77,8 +77,9 @@ void write_atomically(const std::filesystem::path& file, std::string_view text) 
     }
 }
 
-LineAppender::LineAppender(std::filesystem::path file)
-    : file_(std::move(file)), descriptor_(open_file(file_, O_WRONLY | O_CREAT | O_APPEND)) {
+LineAppender::LineAppender(std::filesystem::path file, Start start)
+    : file_(std::move(file)),
+      descriptor_(open_file(file_, O_WRONLY | O_CREAT | O_APPEND | (start == Start::empty ? O_TRUNC : 0))) {
     if (!descriptor_.valid()) { fail(file_, "cannot be opened", errno); }
 }
 

@@ -34,7 +34,9 @@ void write_atomically(const std::filesystem::path& file, std::string_view text);
 /// Appends whole lines. A line that could not be written completely is taken back where the system lets us.
 class LineAppender {
   public:
-    explicit LineAppender(std::filesystem::path file);
+    /// What becomes of lines that are there already.
+    enum class Start { after_them, empty };
+    explicit LineAppender(std::filesystem::path file, Start start = Start::after_them);
     void append(const std::string& line);
 
   private:

@@ -59,8 +59,9 @@ class RealEngine final : public Engine {
         return entry.factory.order(options, entry.description.order);
     }
     std::string skip_reason(const Cell& cell) const override { return why_skipped(cell); }
-    Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop) const override {
-        return run_cell(cell, reference, stop);
+    Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,
+                SampleSink* samples) const override {
+        return run_cell(cell, reference, stop, samples);
     }
 
     Reference reference(const std::string& name, const ParameterValues& values, double t_end,
@@ -79,12 +80,15 @@ class RealEngine final : public Engine {
         for (const Body& body : model.bodies) bodies.push_back(body.name);
         Reference reference;
         reference.state = to_report(decimal(t_end), solution.states, bodies, solution.multipliers);
-        reference.error = {{"error.position", to_number(solution.position_error)},
-                           {"error.rotation", to_number(solution.rotation_error)},
-                           {"error.velocity", to_number(solution.velocity_error)},
-                           {"error.omega", to_number(solution.omega_error)}};
-        if (!solution.multipliers.empty())
-            add_multiplier_errors(constraint_rows(model), solution.multiplier_error, reference.error);
+        if (solution.compared) {
+            reference.error = {{"error.position", to_number(solution.position_error)},
+                               {"error.rotation", to_number(solution.rotation_error)},
+                               {"error.velocity", to_number(solution.velocity_error)},
+                               {"error.omega", to_number(solution.omega_error)}};
+            // Past the horizon their difference at the end alone tells nothing.
+            if (!solution.multipliers.empty() && abs(solution.horizon) >= abs(decimal(t_end)))
+                add_multiplier_errors(constraint_rows(model), solution.multiplier_error, reference.error);
+        }
         reference.horizon = to_double(solution.horizon);
         reference.route = solution.route;
         return reference;

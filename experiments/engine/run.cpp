@@ -85,9 +85,10 @@ class Run {
         if (!cell.timed || cell.samples > 0) joint_forces_.emplace(*system_, model_);
     }
 
-    Outcome execute(const Reference* reference, const std::stop_token& stop) {
+    Outcome execute(const Reference* reference, const std::stop_token& stop, SampleSink* samples) {
         const double begin = thread_seconds();
-        if (cell_.samples > 0) outcome_.trajectory.columns = columns();
+        samples_ = samples;
+        if (cell_.samples > 0 && samples_) samples_->begin(columns());
         monitor_.observe(0, y_.data());
         if (cell_.samples > 0) sample(0);
         if (cell_.timed)
@@ -125,7 +126,8 @@ class Run {
     }
 
     void advance(const std::stop_token& stop) {
-        if (const Status status = integrator_->start(0, y_.data()); status != Status::ok) return fail(status, 0, "start");
+        if (const Status status = integrator_->start(0, y_.data()); status != Status::ok)
+            return fail(status, 0, "start");
         const long steps = cell_.steps;
         Real* const y = y_.data();
         Integrator& integrator = *integrator_;
@@ -205,7 +207,7 @@ class Run {
         row.clear();
         monitor_.append_values(row);
         for (const Real& x : row) append(isfinite(x) ? to_text(x) : "");
-        outcome_.trajectory.rows.push_back(std::move(line));
+        if (samples_) samples_->add(line);
     }
 
     bool find_joint_forces(const Real& t) { return joint_forces_->find(t, y_.data(), integrator_->multipliers()); }
@@ -235,10 +237,18 @@ class Run {
         for (auto& metric : monitor_.metrics(finished)) outcome_.metrics.push_back(std::move(metric));
     }
 
+    /// Past the horizon of a reference a distance from it says something only where it is far above the uncertainty.
+    bool is_known(const Reference& reference, const std::string& metric, const Real& error) const {
+        if (cell_.t_end <= reference.horizon) return true;
+        const auto uncertainty = reference.error.find(metric);
+        return uncertainty != reference.error.end() && error > 100 * from_number(uncertainty->second);
+    }
+
     void add_errors(const Reference& reference, bool multipliers_known) {
-        if (cell_.t_end > reference.horizon) return;
+        if (reference.state.bodies.empty()) return;
         const auto add = [&](const std::string& metric, const Real& value) {
-            if (isfinite(value) && matches_any(cell_.metrics, metric)) outcome_.metrics.emplace_back(metric, to_number(value));
+            if (isfinite(value) && matches_any(cell_.metrics, metric) && is_known(reference, metric, value))
+                outcome_.metrics.emplace_back(metric, to_number(value));
         };
         const Distance d = distance(states_, from_report(reference.state));
         add("error.position", d.position);
@@ -268,6 +278,7 @@ class Run {
     std::vector<BodyState> states_;
     std::vector<std::string> names_;
     long evaluations_ = 0;
+    SampleSink* samples_ = nullptr;
     Outcome outcome_;
 };
 
@@ -290,11 +301,12 @@ std::string why_skipped(const Cell& cell) {
     const auto system = make_system(model, cell.formulation);
     if (projector.description.ambient && !system->has_ambient_jacobian())
         return "projection " + cell.projection + " takes spherical joints only";
-    return system->constraints() == 0 ? "there is no constraint to project onto in formulation " + cell.formulation : "";
+    return system->constraints() == 0 ? "there is no constraint to project onto in formulation " + cell.formulation
+                                      : "";
 }
 
-Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop) {
-    return Run(cell).execute(reference, stop);
+Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop, SampleSink* samples) {
+    return Run(cell).execute(reference, stop, samples);
 }
 
 }  // namespace KREISEL_PRECISION

@@ -12,7 +12,9 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 std::string why_skipped(const Cell& cell);
-Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop);
+/// `reference` and `samples` may be null: no errors are measured, samples are dropped.
+Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop,
+                 SampleSink* samples = nullptr);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -54,6 +54,15 @@ Said kreisel_with(std::vector<std::string> words) {
     return {code, out.str(), messages.str()};
 }
 
+/// All samples of a run.
+struct Samples final : SampleSink {
+    void begin(const std::vector<Column>& all) override { columns = all; }
+    void add(const std::string& row) override { rows.push_back(row); }
+
+    std::vector<Column> columns;
+    std::vector<std::string> rows;
+};
+
 /// A top at rest under gravity; t_end and steps are dyadic, so that halves of a run have its step size to the last bit.
 Cell swinging_top(double t_end, long steps, long samples) {
     Cell cell{.problem = "heavy_top",
@@ -95,10 +104,10 @@ std::vector<std::string> texts(const ReportedState& state) {
 TEST_CASE("a sample is the state of a run that ends there", "[campaign]") {
     const Engine* const engines[] = {&engine_binary64(), &engine_binary128()};
     for (const Engine* engine : engines) {
-        const Outcome whole = engine->run(swinging_top(0.125, 64, 4), nullptr, {});
-        REQUIRE(whole.status == "ok");
-        REQUIRE(whole.trajectory.rows.size() == 5);
-        const auto& columns = whole.trajectory.columns;
+        Samples whole;
+        REQUIRE(engine->run(swinging_top(0.125, 64, 4), nullptr, {}, &whole).status == "ok");
+        REQUIRE(whole.rows.size() == 5);
+        const auto& columns = whole.columns;
         CHECK(columns[0].name == "t");
         CHECK(columns[4].name == "top.R11");
         CHECK(columns[18].name == "top.omega3");
@@ -107,7 +116,7 @@ TEST_CASE("a sample is the state of a run that ends there", "[campaign]") {
         for (std::size_t i = 1; i <= 4; ++i) {
             const auto part = static_cast<double>(i) / 4;
             const Outcome end = engine->run(swinging_top(0.125 * part, std::lround(64 * part), 0), nullptr, {});
-            auto row = fields(whole.trajectory.rows[i]);
+            auto row = fields(whole.rows[i]);
             CHECK(row.size() == columns.size());
             auto expected = texts(end.final.value());
             row.resize(expected.size());
@@ -117,13 +126,14 @@ TEST_CASE("a sample is the state of a run that ends there", "[campaign]") {
 }
 
 TEST_CASE("samples of a metric and of its running maximum end where the metric is reported", "[campaign]") {
-    const Outcome outcome = engine_binary64().run(swinging_top(0.125, 64, 8), nullptr, {});
-    const auto& columns = outcome.trajectory.columns;
+    Samples samples;
+    const Outcome outcome = engine_binary64().run(swinging_top(0.125, 64, 8), nullptr, {}, &samples);
+    const auto& columns = samples.columns;
     int compared = 0;
     for (const auto& [name, value] : outcome.metrics)
         for (std::size_t i = 0; i < columns.size(); ++i) {
             if (columns[i].name != name + ".max") continue;
-            CHECK(fields(outcome.trajectory.rows.back()).at(i) == value.text);
+            CHECK(fields(samples.rows.back()).at(i) == value.text);
             ++compared;
         }
     CHECK(compared >= 5);  // three levels of constraints, orthogonality, energy

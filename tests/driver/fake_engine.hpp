@@ -11,7 +11,7 @@ namespace kreisel {
 
 /// Methods: rkmk/rk4 and rkmk/midpoint (options coordinates, dexpinv), baseline/rk4_quaternion (a flag; skipped on SE3),
 /// fake/relaxed (a real option), fake/nan (fails half way), fake/infinite (reports an infinite metric), fake/slow (one
-/// millisecond per step, listens to stop requests), fake/deaf (sleeps without listening), fake/throws, fake/throws_int.
+/// millisecond per step, listens to stop requests, samples on the way), fake/deaf (sleeps without listening), fake/throws, fake/throws_int.
 class FakeEngine final : public Engine {
   public:
     std::vector<ProblemDescription> problems() const override;
@@ -22,7 +22,8 @@ class FakeEngine final : public Engine {
                           const std::string& formulation) const override;
     Order declared_order(const std::string& method, const OptionValues&) const override;
     std::string skip_reason(const Cell&) const override;
-    Outcome run(const Cell&, const Reference* reference, const std::stop_token&) const override;
+    using Engine::run;
+    Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;
     /// Ends after t_end ms where t_end is above 1000 and no stop is asked for.
     Reference reference(const std::string& problem, const ParameterValues&, double t_end,
                         const std::stop_token&) const override;

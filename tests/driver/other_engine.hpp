@@ -21,8 +21,9 @@ class OtherEngine : public Engine {
         return fake_.declared_order(method, options);
     }
     std::string skip_reason(const Cell& cell) const override { return fake_.skip_reason(cell); }
-    Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop) const override {
-        return fake_.run(cell, reference, stop);
+    Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,
+                SampleSink* samples) const override {
+        return fake_.run(cell, reference, stop, samples);
     }
     Reference reference(const std::string& problem, const ParameterValues& values, double t_end,
                         const std::stop_token& stop) const override {

@@ -120,15 +120,29 @@ TEST_CASE("failures stay in their own cells and are listed with status, time and
     CHECK(manifest["config"]["time"]["steps"] == nlohmann::json({8, 4}));
 }
 
-TEST_CASE("a reference is computed once for each problem, and no error is measured past its horizon") {
+TEST_CASE(
+    "a reference is computed once for each problem, and past its horizon errors are measured where they are large") {
     const ScratchFolder scratch;
     const FakeEngine engine;
     run(scratch.file("mixed.json", mixed), scratch / "out", {"-j", "4"}, engine);
     CHECK(engine.references == 2);
-    run(scratch.file("far.json", one_method("rkmk/rk4", 2, "heavy_top", 60)), scratch / "far");
-    const auto line = nlohmann::json::parse(contents(scratch / "far" / "results.jsonl"));
-    CHECK_FALSE(line["metrics"].contains("error.position"));
-    CHECK(line["reference"]["horizon"] == 50);
+    const auto ended_at = [&](double end, long steps) {
+        const auto folder = scratch / ("steps" + std::to_string(steps) + "to" + std::to_string(end));
+        const auto said = run(scratch.file("far.json", one_method("rkmk/rk4", steps, "heavy_top", end)), folder);
+        const bool noted = said.messages.find(
+                               "note: heavy_top: 1 cell ends at 60 s, past the horizon T* = 50 s of its reference, "
+                               "which is uncertain by 1.0e-04 m there") != std::string::npos;
+        CHECK(noted == (end > 50));
+        return nlohmann::json::parse(contents(folder / "results.jsonl"));
+    };
+    const auto within = ended_at(40, 4), large = ended_at(60, 2), small = ended_at(60, 4);
+    CHECK(within["metrics"].contains("error.position"));
+    CHECK_FALSE(within["reference"].contains("past_horizon"));
+    CHECK(large["metrics"]["error.position"] == 0.0625);
+    CHECK(large["reference"]["past_horizon"] == true);
+    CHECK(large["reference"]["error"]["error.position"] == 1e-4);
+    CHECK_FALSE(small["metrics"].contains("error.position"));  // 1/256 is below 100 times 1e-4
+    CHECK(small["reference"]["horizon"] == 50);
 }
 
 TEST_CASE("a reference that fails fails the cells that need it") {
