@@ -2,6 +2,8 @@
 //
 // What could not be measured is absent: no metric of a run that has left the numbers is a number.
 #include <catch2/catch.hpp>
+#include <cstdio>
+#include <map>
 #include <set>
 
 #include "tests/campaign/acceptance.hpp"
@@ -119,4 +121,33 @@ TEST_CASE("a pattern of a hundred stars matches as fast as any other", "[campaig
     const Outcome outcome = engine_binary64().run(cell, nullptr, {});
     REQUIRE(outcome.metrics.size() == 1);
     CHECK(outcome.metrics[0].first == "invariant.energy.final");
+}
+
+TEST_CASE("past the horizon an error counts where it is above 100 times the reference's uncertainty", "[campaign]") {
+    Cell cell = cell_of("heavy_top", "rkmk/rk4", 0.125, 64);
+    cell.formulation = "SO3xR3";
+    Reference reference = engine_binary128().reference("heavy_top", cell.parameters, 0.125, {});
+    const auto errors = [&] {
+        std::map<std::string, double> found;
+        for (const auto& [name, value] : engine_binary64().run(cell, &reference, {}).metrics)
+            if (name.starts_with("error.")) found[name] = value.value;
+        return found;
+    };
+    const auto within = errors();
+    REQUIRE(within.size() == 5);
+    reference.horizon = 0.1;
+    CHECK(errors() == within);  // the routes differ by 1e-28
+    const double position = within.at("error.position");
+    char text[32];
+    std::snprintf(text, sizeof text, "%.17g", position / 99);
+    reference.error["error.position"] = {position / 99, text};
+    reference.error["error.omega"] = {1e-30, "1e-30"};
+    reference.error.erase("error.velocity");
+    const auto past = errors();
+    CHECK_FALSE(past.contains("error.position"));
+    CHECK_FALSE(past.contains("error.velocity"));
+    CHECK(past.at("error.omega") == within.at("error.omega"));
+    CHECK(past.at("error.rotation") == within.at("error.rotation"));
+    reference.state.bodies.clear();
+    CHECK(errors().empty());
 }

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "experiments/engine/taylor_route.hpp"
-#include "tests/reference/named_problem.hpp"
 #include "problems/free_top_closed_form.hpp"
+#include "tests/reference/named_problem.hpp"
 
 using namespace kreisel;
 using namespace reference_tests;
@@ -64,6 +64,11 @@ TEST_CASE("past the horizon the answer is wrong, and up to it right") {
     CHECK(beyond.horizon < 150);
     CHECK(error(model, beyond, end) > Real("1e-6"));
     CHECK(beyond.omega_error > Real("1e-6"));
+    const ReferenceSolution both = confirmed_reference(model, end);
+    CHECK(both.horizon <= beyond.horizon);
+    CHECK(both.compared);
+    CHECK(both.omega_error >= beyond.omega_error);
+    CHECK(error(model, both, end) < 100 * both.omega_error);  // what is measured there is above that
     const ReferenceSolution within = reference_solution(model, beyond.horizon);
     CHECK(error(model, within, beyond.horizon) < Real("1e-10"));
 }
