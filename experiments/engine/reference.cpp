@@ -215,8 +215,20 @@ ReferenceSolution reference_solution(const Model& model, const Real& t_end, cons
                 std::to_string(steps) + " and " + std::to_string(2 * steps) + " big steps";
     for (const Run* run : {&coarse, &fine})
         if (run->status != Status::ok) out.stopped = name(run->status);
-    if (out.stopped.empty()) compare_ends(integration.form, t_end, coarse, fine, out);
+    if (!out.stopped.empty()) return out;
+    compare_ends(integration.form, t_end, coarse, fine, out);
+    for (std::size_t n = agreed + 1; n <= steps; ++n) {
+        out.beyond.push_back({coarse.times[n], integration.form.states(fine.states[2 * n].data())});
+        allow_for(out, distance(integration.form.states(coarse.states[n].data()), out.beyond.back().states));
+    }
     return out;
+}
+
+void allow_for(ReferenceSolution& reference, const Distance& distance) {
+    reference.position_error = max(reference.position_error, distance.position);
+    reference.rotation_error = max(reference.rotation_error, distance.rotation);
+    reference.velocity_error = max(reference.velocity_error, distance.velocity);
+    reference.omega_error = max(reference.omega_error, distance.omega);
 }
 
 }  // namespace KREISEL_PRECISION

@@ -33,6 +33,21 @@ Agreement follow(TaylorRoute& route, const ReferenceSolution& first, const std::
     return agreement;
 }
 
+/// From there to the end: the largest distance of the routes on the way.
+void go_beyond(TaylorRoute& route, const ReferenceSolution& first, const std::stop_token& stop, Agreement& agreement) {
+    const auto meet = [&](const ReferencePoint& point) {
+        if (abs(point.t) <= abs(agreement.horizon) || agreement.status != Status::ok || route.interrupted()) return;
+        agreement.status = route.advance(point.t, stop);
+        const Distance d = distance(route.states(), point.states);
+        Distance& largest = agreement.distance;
+        largest = {max(largest.position, d.position), max(largest.rotation, d.rotation),
+                   max(largest.velocity, d.velocity), max(largest.omega, d.omega)};
+        if (!isfinite(d.rotation)) largest.rotation = d.rotation;
+    };
+    for (const ReferencePoint& point : first.path) meet(point);
+    for (const ReferencePoint& point : first.beyond) meet(point);
+}
+
 }  // namespace
 
 TaylorRoute::TaylorRoute(const Model& model) : series_(model, taylor_order) {
@@ -68,13 +83,6 @@ Status TaylorRoute::multipliers(std::vector<Real>& lambda) {
     return status;
 }
 
-void allow_for(ReferenceSolution& reference, const Distance& distance) {
-    reference.position_error = max(reference.position_error, distance.position);
-    reference.rotation_error = max(reference.rotation_error, distance.rotation);
-    reference.velocity_error = max(reference.velocity_error, distance.velocity);
-    reference.omega_error = max(reference.omega_error, distance.omega);
-}
-
 ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop) {
     ReferenceSolution out = reference_solution(model, t_end, stop);
     if (out.interrupted || !out.stopped.empty()) return out;
@@ -83,9 +91,8 @@ ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, con
     if (route.interrupted()) return {.interrupted = true};
     out.horizon = agreement.horizon;
     if (agreement.status == Status::ok && out.horizon != t_end) {  // past the horizon: how far the routes are apart
-        agreement.status = route.advance(t_end, stop);
+        go_beyond(route, out, stop, agreement);
         if (route.interrupted()) return {.interrupted = true};
-        if (agreement.status == Status::ok) agreement.distance = distance(route.states(), out.states);
     }
     out.route += "; Taylor series of order " + std::to_string(taylor_order) + " in rotation matrices, " +
                  std::to_string(route.steps()) + " steps";

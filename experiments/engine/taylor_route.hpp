@@ -47,12 +47,9 @@ class TaylorRoute {
 };
 
 /// reference_solution confirmed by the second route: each error is the larger one of the difference between two step
-/// sizes and that between the routes, both at t_end, and the horizon the last big step up to which these agree to 1e-12 as
+/// sizes and that between the routes (past the horizon the largest since), and the horizon the last big step up to which these agree to 1e-12 as
 /// well. Where the second route fails, the horizon ends, the errors at t_end are not known, and `route` says so.
 ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop = {});
-
-/// Makes the errors of a reference at least as large as its distance from another solution at t_end.
-void allow_for(ReferenceSolution& reference, const Distance& distance);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel
