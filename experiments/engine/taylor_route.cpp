@@ -98,10 +98,10 @@ ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, con
                  std::to_string(route.steps()) + " steps";
     if (agreement.status != Status::ok) out.route += std::string(", ended by ") + name(agreement.status);
     out.compared = agreement.status == Status::ok && isfinite(agreement.distance.rotation);
-    std::vector<Real> lambda;
-    if (!out.compared || route.multipliers(lambda) != Status::ok) return out;
+    if (!out.compared) return out;
     allow_for(out, agreement.distance);
-    if (lambda.size() != out.multipliers.size()) return out;
+    std::vector<Real> lambda;
+    if (route.multipliers(lambda) != Status::ok || lambda.size() != out.multipliers.size()) return out;
     const MultiplierDistance apart = multiplier_distance(constraint_rows(model), lambda, out.multipliers);
     out.multiplier_error = {max(out.multiplier_error.force, apart.force), max(out.multiplier_error.torque, apart.torque)};
     return out;

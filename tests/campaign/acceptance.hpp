@@ -17,6 +17,15 @@ inline ParameterValues defaults(const std::string& problem) {
     return {};
 }
 
+/// All samples of a run.
+struct Samples final : SampleSink {
+    void begin(const std::vector<Column>& all) override { columns = all; }
+    void add(const std::string& row) override { rows.push_back(row); }
+
+    std::vector<Column> columns;
+    std::vector<std::string> rows;
+};
+
 inline OptionValues standard_options(const MethodDescription& method) {
     OptionValues options;
     for (const OptionDescription& option : method.options) options[option.name] = option.standard;

@@ -54,15 +54,6 @@ Said kreisel_with(std::vector<std::string> words) {
     return {code, out.str(), messages.str()};
 }
 
-/// All samples of a run.
-struct Samples final : SampleSink {
-    void begin(const std::vector<Column>& all) override { columns = all; }
-    void add(const std::string& row) override { rows.push_back(row); }
-
-    std::vector<Column> columns;
-    std::vector<std::string> rows;
-};
-
 /// A top at rest under gravity; t_end and steps are dyadic, so that halves of a run have its step size to the last bit.
 Cell swinging_top(double t_end, long steps, long samples) {
     Cell cell{.problem = "heavy_top",
