@@ -25,8 +25,8 @@ std::string difference_in_bits(const Pair& pair, const Model& model);
 struct Allowance {
     Real position, rotation, velocity, omega, force, torque;
 };
-/// From the growth of perturbations. `largest_x` is that of either description, in units of the original; where the method
-/// solves Phi = 0 (h > 0 is its step), round-off of positions counts as |x|/h in velocities and |x|/h^2 in forces.
+/// From the growth of perturbations. `largest_x` is that of either description, in units of the original; where method
+/// or projection solves Phi = 0 (h > 0 is the step), round-off of positions counts as |x|/h in velocities and |x|/h^2 in forces.
 Allowance allowance(const Model& model, const Sizes& sizes, const Real& largest_x, const growing::Growth& growth,
                     const Real& h);
 

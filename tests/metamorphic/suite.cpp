@@ -12,7 +12,10 @@ namespace metamorphic {
 
 namespace {
 
-bool solves_positions(const Combination& combination) { return method(combination.method).description.own_multipliers; }
+bool solves_positions(const Combination& combination) {
+    return method(combination.method).description.own_multipliers ||
+           projection(combination.projection).description.positions;
+}
 
 std::string beyond_round_off(const Case& entry, const Pair& pair, const Transformed& changed, int steps,
                              Report& report) {
