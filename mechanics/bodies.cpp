@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mechanics/bodies.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <type_traits>
@@ -13,6 +14,7 @@ Bodies<Coordinates>::Bodies(Model model)
     : System(std::make_shared<Power<Factor>>(static_cast<int>(model.bodies.size()))),
       model_(std::move(model)),
       spherical_(all_spherical(model_)) {
+    for (const Body& body : model_.bodies) J_inverse_.push_back(body.J.inverse());
     for (const Joint& joint : model_.joints) {
         places_.push_back({rows_of(joint.type), position_rows_of(joint.type), position_rows_, 0});
         position_rows_ += places_.back().position;
@@ -41,6 +43,14 @@ void Bodies<Coordinates>::mass(const Real*, Real* blocks) const {
         block.template topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
         block.template bottomRightCorner<3, 3>() = body.J;
         blocks += 36;
+    }
+}
+
+template <class Coordinates>
+void Bodies<Coordinates>::solve_mass(const Real*, const Real* f, Real* a) const {
+    for (std::size_t i = 0; i < model_.bodies.size(); ++i, f += 6, a += 6) {
+        store(Vec3(inverse_mass(model_.bodies[i]) * vec3(f)), a);
+        store(Vec3(J_inverse_[i] * vec3(f + 3)), a + 3);
     }
 }
 
@@ -132,6 +142,20 @@ void Bodies<Coordinates>::jacobian(const Real& t, const Real* q, Real* C) const 
 }
 
 template <class Coordinates>
+void Bodies<Coordinates>::complement_diagonal(const Real& t, const Real* q, Real* diagonal) const {
+    each_joint(t, q, nullptr, [&](std::size_t j, const JointRows& rows) {
+        const auto mobility = [&](int body, const Mat6& side, int k) -> Real {
+            if (body == ground) return 0;
+            const auto i = static_cast<std::size_t>(body);
+            const Vec3 force = side.template block<3, 1>(0, k), torque = side.template block<3, 1>(3, k);
+            return inverse_mass(model_.bodies[i]) * force.squaredNorm() + torque.dot(J_inverse_[i] * torque);
+        };
+        for (int k = 0; k < rows.count; ++k)
+            diagonal[row(j, k)] = mobility(model_.joints[j].first, rows.first, k) + mobility(model_.joints[j].second, rows.second, k);
+    });
+}
+
+template <class Coordinates>
 void Bodies<Coordinates>::velocity_bias(const Real& t, const Real* q, Real* b) const {
     each_joint(t, q, nullptr, [&](std::size_t j, const JointRows& rows) {
         for (int k = 0; k < rows.count; ++k) b[row(j, k)] = rows.rate_bias[k];
@@ -139,19 +163,60 @@ void Bodies<Coordinates>::velocity_bias(const Real& t, const Real* q, Real* b) c
 }
 
 template <class Coordinates>
-void Bodies<Coordinates>::velocity_residual(const Real& t, const Real* q, const Real* v, Real* residual) const {
-    if (spherical_) return point_velocities(q, v, residual);
+void Bodies<Coordinates>::row_velocities(const Real& t, const Real* q, const Real* v, int share, Real* residual) const {
     each_joint(t, q, v, [&](std::size_t j, const JointRows& rows) {
         const Joint& joint = model_.joints[j];
         const Motion first = motion(q, v, joint.first), second = motion(q, v, joint.second);
         for (int k = 0; k < rows.count; ++k) {
-            Real sum = rows.rate_bias[k];
+            Real sum = share * rows.rate_bias[k];
             if (joint.first != ground)
                 sum += rows.first.template block<3, 1>(0, k).dot(first.V) + rows.first.template block<3, 1>(3, k).dot(first.omega);
             if (joint.second != ground)
                 sum += rows.second.template block<3, 1>(0, k).dot(second.V) + rows.second.template block<3, 1>(3, k).dot(second.omega);
             residual[row(j, k)] = sum;
         }
+    });
+}
+
+template <class Coordinates>
+void Bodies<Coordinates>::velocity_residual(const Real& t, const Real* q, const Real* v, Real* residual) const {
+    spherical_ ? point_velocities(q, v, residual) : row_velocities(t, q, v, 1, residual);
+}
+
+template <class Coordinates>
+void Bodies<Coordinates>::apply_jacobian(const Real& t, const Real* q, const Real* v, Real* product) const {
+    spherical_ ? point_velocities(q, v, product) : row_velocities(t, q, v, 0, product);
+}
+
+template <class Coordinates>
+void Bodies<Coordinates>::apply_jacobian_transpose(const Real& t, const Real* q, const Real* lambda, Real* f) const {
+    std::fill_n(f, this->velocities(), Real(0));
+    const auto add = [&](int body, const Vec3& force, const Vec3& torque) {  // in body axes
+        Real* mine = f + 6 * body;
+        store(Vec3(vec3(mine) + Coordinates::from_body(rotation(q, body), force)), mine);
+        store(Vec3(vec3(mine + 3) + torque), mine + 3);
+    };
+    if (spherical_) {
+        const auto pull = [&](int body, const Vec3& force, const Vec3& r) {
+            if (body == ground) return;
+            const Vec3 turned = rotation(q, body).transpose() * force;
+            add(body, turned, r.cross(turned));
+        };
+        for (const Joint& joint : model_.joints) {
+            pull(joint.first, vec3(lambda), joint.r_first), pull(joint.second, -vec3(lambda), joint.r_second);
+            lambda += 3;
+        }
+        return;
+    }
+    each_joint(t, q, nullptr, [&](std::size_t j, const JointRows& rows) {
+        Vec6 mine = Vec6::Zero();
+        for (int k = 0; k < rows.count; ++k) mine[k] = lambda[row(j, k)];
+        const auto pull = [&](int body, const Mat6& side) {
+            if (body == ground) return;
+            const Vec6 wrench = side.leftCols(rows.count).lazyProduct(mine.head(rows.count));
+            add(body, wrench.template head<3>(), wrench.template tail<3>());
+        };
+        pull(model_.joints[j].first, rows.first), pull(model_.joints[j].second, rows.second);
     });
 }
 

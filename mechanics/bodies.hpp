@@ -23,10 +23,14 @@ class Bodies : public System {
     int position_constraints() const override { return position_rows_; }
     int mass_block() const override { return 6; }
     void mass(const Real* q, Real* blocks) const override;
+    void solve_mass(const Real* q, const Real* f, Real* a) const override;
     void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override;
     void gyroscopic_force(const Real* q, const Real* v, Real* f) const override;
     void position_residual(const Real& t, const Real* q, Real* phi) const override;
     void jacobian(const Real& t, const Real* q, Real* C) const override;
+    void apply_jacobian(const Real& t, const Real* q, const Real* v, Real* product) const override;
+    void apply_jacobian_transpose(const Real& t, const Real* q, const Real* lambda, Real* f) const override;
+    void complement_diagonal(const Real& t, const Real* q, Real* diagonal) const override;
     void velocity_bias(const Real& t, const Real* q, Real* b) const override;
     void velocity_residual(const Real& t, const Real* q, const Real* v, Real* residual) const override;
     void acceleration_bias(const Real& t, const Real* q, const Real* v, Real* xi) const override;
@@ -71,8 +75,11 @@ class Bodies : public System {
 
     void point_positions(const Real* q, Real* phi) const;
     void point_velocities(const Real* q, const Real* v, Real* residual) const;
+    /// C v + share b.
+    void row_velocities(const Real& t, const Real* q, const Real* v, int share, Real* residual) const;
 
     Model model_;
+    std::vector<Mat3> J_inverse_;
     bool spherical_;  // no other joints: then the residuals are those of points, for any 3x3 matrices R
     std::vector<Place> places_;
     int rows_ = 0, position_rows_ = 0;

@@ -181,10 +181,10 @@ Status JointSolver::choose_again() {
     }
     choice_ = fresh;
     complete_ = choice_.rank == matrix_.size;
-    const Real pivot = factor();
-    if (pivot > 0) return Status::ok;  // doubtful but independent rows are solved with
+    pivot_ = factor();
+    if (pivot_ > 0) return Status::ok;  // doubtful but independent rows are solved with
     singularity_ = "the masses differ so much that the rows kept cannot be told apart in this precision";
-    return isfinite(pivot) ? Status::singular_kkt : Status::non_finite;
+    return isfinite(pivot_) ? Status::singular_kkt : Status::non_finite;
 }
 
 void JointSolver::evaluate_residual(bool all_rows) {
@@ -256,27 +256,36 @@ bool JointSolver::refine() {
     return hold(true, unmet, "rows that depend on each other but for round-off, by position or by the masses, are not met: ");
 }
 
+Status JointSolver::choose_and_factor() {
+    if (rows_.empty()) return Status::ok;
+    pivot_ = factor();
+    if (!isfinite(pivot_)) return Status::non_finite;
+    doubtful_ = pivot_ <= doubtful_pivot;
+    return doubtful_ ? choose_again() : Status::ok;
+}
+
+Status JointSolver::prepare(const Real& t) {
+    evaluate_rows(t);
+    return choose_and_factor();
+}
+
 Status JointSolver::react(bool watch) {
     if (rows_.empty()) return Status::ok;
-    const Real pivot = factor();
-    if (!isfinite(pivot)) return Status::non_finite;
-    const bool doubtful = pivot <= doubtful_pivot;
-    if (doubtful)
-        if (const Status status = choose_again(); status != Status::ok) return status;
     bias_ = residual_;
     evaluate_residual(false);
     watch = watch && !complete_;
-    if (watch || doubtful) sizes_.setZero(), add_terms(true), compare_terms();
+    if (watch || doubtful_) sizes_.setZero(), add_terms(true), compare_terms();
     lambda_ = residual_;
     solver_->solve(lambda_);
     apply(lambda_);
     if (watch && !left_out_rows_hold()) return Status::singular_kkt;
-    return !doubtful || refine() ? Status::ok : Status::singular_kkt;
+    return !doubtful_ || refine() ? Status::ok : Status::singular_kkt;
 }
 
 /// lambda -= P lambda in rows divided by their scale, P = U U^T the projector onto the null vectors of C^T, which are
 /// (S^{-1} S_k, -1) for each row k left out. The norm of a row of U says how much of that row is not unique.
-void JointSolver::minimise_norm() {
+void JointSolver::minimise_norm(VecX& lambda) {
+    if (complete_) return;
     std::vector<Eigen::Index> left_out;
     for (Eigen::Index i = 0; i < matrix_.size; ++i)
         if (!kept(i)) left_out.push_back(i);
@@ -301,12 +310,12 @@ void JointSolver::minimise_norm() {
     const Eigen::HouseholderQR<MatX> factors(N);
     const MatX U = factors.householderQ() * MatX::Identity(N.rows(), N.cols());
     share_ = U.rowwise().norm();
-    const VecX scaled = scale_.asDiagonal() * lambda_;
-    lambda_ -= scale_.cwiseInverse().asDiagonal() * (U * (U.transpose() * scaled));
+    const VecX scaled = scale_.asDiagonal() * lambda;
+    lambda -= scale_.cwiseInverse().asDiagonal() * (U * (U.transpose() * scaled));
 }
 
 const VecX& JointSolver::multipliers() {
-    if (!complete_) minimise_norm();
+    minimise_norm(lambda_);
     return lambda_;
 }
 
@@ -327,14 +336,13 @@ Status JointSolver::accelerate(const Real& t) {
                         BodyNode& node = nodes_[static_cast<std::size_t>(body)];
                         node.a += node.mobility(both);
                     });
-    evaluate_rows(t);
+    if (const Status status = prepare(t); status != Status::ok) return status;
     for (std::size_t j = 0; j < rows_.size(); ++j)
         residual_.segment(matrix_.offset[j], matrix_.rows[j]) = rows_[j].acceleration_bias.head(matrix_.rows[j]);
     return react(true);
 }
 
-Status JointSolver::constrain(const Real& t, const VecX& c) {
-    evaluate_rows(t);
+Status JointSolver::constrain(const VecX& c) {
     residual_ = -c;
     return react(false);
 }

@@ -44,10 +44,18 @@ class JointSolver {
     std::vector<BodyNode>& nodes() { return nodes_; }
     /// From the motions of the nodes to their accelerations under gravity, forces and joints.
     Status accelerate(const Real& t);
-    /// Free accelerations are in the nodes: makes C a = c hold, c in the order of the joints.
-    Status constrain(const Real& t, const VecX& c);
-    /// The multipliers of the last solve over the mass unit, in the order of the joints.
+    /// Rows and factors at the motions of the nodes.
+    Status prepare(const Real& t);
+    /// Prepared, and with free accelerations in the nodes: makes C a = c hold, c in the order of the joints.
+    Status constrain(const VecX& c);
+    /// The multipliers of the last solve over the mass unit, in the order of the joints: those of least norm, or zero for the
+    /// rows left out.
     const VecX& multipliers();
+    const VecX& basic_multipliers() const { return lambda_; }
+    /// Prepared: turns multipliers into those of least norm.
+    void minimise_norm(VecX& lambda);
+    /// Smallest pivot of the last factors, relative to its diagonal entry.
+    const Real& pivot() const { return pivot_; }
     /// After multipliers(): whether the null space of C^T leaves a row alone, so that its multiplier is unique.
     bool is_unique(Eigen::Index row) const { return complete_ || share_[row] <= touched; }
     /// kg; forces of `mobility` and `multipliers` are divided by it.
@@ -83,6 +91,8 @@ class JointSolver {
     Status choose_again();
     /// a -= M^{-1} C^T lambda with C a + bias = 0; on entry residual_ holds the bias.
     Status react(bool watch);
+    /// Factors, of other rows where the pivots are doubtful.
+    Status choose_and_factor();
     /// residual_ = bias + C a, zero in rows left out unless they are asked for.
     void evaluate_residual(bool all_rows);
     /// a -= M^{-1} C^T lambda.
@@ -103,7 +113,6 @@ class JointSolver {
     /// Free of units, masses and place: torques over a length of the body.
     MatX geometric_transpose() const;
     Real condition() const;
-    void minimise_norm();
     std::string name_row(std::size_t joint, int k) const;
     std::string name_rows(const std::vector<bool>& rows, bool which) const;
     bool kept(Eigen::Index row) const { return choice_.independent[static_cast<std::size_t>(row)]; }
@@ -119,6 +128,8 @@ class JointSolver {
     RowChoice choice_;
     std::optional<Real> condition_;  // where it was asked for
     bool complete_ = true;  // no row is left out
+    bool doubtful_ = false;  // the last factors have small pivots
+    Real pivot_ = 1;
     std::vector<Real> length_;           // of each body
     std::vector<std::size_t> island_;    // of each joint
     std::vector<Real> largest_;          // by island

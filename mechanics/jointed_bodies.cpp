@@ -19,8 +19,7 @@ void JointedBodies<Coordinates>::each_row(F f) const {
 }
 
 template <class Coordinates>
-void JointedBodies<Coordinates>::report(Real* lambda) {
-    const VecX& multipliers = solver_.multipliers();
+void JointedBodies<Coordinates>::report(const VecX& multipliers, Real* lambda) {
     each_row([&](int row, Eigen::Index at) {
         lambda[row] = multipliers[at] * solver_.mass_unit();
         unique_[static_cast<std::size_t>(row)] = solver_.is_unique(at);
@@ -40,23 +39,46 @@ Status JointedBodies<Coordinates>::accelerations(const Real& t, const Real* q, c
         store(a, dv), store(dw, dv + 3);
         v += 6, dv += 6;
     }
-    if (lambda) report(lambda);
+    if (lambda) report(solver_.multipliers(), lambda);
     return isfinite(sum) ? Status::ok : Status::non_finite;
 }
 
 template <class Coordinates>
 Status JointedBodies<Coordinates>::solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a,
                                              Real* lambda) {
+    if (const Status status = prepare_kkt(t, q); status != Status::ok) return status;
+    const Status status = solve_prepared(t, q, f, c, a, nullptr);
+    if (status == Status::ok && lambda) report(solver_.multipliers(), lambda);
+    return status;
+}
+
+template <class Coordinates>
+Status JointedBodies<Coordinates>::prepare_kkt(const Real& t, const Real* q) {
     int body = 0;
+    for (BodyNode& node : solver_.nodes()) node.motion = motion(q, nullptr, body++);
+    return solver_.prepare(t);
+}
+
+template <class Coordinates>
+Status JointedBodies<Coordinates>::minimise_multipliers(const Real& t, const Real* q, Real* lambda) {
+    if (const Status status = prepare_kkt(t, q); status != Status::ok) return status;
+    each_row([&](int row, Eigen::Index at) { c_[at] = lambda[row] / solver_.mass_unit(); });
+    solver_.minimise_norm(c_);
+    report(c_, lambda);
+    return Status::ok;
+}
+
+template <class Coordinates>
+Status JointedBodies<Coordinates>::solve_prepared(const Real&, const Real*, const Real* f, const Real* c, Real* a,
+                                                  Real* lambda) {
     for (BodyNode& node : solver_.nodes()) {
-        node.motion = motion(q, nullptr, body++);
         Vec6 wrench;
         wrench << Coordinates::to_body(node.motion.R, vec3(f)), vec3(f + 3);
         node.a = node.mobility(wrench / solver_.mass_unit());
         f += 6;
     }
     each_row([&](int row, Eigen::Index at) { c_[at] = c[row]; });
-    if (const Status status = solver_.constrain(t, c_); status != Status::ok) return status;
+    if (const Status status = solver_.constrain(c_); status != Status::ok) return status;
     Real sum = 0;
     for (const BodyNode& node : solver_.nodes()) {
         const Vec3 A = node.a.template head<3>(), dw = node.a.template tail<3>();
@@ -65,7 +87,8 @@ Status JointedBodies<Coordinates>::solve_kkt(const Real& t, const Real* q, const
         store(out, a), store(dw, a + 3);
         a += 6;
     }
-    if (lambda) report(lambda);
+    if (lambda)
+        each_row([&](int row, Eigen::Index at) { lambda[row] = solver_.basic_multipliers()[at] * solver_.mass_unit(); });
     return isfinite(sum) ? Status::ok : Status::non_finite;
 }
 

@@ -16,6 +16,11 @@ class JointedBodies final : public Bodies<Coordinates> {
 
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override;
     Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
+    Status prepare_kkt(const Real& t, const Real* q) override;
+    Status solve_prepared(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
+    Status minimise_multipliers(const Real& t, const Real* q, Real* lambda) override;
+    /// The complement loses the square of what its rows lose.
+    Real kkt_round_off() const override { return epsilon / solver_.pivot(); }
     ConstraintRank constraint_rank() const override { return solver_.constraint_rank(); }
     std::string singularity() const override { return solver_.singularity(); }
     bool is_unique(int row) const override { return unique_[static_cast<std::size_t>(row)]; }
@@ -27,7 +32,7 @@ class JointedBodies final : public Bodies<Coordinates> {
     /// Calls f(row of C, row in the order of the joints) for all rows.
     template <class F>
     void each_row(F f) const;
-    void report(Real* lambda);
+    void report(const VecX& multipliers, Real* lambda);
 
     JointSolver solver_;
     VecX c_;

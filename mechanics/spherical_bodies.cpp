@@ -61,6 +61,7 @@ template <class Coordinates>
 SphericalBodies<Coordinates>::SphericalBodies(Model data)
     : Base(std::move(data)), wrenches_(this->model().bodies.size()), forces_(has_forces(this->model())) {
     for (const Branch& branch : branches(this->model())) add_node(branch);
+    prepared_.resize(nodes_.size());
     find_anchored();
 }
 
@@ -95,7 +96,9 @@ void SphericalBodies<Coordinates>::find_anchored() {
         const Vec3 r = -node.d;
         const Mat3 J_inverse = body.J.inverse(), J_inverse_r = J_inverse * hat(r);
         const Mat3 S = inverse_mass(body) * Mat3::Identity() - hat(r) * J_inverse_r;
-        anchored_[static_cast<std::size_t>(node.body)] = {inverse_mass(body),
+        anchored_[static_cast<std::size_t>(node.body)] = {node.joint,
+                                                          node.sign,
+                                                          inverse_mass(body),
                                                           body.J,
                                                           J_inverse,
                                                           J_inverse_r,
@@ -128,11 +131,11 @@ KREISEL_HOT Status SphericalBodies<Coordinates>::anchored_accelerations(const Re
 }
 
 template <class Coordinates>
-template <class Act, class Shift>
-void SphericalBodies<Coordinates>::inwards(const Real* q, Act act, Shift shift) {
+template <class Act>
+void SphericalBodies<Coordinates>::inwards(const Real* q, Act act) {
     for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node) {
         const auto R = rotation(q, node->body);
-        const Action action = act(*node, R);
+        const Action action = act(*node);
         const Mat3 X = arm(R, node->d);
         node->c_d = centripetal(R, action.omega, node->d);
         Mat3 D = node->J, B = node->mass * X, M = node->mass * Mat3::Identity();
@@ -140,7 +143,7 @@ void SphericalBodies<Coordinates>::inwards(const Real* q, Act act, Shift shift) 
         Vec3 f = node->mass * node->c_d - action.force;
         for (int c = node->child; c != none; c = nodes_[static_cast<std::size_t>(c)].sibling) {
             Node& child = nodes_[static_cast<std::size_t>(c)];
-            child.c_s = shift(child, R, action.omega);
+            child.c_s = centripetal(R, action.omega, child.s);
             const Mat3 Z = arm(R, child.s), Y = child.M * Z;
             const Vec3 force = child.M * child.c_s + child.f;
             add_symmetric(D, Z, Y), B += Y, M += child.M;
@@ -195,17 +198,14 @@ KREISEL_HOT Status SphericalBodies<Coordinates>::forest_accelerations(const Real
     if (forces) add_wrenches(t, q, v);
     for (Node& node : nodes_)
         if (node.rooted) node.c_s.setZero();  // the ground does not move
-    inwards(
-        q,
-        [&](const Node& node, const auto&) {
-            Action action{angular(v, node.body), node.mass * g, Vec3::Zero()};
-            if (forces) {
-                const Wrench& wrench = wrenches_[static_cast<std::size_t>(node.body)];
-                action.force += wrench.force, action.torque = wrench.torque;
-            }
-            return action;
-        },
-        [](const Node& child, const auto& R, const Vec3& omega) { return centripetal(R, omega, child.s); });
+    inwards(q, [&](const Node& node) {
+        Action action{angular(v, node.body), node.mass * g, Vec3::Zero()};
+        if (forces) {
+            const Wrench& wrench = wrenches_[static_cast<std::size_t>(node.body)];
+            action.force += wrench.force, action.torque = wrench.torque;
+        }
+        return action;
+    });
     Real sum = 0;
     outwards(q, [&](const Node& node, const auto& R, const Vec3& acceleration, const Vec3& dw) {
         const Vec3 a =
@@ -218,23 +218,98 @@ KREISEL_HOT Status SphericalBodies<Coordinates>::forest_accelerations(const Real
 }
 
 template <class Coordinates>
-Status SphericalBodies<Coordinates>::solve_kkt(const Real&, const Real* q, const Real* f, const Real* c, Real* a,
+Status SphericalBodies<Coordinates>::solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a,
                                                Real* lambda) {
-    for (Node& node : nodes_)  // the rows demand a point acceleration of the first body less the second's
-        if (node.joint != none) node.c_s = -node.sign * vec3(c + 3 * node.joint);
-    inwards(
-        q,
-        [&](const Node& node, const auto& R) {
-            return Action{Vec3::Zero(), Coordinates::to_space(R, vec3(f + 6 * node.body)), vec3(f + 6 * node.body + 3)};
-        },
-        [&](const Node& child, const auto&, const Vec3&) { return child.c_s; });
+    const Status status = prepare_kkt(t, q);
+    return status == Status::ok ? solve_prepared(t, q, f, c, a, lambda) : status;
+}
+
+template <class Coordinates>
+Status SphericalBodies<Coordinates>::solve_prepared(const Real&, const Real* q, const Real* f, const Real* c, Real* a,
+                                                    Real* lambda) {
+    return anchored_.empty() ? forest_solve(q, f, c, a, lambda) : anchored_solve(q, f, c, a, lambda);
+}
+
+template <class Coordinates>
+KREISEL_HOT Status SphericalBodies<Coordinates>::anchored_solve(const Real* q, const Real* f, const Real* c, Real* a,
+                                                                Real* lambda) const {
     Real sum = 0;
-    outwards(q, [&](const Node& node, const auto& R, const Vec3& acceleration, const Vec3& dw) {
-        const Vec3 out = Coordinates::from_space(R, acceleration);
+    for (const Anchored& body : anchored_) {
+        const auto R = Coordinates::Rotations::rotation(q + 3);
+        Vec3 A = body.inverse_mass * Coordinates::to_body(R, vec3(f)), dw = body.J_inverse * vec3(f + 3);
+        if (body.joint != none) {  // the rows demand the acceleration of the first body's point less the second's
+            const Vec3 demanded = body.sign * (R.transpose() * vec3(c + 3 * body.joint));
+            const Vec3 mu = body.S_inverse * (A + dw.cross(body.r) + demanded);  // minus the joint's force
+            A -= body.inverse_mass * mu;
+            dw -= body.J_inverse_r * mu;
+            if (lambda) store(Vec3(-body.sign * (R * mu)), lambda + 3 * body.joint);
+        }
+        const Vec3 out = Coordinates::from_body(R, A);
+        sum += (out[0] + out[1] + out[2]) + (dw[0] + dw[1] + dw[2]);
+        store(out, a), store(dw, a + 3);
+        q += Factor::size, f += 6, a += 6;
+    }
+    return isfinite(sum) ? Status::ok : Status::non_finite;
+}
+
+/// The part of `inwards` that does not depend on forces.
+template <class Coordinates>
+KREISEL_HOT Status SphericalBodies<Coordinates>::prepare_kkt(const Real&, const Real* q) {
+    if (!anchored_.empty()) return Status::ok;  // nothing depends on the configuration
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+        const Node& node = nodes_[i];
+        Prepared& prepared = prepared_[i];
+        const auto R = rotation(q, node.body);
+        prepared.X = arm(R, node.d);
+        Mat3 D = node.J, B = node.mass * prepared.X, M = node.mass * Mat3::Identity();
+        for (int c = node.child; c != none; c = nodes_[static_cast<std::size_t>(c)].sibling) {
+            Prepared& child = prepared_[static_cast<std::size_t>(c)];
+            child.Z = arm(R, nodes_[static_cast<std::size_t>(c)].s);
+            const Mat3 Y = child.M * child.Z;
+            add_symmetric(D, child.Z, Y), B += Y, M += child.M;
+        }
+        const SymmetricInverse inverse(D);
+        const Mat3 H = B * inverse.adjugate;
+        subtract_symmetric(M, H, B, inverse.factor);
+        prepared.M = M, prepared.G = inverse.factor * H, prepared.D_inverse = inverse.factor * inverse.adjugate;
+    }
+    return Status::ok;
+}
+
+template <class Coordinates>
+KREISEL_HOT Status SphericalBodies<Coordinates>::forest_solve(const Real* q, const Real* f, const Real* c, Real* a,
+                                                              Real* lambda) {
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+        const Node& node = nodes_[i];
+        Prepared& prepared = prepared_[i];
+        const Vec3 F = Coordinates::to_space(rotation(q, node.body), vec3(f + 6 * node.body));
+        Vec3 h = -vec3(f + 6 * node.body + 3) - prepared.X.transpose() * F, force = -F;
+        for (int k = node.child; k != none; k = nodes_[static_cast<std::size_t>(k)].sibling) {
+            const Prepared& child = prepared_[static_cast<std::size_t>(k)];
+            const Vec3 pull = child.M * child.c_s + child.f;
+            h += child.Z.transpose() * pull, force += pull;
+        }
+        // The rows demand the acceleration of the first body's point less the second's.
+        prepared.c_s.setZero();
+        if (node.joint != none) prepared.c_s = -node.sign * vec3(c + 3 * node.joint);
+        prepared.f = force - prepared.G * h, prepared.k = prepared.D_inverse * h;
+    }
+    Real sum = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        const Node& node = nodes_[i];
+        Prepared& prepared = prepared_[i];
+        if (node.rooted) prepared.a = node.joint == none ? free_acceleration(prepared.M, prepared.f) : prepared.c_s;
+        const Vec3 dw = -(prepared.G.transpose() * prepared.a) - prepared.k;
+        for (int k = node.child; k != none; k = nodes_[static_cast<std::size_t>(k)].sibling) {
+            Prepared& child = prepared_[static_cast<std::size_t>(k)];
+            child.a = prepared.a + child.Z * dw + child.c_s;
+        }
+        const Vec3 out = Coordinates::from_space(rotation(q, node.body), Vec3(prepared.a + prepared.X * dw));
         sum += out.sum() + dw.sum();
         store(out, a + 6 * node.body), store(dw, a + 6 * node.body + 3);
-    });
-    if (lambda) report_multipliers(lambda);
+        if (lambda && node.joint != none)
+            store(Vec3(node.sign * (prepared.M * prepared.a + prepared.f)), lambda + 3 * node.joint);
+    }
     return isfinite(sum) ? Status::ok : Status::non_finite;
 }
 

@@ -31,6 +31,8 @@ class SphericalBodies final : public Bodies<Coordinates> {
 
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override;
     Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
+    Status prepare_kkt(const Real& t, const Real* q) override;
+    Status solve_prepared(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
 
   private:
     using Base = Bodies<Coordinates>;
@@ -57,8 +59,14 @@ class SphericalBodies final : public Bodies<Coordinates> {
     struct Action {
         Vec3 omega, force, torque;
     };
+    /// What of a node depends on the configuration alone, and what a right-hand side makes of it (omega = 0, where c_d = 0).
+    struct Prepared {
+        Mat3 X, Z, M, G, D_inverse;
+        Vec3 f, k, c_s, a;
+    };
     /// A body that hangs on the ground by one joint at r, or by none (then r and S^{-1} are zero).
     struct Anchored {
+        int joint, sign;
         Real inverse_mass;
         Mat3 J, J_inverse, J_inverse_r, S_inverse;  ///< J_inverse_r = J^{-1} hat(r)
         Vec3 r;
@@ -68,18 +76,20 @@ class SphericalBodies final : public Bodies<Coordinates> {
     void find_anchored();
     Status forest_accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda);
     Status anchored_accelerations(const Real& t, const Real* q, const Real* v, Real* dv) const;
+    Status anchored_solve(const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) const;
+    Status forest_solve(const Real* q, const Real* f, const Real* c, Real* a, Real* lambda);
     void add_wrenches(const Real& t, const Real* q, const Real* v);
 
-    /// From the tips: M, f, G, k of all nodes. `act(node, R)` is an Action, `shift(child, R, omega)` what the acceleration of
-    /// a joint exceeds a + Z omega' by.
-    template <class Act, class Shift>
-    void inwards(const Real* q, Act act, Shift shift);
+    /// From the tips: M, f, G, k of all nodes. `act(node)` is an Action.
+    template <class Act>
+    void inwards(const Real* q, Act act);
     /// Back: calls put(node, R, x'', omega').
     template <class Put>
     void outwards(const Real* q, Put put);
     void report_multipliers(Real* lambda) const;
 
     std::vector<Node> nodes_;
+    std::vector<Prepared> prepared_;  // of the nodes
     std::vector<Wrench> wrenches_;    // by body, in space and body axes
     std::vector<Anchored> anchored_;  // all bodies, or empty
     bool forces_;                     // whether anything but gravity acts

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mechanics/system.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 
 namespace kreisel {
@@ -15,6 +16,38 @@ void System::mass(const Real*, Real* blocks) const {
     const int size = mass_block();
     for (int block = 0; block < velocities() / size; ++block, blocks += size * size)
         Eigen::Map<MatX>(blocks, size, size).setIdentity();
+}
+
+void System::solve_mass(const Real* q, const Real* f, Real* a) const {
+    const Eigen::Index rows = mass_block();
+    MatX blocks(rows, velocities());
+    mass(q, blocks.data());
+    for (Eigen::Index i = 0; i < velocities(); i += rows)
+        Eigen::Map<VecX>(a + i, rows) =
+            MatX(blocks.middleCols(i, rows)).llt().solve(Eigen::Map<const VecX>(f + i, rows)).eval();
+}
+
+void System::apply_jacobian(const Real& t, const Real* q, const Real* v, Real* product) const {
+    MatX C(constraints(), velocities());
+    jacobian(t, q, C.data());
+    Eigen::Map<VecX>(product, C.rows()) = (C * Eigen::Map<const VecX>(v, C.cols())).eval();
+}
+
+void System::apply_jacobian_transpose(const Real& t, const Real* q, const Real* lambda, Real* f) const {
+    MatX C(constraints(), velocities());
+    jacobian(t, q, C.data());
+    Eigen::Map<VecX>(f, C.cols()) = (C.transpose() * Eigen::Map<const VecX>(lambda, C.rows())).eval();
+}
+
+void System::complement_diagonal(const Real& t, const Real* q, Real* diagonal) const {
+    MatX C(constraints(), velocities());
+    jacobian(t, q, C.data());
+    VecX row(velocities()), a(velocities());
+    for (Eigen::Index k = 0; k < C.rows(); ++k) {
+        row = C.row(k).transpose();
+        solve_mass(q, row.data(), a.data());
+        diagonal[k] = row.dot(a);
+    }
 }
 
 void System::applied_force(const Real&, const Real*, const Real*, Real* f) const {

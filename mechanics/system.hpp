@@ -77,17 +77,32 @@ class System {
     virtual Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) = 0;
     /// Solves [M C^T; C 0] [a; lambda] = [f; c] for given f (n), c (m).
     virtual Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda);
+    /// The same for several right-hand sides at one (t, q): `prepare_kkt` factors, and until any other solve
+    /// `solve_prepared` at this (t, q) uses the factors. Where rows are redundant its multipliers are any that belong to a,
+    /// not those of least norm; lambda may be null.
+    virtual Status prepare_kkt(const Real&, const Real*) { return Status::ok; }
+    virtual Status solve_prepared(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) {
+        return solve_kkt(t, q, f, c, a, lambda);
+    }
+    /// Turns multipliers into those of least norm with the same C^T lambda.
+    virtual Status minimise_multipliers(const Real&, const Real*, Real*) { return Status::ok; }
+    /// What a solution of the last KKT system is good to, relative to itself: eps by the condition of the complement.
+    virtual Real kkt_round_off() const { return epsilon; }
 
     /// Mass matrix: blocks of `mass_block()` rows, one after another, column by column.
     virtual int mass_block() const { return velocities(); }
     virtual bool mass_is_constant() const { return true; }
     virtual void mass(const Real* q, Real* blocks) const;
+    virtual void solve_mass(const Real* q, const Real* f, Real* a) const;                     ///< a = M^{-1} f
     /// Q = applied + gyroscopic; variational methods want only the first.
     virtual void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const;
     virtual void gyroscopic_force(const Real* q, const Real* v, Real* f) const;
 
     virtual void position_residual(const Real&, const Real*, Real*) const {}                  ///< Phi
     virtual void jacobian(const Real&, const Real*, Real*) const {}                           ///< C, column by column
+    /// C v (m) and C^T lambda (n) without a dense matrix, where the model has structure.
+    virtual void apply_jacobian(const Real& t, const Real* q, const Real* v, Real* product) const;
+    virtual void apply_jacobian_transpose(const Real& t, const Real* q, const Real* lambda, Real* f) const;
     virtual void velocity_bias(const Real& t, const Real* q, Real* b) const;                  ///< b = dPhi/dt
     virtual void velocity_residual(const Real&, const Real*, const Real*, Real*) const {}     ///< C v + b
     virtual void acceleration_bias(const Real&, const Real*, const Real*, Real*) const {}     ///< xi
@@ -125,6 +140,8 @@ class System {
     /// Reads the state of each body; writes one back (what is reported is always x, R, v, omega).
     virtual void read(const Real*, BodyState*) const {}
     virtual void write(const BodyState*, Real*) const {}
+
+    virtual void complement_diagonal(const Real& t, const Real* q, Real* diagonal) const;  ///< of C M^{-1} C^T
 
     const std::vector<FirstIntegral>& integrals() const { return integrals_; }
     void set_integrals(std::vector<FirstIntegral> integrals) { integrals_ = std::move(integrals); }

@@ -6,35 +6,42 @@ inline namespace KREISEL_PRECISION {
 
 MotionScale::MotionScale(System& system)
     : system_(system),
-      root_mass_(static_cast<std::size_t>(system.velocities())),
-      velocities_(root_mass_.size()),
-      blocks_(root_mass_.size() * static_cast<std::size_t>(system.mass_block())),
-      applied_(root_mass_.size()),
-      gyroscopic_(root_mass_.size()) {}
+      weights_(VecX::Ones(system.velocities())),
+      mobility_(weights_),
+      blocks_(static_cast<std::size_t>(system.velocities() * system.mass_block())),
+      applied_(weights_),
+      gyroscopic_(weights_) {}
 
-void MotionScale::measure(const Real& t, const Real& h, const Real* y) {
-    const Real* v = y + system_.group().size();
-    system_.mass(y, blocks_.data());
-    system_.applied_force(t, y, v, applied_.data());
-    system_.gyroscopic_force(y, v, gyroscopic_.data());
+void MotionScale::weigh(const Real* q) {
+    if (known_ && system_.mass_is_constant()) return;
+    known_ = true;
+    system_.mass(q, blocks_.data());
     const auto rows = static_cast<std::size_t>(system_.mass_block());
-    size_ = 0;
-    for (std::size_t i = 0; i < root_mass_.size(); ++i) {
-        root_mass_[i] = sqrt(blocks_[i * rows + i % rows]);
-        const Real force = abs(applied_[i]) + abs(gyroscopic_[i]);
-        size_ = max(size_, max(Real(root_mass_[i] * abs(v[i])), Real(abs(h) * force / root_mass_[i])));
+    for (Eigen::Index i = 0; i < weights_.size(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        weights_[i] = sqrt(blocks_[k * rows + k % rows] / blocks_[0]);
+        mobility_[i] = 1 / (weights_[i] * blocks_[0]);
     }
-    if (!(size_ > 0)) size_ = 1;
-    for (std::size_t i = 0; i < root_mass_.size(); ++i) velocities_[i] = size_ / root_mass_[i];
 }
 
-Real MotionScale::impulse(const MatX& C, Eigen::Index row) const {
-    Real complement = 0;
-    for (std::size_t i = 0; i < root_mass_.size(); ++i) {
-        const Real entry = C(row, static_cast<Eigen::Index>(i)) / root_mass_[i];
-        complement += entry * entry;
-    }
-    return size_ / sqrt(complement);
+Real MotionScale::of_velocity(const Real* v) const {
+    Real size = 0;
+    for (Eigen::Index i = 0; i < weights_.size(); ++i) size = max(size, Real(weights_[i] * abs(v[i])));
+    return size;
+}
+
+Real MotionScale::of_impulse(const Real* p) const {
+    Real size = 0;
+    for (Eigen::Index i = 0; i < weights_.size(); ++i) size = max(size, Real(mobility_[i] * abs(p[i])));
+    return size;
+}
+
+Real MotionScale::of_motion(const Real& t, const Real& h, const Real* y) {
+    const Real* v = y + system_.group().size();
+    system_.applied_force(t, y, v, applied_.data());
+    system_.gyroscopic_force(y, v, gyroscopic_.data());
+    applied_.array() = abs(h) * (applied_.array().abs() + gyroscopic_.array().abs());
+    return max(of_velocity(v), of_impulse(applied_.data()));
 }
 
 }  // namespace KREISEL_PRECISION

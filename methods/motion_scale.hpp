@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What round-off in the velocities of a step is relative to, free of units: the mass metric makes metres per second and
-// radians per second comparable, and sizes of single coordinates follow from it.
+// radians per second comparable. Weights are taken relative to the first coordinate, so that units of length, mass and
+// time which are powers of two change no bit of a comparison.
 #pragma once
 
 #include <vector>
@@ -11,22 +12,30 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// Size s of a motion, a root of energy: the largest of sqrt(M_ii) |v_i|, and of |h Q_i| / sqrt(M_ii), what the forces
-/// alone would make of rest within h; 1 where all vanish. Forces count because at equilibrium v and v' are round-off
-/// themselves, of terms that cancel.
+/// w_i = sqrt(M_ii / M_11): with it w_i |v_i| are sizes of one unit, that of the first velocity coordinate.
 class MotionScale {
   public:
     explicit MotionScale(System& system);
-    void measure(const Real& t, const Real& h, const Real* y);
-    /// s / sqrt(M_ii).
-    const std::vector<Real>& velocities() const { return velocities_; }
-    /// Size of the impulse h lambda_k of row k of C (m x n): s / sqrt(S_kk), S_kk = sum_i C_ki^2 / M_ii.
-    Real impulse(const MatX& C, Eigen::Index row) const;
+
+    /// The weights at q: once where the mass is constant. `forget` takes them again.
+    void weigh(const Real* q);
+    void forget() { known_ = false; }
+    const VecX& weights() const { return weights_; }
+    const Real& mass_unit() const { return blocks_[0]; }  ///< M_11
+    /// Largest w_i |v_i|.
+    Real of_velocity(const Real* v) const;
+    /// Largest |p_i| / (w_i M_11), of the velocity that an impulse p makes of rest.
+    Real of_impulse(const Real* p) const;
+    /// Size of a motion within h: of its velocity, and of what the forces alone would make of rest, because at equilibrium v
+    /// and v' are round-off themselves, of terms that cancel.
+    Real of_motion(const Real& t, const Real& h, const Real* y);
 
   private:
     System& system_;
-    Real size_ = 1;
-    std::vector<Real> root_mass_, velocities_, blocks_, applied_, gyroscopic_;
+    bool known_ = false;
+    VecX weights_, mobility_;  // 1 / (w_i M_11)
+    std::vector<Real> blocks_;
+    VecX applied_, gyroscopic_;
 };
 
 }  // namespace KREISEL_PRECISION

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What implicit methods with multipliers share: the end of a step from the stabilised index-2 form of the equations of
-// motion [gear1985], [arnold2016]. A method says how velocity and increment depend on h v' at the end,
-//   v+ = a h v'+ + v^,   q+ = q exp(h D),   D = b h v'+ + D^ - C(q)^T eta,
-// and (h v'+, h lambda, eta) is found by Newton iteration such that at t+ = t + h
-//   h (M v'+ + C^T lambda - Q) = 0,   Phi(t+, q+) / h = 0,   C(t+, q+) v+ + b(t+, q+) = 0.
-// Scaled like this (dynamics by h, positions by 1/h) unknowns and residuals keep their size, and the Jacobian its
-// condition, as h goes to zero [arnold2016]. Without constraints it is the first row alone.
-// The term C^T eta is that of the literature: it takes metres and radians as equal. With levers of hundreds of metres
-// it repairs positions by turning bodies, and the iteration converges for short steps only.
+// motion [gear1985], [arnold2016]. A method says how velocity and increment depend on x = h v' at the end,
+//   v+ = a x + v^,   q+ = q exp(h D),   D = b x + D^ - M^{-1} C(q)^T eta,
+// and at t+ = t + h
+//   h (M v'+ + C^T lambda - Q) = 0,   Phi(t+, q+) = 0,   C(t+, q+) v+ + b(t+, q+) = 0.
+// The literature's term is C^T eta, which takes metres and radians as equal: with levers of hundreds of metres it repairs
+// positions by turning bodies. In the metric of the mass it is free of units; eta vanishes along the exact flow, so that the
+// orders are the same. Rows without a position level have no Phi: for them C(q+) M^{-1} C(q)^T eta = 0.
+//
+// Unknowns of the iteration are x and eta. A guess gives q+, v+ and the forces there, and with one factorisation of the KKT
+// matrix at (t+, q+) two solves give the next one,
+//   [M C+^T; C+ 0] (x', h lambda) = (h Q, -(b+ + C+ v^) / a),
+//   [M C+^T; C+ 0] (., eta - eta') = (0, C+ b (x' - x) + Phi / h),
+// a contraction by O(h) where nothing is stiff; methods/newton.hpp takes it from there. Nothing of this is more than linear
+// in the bodies of a tree, redundant rows are those of System::solve_kkt, and sizes keep theirs as h goes to zero.
 #pragma once
 
 #include <vector>
 
 #include "mechanics/system.hpp"
+#include "methods/extrapolation.hpp"
 #include "methods/motion_scale.hpp"
 #include "methods/newton.hpp"
 
@@ -33,25 +40,45 @@ class StabilisedStep final : private Equations {
     /// y(t) -> y(t + h) in place; y stays as it was unless the answer is ok.
     Status advance(const Real& t, const Real& h, Real* y);
 
-    const VecX& rate() const { return rate_; }                  ///< h v' at the end of the last step, or at the start
-    const VecX& increment() const { return increment_; }        ///< D of the last step
-    const Real* multipliers() const { return lambda_.data(); }  ///< lambda at the end of the last step (N)
+    const VecX& rate() const { return rate_; }            ///< h v' at the end of the last step, or at the start
+    const VecX& increment() const { return increment_; }  ///< D of the last step
+    /// lambda at the end of the last step (N), of least norm where rows are redundant.
+    const Real* multipliers() const;
 
   private:
     Status residual(const Real* x, Real* r) override;
+    Real size() const override { return size_; }
+    Real round_off() const override { return remoteness_ * system_.kkt_round_off(); }
+
+    Status measure_positions(const Real& t, const Real* q);
+    Status settle_positions();
+    Status settle_rate();
+    void balance();
+    void guess();
+    /// q+, v+ and D of a guess.
     void place(const Real* x);
-    void measure_sizes(const Real& t, const Real* y);
-    void add_mass_times(const Real* rate, Real* impulse) const;
+    Status solve_dynamics();
+    Status correct_positions(const Real* x, Real* change);
+    /// M^{-1} C(q)^T eta.
+    void pull_back(const Real* eta);
 
     System& system_;
     Eigen::Index n_, m_, positions_;
-    Newton newton_;
     MotionScale scale_;
-    VecX unknowns_, sizes_, rows_scale_;
-    MatX jacobian_before_, jacobian_;
-    VecX increment_, velocity_, rate_, lambda_, applied_, gyroscopic_;
-    std::vector<Real> configuration_, blocks_;
-    Real end_ = 0, h_ = 0;
+    Eigen::Index etas_count_;  // all rows, or none
+    Newton newton_;
+    Extrapolation rates_, etas_;
+    VecX unknowns_, weights_;                                // x, eta
+    VecX increment_, velocity_, rate_, force_, gyroscopic_;  // n
+    VecX shift_, shift_force_;                               // n: M^{-1} C^T eta
+    VecX rows_, eta_, row_weights_, change_, impulse_;       // m; impulse: h lambda
+    mutable VecX lambda_;
+    mutable bool least_norm_ = true;
+    std::vector<Real> configuration_;
+    Real start_ = 0, end_ = 0, h_ = 0, speed_ = 0, size_ = 0;
+    Real reach_ = 0;       // size of positions (m), as a size of unknowns times h
+    Real remoteness_ = 1;  // size of positions over that of the joints: what round-off of places makes of directions
+    Real balance_ = 0;     // weight of eta beside x: what it moves is known to round-off of reach / h only
     const Real* q_ = nullptr;
 };
 

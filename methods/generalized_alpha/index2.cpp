@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Generalised-alpha method on Lie groups in the stabilised index-2 form [bruels2012], [arnold2016]:
-//   q+ = q exp(h D),   D = v + (1/2 - beta) h a + beta h a+ - C(q)^T eta,
+//   q+ = q exp(h D),   D = v + (1/2 - beta) h a + beta h a+ - M^{-1} C(q)^T eta,
 //   v+ = v + (1 - gamma) h a + gamma h a+,
 //   (1 - alpha_m) a+ + alpha_m a = (1 - alpha_f) v'+ + alpha_f v',
 //   M v'+ + C^T lambda+ = Q,   Phi(q+) = 0,   C(q+) v+ + b = 0,

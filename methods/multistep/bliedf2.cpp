@@ -2,7 +2,7 @@
 //
 // BLieDF method with k = 2, the backward differentiation formula on Lie groups in the stabilised index-2 form
 // [wieloch2021]: with the increments D of q+ = q exp(h D),
-//   v+ = 3/2 (D + C(q)^T eta) - 1/2 D_previous,   h v'+ = 3/2 v+ - 2 v + 1/2 v_previous,
+//   v+ = 3/2 (D + M^{-1} C(q)^T eta) - 1/2 D_previous,   h v'+ = 3/2 v+ - 2 v + 1/2 v_previous,
 //   M v'+ + C^T lambda+ = Q,   Phi(q+) = 0,   C(q+) v+ + b = 0.
 // Order 2 needs no bracket: D is the velocity in the middle of its step up to O(h^2).
 // Own start: one step of rkmk/rk4 from (t, y) by -h gives v_previous and, by D_previous = log(q_previous^-1 q) / h, the

@@ -9,8 +9,10 @@
 //    1/2 | 1/2
 //   -----+----
 //        |  1
-// The unknown of the Newton iteration is w = v+ - v. Sources: midpoint rule [hairer2006], lift [munthekaas1998].
+// The unknown of the iteration w = h f (methods/newton.hpp) is w = v+ - v, and its last f makes the step: what is linear in
+// the constraints then holds to the round-off of one solve. Sources: midpoint rule [hairer2006], lift [munthekaas1998].
 #include "mechanics/system.hpp"
+#include "methods/extrapolation.hpp"
 #include "methods/integrator.hpp"
 #include "methods/motion_scale.hpp"
 #include "methods/newton.hpp"
@@ -24,59 +26,73 @@ class ImplicitMidpoint final : public Integrator, private Equations {
   public:
     explicit ImplicitMidpoint(System& system)
         : system_(system),
-          n_(static_cast<std::size_t>(system.velocities())),
           newton_(system.velocities()),
           scale_(system),
-          w_(n_),
-          u_(n_),
-          middle_v_(n_),
-          f_(n_),
+          changes_(system.velocities()),
+          w_(VecX::Zero(system.velocities())),
+          u_(w_),
+          middle_v_(w_),
+          f_(w_),
           middle_q_(static_cast<std::size_t>(system.group().size())) {}
 
     Status start(const Real&, const Real*) override {
-        newton_.forget();
+        newton_.forget(), scale_.forget(), changes_.clear();
         return Status::ok;
     }
 
     Status step(const Real& t, const Real& h, Real* y) override {
-        if (h != h_) newton_.forget();
         t_ = t, h_ = h, q_ = y, v_ = y + middle_q_.size();
-        if (const Status status = system_.evaluate(t, q_, v_, f_.data()); status != Status::ok) return status;
-        for (std::size_t i = 0; i < n_; ++i) w_[i] = h * f_[i];
-        scale_.measure(t, h, y);
-        const Real* size = scale_.velocities().data();
-        if (const Status status = newton_.solve(*this, size, w_.data()); status != Status::ok) return status;
-        // The last iterate fulfils C w = 0 as well as Newton's correction is known, h f to the round-off of one solve.
-        if (const Status status = residual(w_.data(), u_.data()); status != Status::ok) return status;
-        for (std::size_t i = 0; i < n_; ++i) w_[i] = h * f_[i];
-        Real* v = y + middle_q_.size();
-        for (std::size_t i = 0; i < n_; ++i) {
-            u_[i] = h * (v[i] + w_[i] / 2);
-            v[i] += w_[i];
+        if (const Status status = guess(); status != Status::ok) return status;
+        scale_.weigh(y);
+        motion_ = scale_.of_motion(t, h, y);
+        if (const Status status = newton_.solve(*this, scale_.weights(), w_.data()); status != Status::ok) {
+            changes_.clear();
+            return status;
         }
+        w_ = h * f_;
+        changes_.push(w_);
+        Eigen::Map<VecX> v(y + middle_q_.size(), w_.size());
+        u_ = h * (v + w_ / 2);
+        v += w_;
         system_.group().append_exp(y, u_.data(), y);
         return Status::ok;
     }
 
   private:
+    /// w from the steps before, or h f at the start and where something is stiff.
+    Status guess() {
+        if (h_ != known_h_) newton_.forget(), changes_.clear();
+        known_h_ = h_;
+        if (changes_.empty() || newton_.stiff()) {
+            const Status status = system_.evaluate(t_, q_, v_, f_.data());
+            w_ = h_ * f_;
+            return status;
+        }
+        changes_.guess(changes_.best_degree(scale_.weights()), w_);
+        return Status::ok;
+    }
+
     /// r = w - h f(t + h/2, q exp(h V / 2), V) with V = v + w/2.
     Status residual(const Real* w, Real* r) override {
-        for (std::size_t i = 0; i < n_; ++i) {
-            middle_v_[i] = v_[i] + w[i] / 2;
-            u_[i] = h_ / 2 * middle_v_[i];
-        }
+        const Eigen::Map<const VecX> change(w, w_.size()), v(v_, w_.size());
+        middle_v_ = v + change / 2;
+        u_ = h_ / 2 * middle_v_;
         system_.group().append_exp(q_, u_.data(), middle_q_.data());
         const Status status = system_.evaluate(t_ + h_ / 2, middle_q_.data(), middle_v_.data(), f_.data());
-        for (std::size_t i = 0; i < n_; ++i) r[i] = w[i] - h_ * f_[i];
+        Eigen::Map<VecX>(r, w_.size()) = change - h_ * f_;
         return status;
     }
 
+    Real size() const override { return max(motion_, Real(abs(h_) * scale_.of_velocity(f_.data()))); }
+    Real round_off() const override { return system_.kkt_round_off(); }
+
     System& system_;
-    std::size_t n_;
     Newton newton_;
     MotionScale scale_;
-    std::vector<Real> w_, u_, middle_v_, f_, middle_q_;
-    Real t_ = 0, h_ = 0;
+    Extrapolation changes_;
+    VecX w_, u_, middle_v_, f_;
+    std::vector<Real> middle_q_;
+    Real t_ = 0, h_ = 0, known_h_ = 0, motion_ = 0;
     const Real *q_ = nullptr, *v_ = nullptr;  // where the step begins
 };
 

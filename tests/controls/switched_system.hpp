@@ -32,6 +32,10 @@ class SwitchedSystem final : public System {
         if (solves_until_switch > 0) --solves_until_switch;
         return answering.accelerations(t, q, v, dv, lambda);
     }
+    Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override {
+        return now().solve_kkt(t, q, f, c, a, lambda);
+    }
+    bool mass_is_constant() const override { return false; }
     void mass(const Real* q, Real* blocks) const override { now().mass(q, blocks); }
     void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override {
         now().applied_force(t, q, v, f);

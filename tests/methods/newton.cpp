@@ -20,6 +20,7 @@ class Squares final : public Equations {
         for (Eigen::Index i = 0; i < c_.size(); ++i) r[i] = x[i] * x[i] - c_[i];
         return answer;
     }
+    Real size() const override { return 1; }
     Status answer = Status::ok;
     int calls = 0;
 
@@ -29,27 +30,27 @@ class Squares final : public Equations {
 
 }  // namespace
 
-TEST_CASE("Newton's iteration ends at round-off, and keeps its Jacobian", "[methods]") {
+TEST_CASE("Newton's iteration ends at round-off, and keeps what it knows of the Jacobian", "[methods]") {
     Squares equations(VecX::Constant(2, 2));
     Newton newton(2);
-    const Real size[2] = {1, 1};
+    const VecX weights = VecX::Ones(2);
     Real x[2] = {Real(3) / 2, Real(5) / 4};
-    REQUIRE(newton.solve(equations, size, x) == Status::ok);
+    REQUIRE(newton.solve(equations, weights, x) == Status::ok);
     for (const Real& root : x) CHECK(abs(root - sqrt(Real(2))) <= 2 * epsilon);
     equations.calls = 0;
-    REQUIRE(newton.solve(equations, size, x) == Status::ok);
+    REQUIRE(newton.solve(equations, weights, x) == Status::ok);
     CHECK(equations.calls <= 2);
 }
 
 TEST_CASE("Newton's iteration says why it fails", "[methods]") {
     Newton newton(1);
-    const Real size = 1;
+    const VecX weights = VecX::Ones(1);
     const auto solve = [&](const Real& c, const Real& guess, Status answer = Status::ok) {
         Squares equations(VecX::Constant(1, c));
         equations.answer = answer;
         Real x = guess;
         newton.forget();
-        return newton.solve(equations, &size, &x);
+        return newton.solve(equations, weights, &x);
     };
     CHECK(solve(4, 1) == Status::ok);
     CHECK(solve(-1, Real(1) / 3) == Status::newton_failed);  // no real root

@@ -32,6 +32,10 @@ class PoisonedSystem final : public System {
         const Status status = healthy_.accelerations(t, q, v, dv, lambda);
         return what == What::acceleration ? Status::non_finite : status;
     }
+    Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override {
+        return healthy_.solve_kkt(t, q, f, c, a, lambda);
+    }
+    bool mass_is_constant() const override { return false; }
     void mass(const Real* q, Real* blocks) const override {
         healthy_.mass(q, blocks);
         spoil(What::mass, blocks, velocities() * mass_block());

@@ -54,8 +54,9 @@ TEST_CASE("a step check covers its method, its family, and controls that claim t
 
 TEST_CASE("methods with multipliers take no steps but those of their equations", "[one_step]") {
     const StabilisedForm left = {.side = DenseBodies::Side::left}, end = {.eta_from_end = true},
-                         bare = {.without_eta = true}, negated = {.multipliers_negated = true};
-    for (const StabilisedForm& wrong : {left, end, bare, negated}) {
+                         massless = {.eta_without_mass = true}, bare = {.without_eta = true},
+                         negated = {.multipliers_negated = true};
+    for (const StabilisedForm& wrong : {left, end, massless, bare, negated}) {
         CHECK(generalised_alpha_step_objection(method("generalized_alpha/index2"), wrong) != "");
         CHECK(bliedf2_step_objection(method("multistep/bliedf2"), wrong) != "");
     }

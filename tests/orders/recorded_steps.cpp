@@ -91,18 +91,18 @@ VecX RecordedRun::rate(const RecordedState& state) {
     system_->gyroscopic_force(state.q.data(), state.v.data(), gyroscopic.data());
     MatX C(m, n);
     system_->jacobian(state.t, state.q.data(), C.data());
-    rates += gyroscopic - C.transpose() * state.lambda;
-    solve_mass(state.q, rates);
-    return rates;
+    MatX force = rates + gyroscopic - C.transpose() * state.lambda;
+    solve_mass(state.q, force);
+    return force;
 }
 
-void RecordedRun::solve_mass(const VecX& q, VecX& rates) {
+void RecordedRun::solve_mass(const VecX& q, MatX& rates) {
     const Eigen::Index rows = system_->mass_block();
-    MatX blocks(rows, rates.size());
+    MatX blocks(rows, rates.rows());
     system_->mass(q.data(), blocks.data());
-    for (Eigen::Index i = 0; i < rates.size(); i += rows)
-        rates.segment(i, rows) =
-            MatX(blocks.middleCols(i, rows)).partialPivLu().solve(VecX(rates.segment(i, rows))).eval();
+    for (Eigen::Index i = 0; i < rates.rows(); i += rows)
+        rates.middleRows(i, rows) =
+            MatX(blocks.middleCols(i, rows)).partialPivLu().solve(MatX(rates.middleRows(i, rows))).eval();
 }
 
 MatX RecordedRun::position_rows(const RecordedState& state) {
@@ -133,9 +133,8 @@ Objection Violations::objection(const Real& tolerance) const {
     return largest_ < tolerance ? "" : worst_ + " is missed by " + to_text(largest_);
 }
 
-VecX outside_range_of_transpose(const MatX& C, const VecX& r) {
-    if (C.rows() == 0) return r;
-    const MatX T = C.transpose();
+VecX outside_range(const MatX& T, const VecX& r) {
+    if (T.cols() == 0) return r;
     return r - T * VecX(T.colPivHouseholderQr().solve(r));
 }
 

@@ -57,9 +57,10 @@ class RecordedRun {
     MatX position_rows(const RecordedState& state);
     VecX position_defect(const RecordedState& state);
     VecX velocity_defect(const RecordedState& state);
+    /// rates <- M^{-1} rates, columns alike.
+    void solve_mass(const VecX& q, MatX& rates);
 
   private:
-    void solve_mass(const VecX& q, VecX& rates);
 
     std::unique_ptr<System> system_;
 };
@@ -76,8 +77,8 @@ class Violations {
     Real largest_ = 0;
 };
 
-/// The part of r that no C^T eta makes vanish.
-VecX outside_range_of_transpose(const MatX& C, const VecX& r);
+/// The part of r that no T x makes vanish.
+VecX outside_range(const MatX& T, const VecX& r);
 
 /// Round-off of a step whose equations are divided by h, with numbers of order 100.
 inline Real equations_tolerance() { return KREISEL_QUAD ? from_text("1e-28") : from_text("1e-12"); }

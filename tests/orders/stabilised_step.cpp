@@ -33,7 +33,10 @@ void see_constraints(RecordedRun& run, const RecordedState& state, Violations& f
 /// What of r the term of eta cannot make vanish.
 VecX without_eta_term(RecordedRun& run, const StabilisedForm& form, std::size_t step, const VecX& r) {
     if (form.without_eta) return r;
-    return outside_range_of_transpose(run.position_rows(run.states[form.eta_from_end ? step + 1 : step]), r);
+    const RecordedState& state = run.states[form.eta_from_end ? step + 1 : step];
+    MatX directions = run.position_rows(state).transpose();
+    if (!form.eta_without_mass) run.solve_mass(state.q, directions);
+    return outside_range(directions, r);
 }
 
 VecX rate_at_end(RecordedRun& run, const StabilisedForm& form, const RecordedState& state) {
@@ -78,7 +81,7 @@ Violations generalised_alpha_violations(RecordedRun& run, const AlphaParameters&
         const VecX D = run.bodies.increment(now.q, next.q, form.side) / h;
         found.see("v+ = v + (1 - gamma) h a + gamma h a+", next.v - now.v - h * ((1 - p.gamma) * a + p.gamma * a_next));
         const VecX r = D - now.v - h * ((Real(1) / 2 - p.beta) * a + p.beta * a_next);
-        found.see("D = v + (1/2 - beta) h a + beta h a+ - C(q)^T eta", without_eta_term(run, form, i, r));
+        found.see("D = v + (1/2 - beta) h a + beta h a+ - M^{-1} C(q)^T eta", without_eta_term(run, form, i, r));
         see_constraints(run, next, found);
         rate = rate_next, a = a_next;
     }
@@ -107,7 +110,7 @@ Violations bliedf2_violations(RecordedRun& run, const StabilisedForm& form) {
         found.see("h v'+ = 3/2 v+ - 2 v + 1/2 v_previous",
                   run.h * rate_at_end(run, form, next) - (3 * next.v - 4 * now.v + previous.v) / 2);
         const VecX r = next.v - (3 * D - form.sign_of_previous * D_previous) / 2;
-        found.see("v+ = 3/2 (D + C(q)^T eta) - 1/2 D_previous", without_eta_term(run, form, i, r));
+        found.see("v+ = 3/2 (D + M^{-1} C(q)^T eta) - 1/2 D_previous", without_eta_term(run, form, i, r));
         see_constraints(run, next, found);
         previous = now, D_previous = D;
     }

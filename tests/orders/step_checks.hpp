@@ -20,7 +20,8 @@ Objection implicit_midpoint_step_objection(const Method&);
 /// a convention: eta is unknown and not reported, so that only the space that its term spans can be checked.
 struct StabilisedForm {
     DenseBodies::Side side = DenseBodies::Side::right;  ///< left: q+ = exp(h D) q
-    bool eta_from_end = false;                          ///< C(q+)^T eta for C(q)^T eta
+    bool eta_from_end = false;                          ///< M^{-1} C(q+)^T eta for M^{-1} C(q)^T eta
+    bool eta_without_mass = false;                      ///< C(q)^T eta, as in the literature
     bool without_eta = false;
     bool multipliers_negated = false;  ///< M v' = Q + C^T lambda
     int sign_of_previous = 1;          ///< of D_previous, BLieDF only

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The next value of a vector guessed from equidistant earlier ones, by a polynomial through the last d + 1 of them: the sum
+// of the backward differences up to the d-th. Of these the next difference is the error, so that the degree is chosen that
+// would have guessed the last value best.
+#pragma once
+
+#include <array>
+
+#include "lie/linear.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+class Extrapolation {
+  public:
+    explicit Extrapolation(Eigen::Index size) {
+        for (VecX& difference : differences_) difference.setZero(size);
+        next_.setZero(size);
+    }
+
+    void clear() { known_ = 0; }
+    bool empty() const { return known_ == 0; }
+    /// The value that has come.
+    void push(const VecX& value);
+    /// The degree that would have guessed it best; errors are compared by their largest entry times weight.
+    int best_degree(const VecX& weights) const;
+    /// By the polynomial of some degree, at most as high as there are values for.
+    void guess(int degree, VecX& value) const;
+
+  private:
+    static constexpr int most_ = 6;
+    std::array<VecX, most_ + 1> differences_;  // of order 0, 1, ...
+    VecX next_;
+    int known_ = 0;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

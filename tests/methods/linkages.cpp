@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Implicit methods on mechanisms with redundant rows, in every unit and place, beside stiff springs, and where a mechanism
+// loses rank.
+#include "tests/methods/linkages.hpp"
+
+#include <cmath>
+
+using namespace kreisel;
+using namespace models;
+using namespace stepping;
+using namespace linkages;
+
+namespace {
+
+template <class F>
+void for_each_implicit(F f) {
+    for (const Method& entry : methods())
+        if (entry.description.implicit) {
+            INFO(entry.description.name);
+            f(entry);
+        }
+}
+
+/// Of order 4 in steps that are small beside those of the test.
+std::vector<BodyState> precise(const Model& model, const std::string& formulation, const Real& t_end, long steps) {
+    Trip trip(model, formulation, method("rkmk/rk4"), "position_velocity");
+    REQUIRE(trip.run(t_end, steps) == Status::ok);
+    return trip.bodies();
+}
+
+/// Distance of the method's own multipliers from those of the index-1 form at the end.
+double multiplier_error(const Trip& trip, const Real& t) {
+    System& s = *trip.system;
+    VecX dv(s.velocities()), exact(s.constraints());
+    const Real* v = trip.y.data() + s.group().size();
+    REQUIRE(s.accelerations(t, trip.y.data(), v, dv.data(), exact.data()) == Status::ok);
+    REQUIRE(trip.integrator->multipliers() != nullptr);
+    return to_double((Eigen::Map<const VecX>(trip.integrator->multipliers(), exact.size()) - exact).norm());
+}
+
+Model with_stiff_springs(Model model, const Real& stiffness, const Real& damping) {
+    for (int i = 0; i < static_cast<int>(model.bodies.size()); ++i) {
+        Spring spring{.first = ground, .second = i, .r_first = Vec3(1, 2, 3)};
+        spring.stiffness = stiffness, spring.damping = damping;
+        const BodyState& start = model.bodies[static_cast<std::size_t>(i)].start;
+        spring.length = (start.x - spring.r_first).norm();
+        model.springs.push_back(spring);
+    }
+    return model;
+}
+
+}  // namespace
+
+TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") {
+    const Real t_end = Real(1) / 4;
+    for (const Named& named : redundant_linkages()) {
+        REQUIRE_FALSE(has_independent_rows(named.model));
+        const bool all_formulations = named.name == "planar four-bar";
+        for (const std::string& formulation : applicable(named.model)) {
+            if (formulation != "SO3xR3" && !all_formulations) continue;
+            INFO(named.name << " as " << formulation);
+            const auto exact = precise(named.model, formulation, t_end, 1024);
+            for_each_implicit([&](const Method& entry) {
+                double errors[2], multipliers[2];
+                for (int i = 0; i < 2; ++i) {
+                    Trip trip(named.model, formulation, entry);
+                    REQUIRE(trip.run(t_end, 64L << i) == Status::ok);
+                    errors[i] = to_double(worst(distance(trip.bodies(), exact)));
+                    if (!entry.description.own_multipliers) continue;
+                    CHECK(trip.position_defect(t_end) <= 1000 * epsilon);
+                    CHECK(trip.velocity_defect(t_end) <= 10000 * epsilon);
+                    multipliers[i] = multiplier_error(trip, t_end);
+                }
+                CHECK(errors[1] < 1e-2);
+                CHECK(std::log2(errors[0] / errors[1]) >= 1.85);
+                if (entry.description.own_multipliers) CHECK(std::log2(multipliers[0] / multipliers[1]) >= 1.8);
+            });
+        }
+    }
+}
+
+TEST_CASE("a linkage moves the same in every unit", "[methods]") {
+    const Model one = planar_four_bar();
+    for_each_implicit([&](const Method& entry) {
+        Trip reference(one, "SO3xR3", entry);
+        REQUIRE(reference.run(Real(1) / 2, 100) == Status::ok);
+        for (const int length : {-20, -7, 10, 20})
+            for (const int mass : {-20, 0, 20}) {
+                INFO("lengths times 2^" << length << ", masses times 2^" << mass);
+                const Real L = pow(Real(2), length), m = pow(Real(2), mass);
+                Trip trip(in_units(one, L, m), "SO3xR3", entry);
+                REQUIRE(trip.run(Real(1) / 2, 100) == Status::ok);
+                CHECK(distance_in_units(trip.bodies(), reference.bodies(), L) <= 1000000 * epsilon);
+            }
+    });
+}
+
+TEST_CASE("a linkage moves the same in every place", "[methods]") {
+    const Model one = planar_four_bar();
+    for_each_implicit([&](const Method& entry) {
+        Trip reference(one, "SO3xR3", entry);
+        REQUIRE(reference.run(Real(1) / 4, 50) == Status::ok);
+        for (const Real& far : {Real(1024), Real(1048576)}) {
+            INFO("moved by " << far);
+            const Vec3 origin = far * Vec3(1, -2, 1);
+            Trip trip(in_units(one, 1, 1, origin), "SO3xR3", entry);
+            REQUIRE(trip.run(Real(1) / 4, 50) == Status::ok);
+            // Positions have the round-off of their size, velocities that over h.
+            CHECK(distance_in_units(trip.bodies(), reference.bodies(), 1, origin) <= 100000 * epsilon * far);
+        }
+    });
+}
+
+TEST_CASE("stiff springs and dampers are no obstacle", "[methods]") {
+    const Real h = Real(1) / 100;
+    for_each_implicit([&](const Method& entry) {
+        for (const Real& stiffness : {Real(100), Real(10000)})
+            for (const Real& damping : {Real(0), Real(stiffness / 100)}) {
+                INFO("stiffness " << stiffness << ", damping " << damping);
+                for (const Model& model : {standard("double_pendulum"), linked(12, {{ground, 0},
+                                                                                    {0, 1},
+                                                                                    {1, 2},
+                                                                                    {2, 3},
+                                                                                    {3, 4},
+                                                                                    {4, 5},
+                                                                                    {5, 6},
+                                                                                    {6, 7},
+                                                                                    {7, 8},
+                                                                                    {8, 9},
+                                                                                    {9, 10},
+                                                                                    {10, 11}})}) {
+                    Trip trip(with_stiff_springs(model, stiffness, damping), "SO3xR3", entry);
+                    REQUIRE(trip.integrator->start(0, trip.y.data()) == Status::ok);
+                    for (int i = 0; i < 20; ++i) REQUIRE(trip.integrator->step(i * h, h, trip.y.data()) == Status::ok);
+                }
+            }
+    });
+}
