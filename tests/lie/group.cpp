@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "lie/chart.hpp"
+#include "lie/covering.hpp"
 #include "lie/power.hpp"
 #include "tests/lie/dense.hpp"
 
@@ -22,7 +23,7 @@ std::vector<std::shared_ptr<const Group>> compounds() {
     const auto screws = std::make_shared<Power<SE3>>(2);
     return {bodies, screws, std::make_shared<AdditiveGroup>(5),
             std::make_shared<Product>(std::vector<std::shared_ptr<const Group>>{bodies, screws}),
-            std::make_shared<TangentGroup>(screws)};
+            std::make_shared<TangentGroup>(screws), std::make_shared<Covering>(bodies, 2)};
 }
 
 VecX element(const Group& group, const VecX& u) {
@@ -93,4 +94,31 @@ TEST_CASE("B_3 = 0: three brackets equal two", "[lie]") {
     TruncatedExpChart(group, 2).pull_back(u.data(), v.data(), two.data());
     TruncatedExpChart(group, 3).pull_back(u.data(), v.data(), three.data());
     CHECK(two == three);
+}
+
+TEST_CASE("labels of a covering add in products and stay as they are along exp and cay", "[lie]") {
+    Random random(29);
+    const auto base = std::make_shared<Power<Body>>(2);
+    const Covering group(base, 2);
+    REQUIRE(group.dim() == base->dim());
+    REQUIRE(group.size() == base->size() + 2);
+    const VecX u = random.vector(group.dim(), 1);
+    VecX a = element(group, u), b = element(group, random.vector(group.dim(), 1)), out(group.size());
+    CHECK(a.tail(2) == VecX::Zero(2));
+    a.tail(2) << 7, -3;
+    b.tail(2) << 2, 5;
+    const auto has = [&](int first, int second) { return out.tail(2) == (VecX(2) << first, second).finished(); };
+    const auto over = [&](auto map) {  // what the base makes of the same
+        VecX expected(base->size());
+        map(expected.data());
+        return out.head(base->size()) == expected;
+    };
+    group.append_exp(a.data(), u.data(), out.data());
+    CHECK((has(7, -3) && over([&](Real* q) { base->append_exp(a.data(), u.data(), q); })));
+    group.append_cay(a.data(), u.data(), out.data());
+    CHECK((has(7, -3) && over([&](Real* q) { base->append_cay(a.data(), u.data(), q); })));
+    group.multiply(a.data(), b.data(), out.data());
+    CHECK((has(9, 2) && over([&](Real* q) { base->multiply(a.data(), b.data(), q); })));
+    group.inverse(a.data(), out.data());
+    CHECK((has(-7, 3) && over([&](Real* q) { base->inverse(a.data(), q); })));
 }

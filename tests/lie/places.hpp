@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "lie/covering.hpp"
 #include "lie/group.hpp"
 #include "lie/power.hpp"
 #include "tests/lie/dense.hpp"
@@ -39,6 +40,8 @@ inline std::vector<Named> groups() {
             {"R^5", std::make_shared<AdditiveGroup>(5), {}},
             {"SO(3) x SE(3)", std::make_shared<Product>(std::vector<std::shared_ptr<const Group>>{so3, se3}), {0, 6}},
             {"T SE(3)", std::make_shared<TangentGroup>(se3), {3}},
+            {"covering of SO(3)^2", std::make_shared<Covering>(std::make_shared<Power<SO3>>(2), 3), {0, 3}},
+            {"T of a covering of SE(3)", std::make_shared<TangentGroup>(std::make_shared<Covering>(se3, 2)), {3}},
             {"T (R^3 x SO(3))", std::make_shared<TangentGroup>(body), {3}}};
 }
 
