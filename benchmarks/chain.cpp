@@ -164,7 +164,7 @@ void step(benchmark::State& state, int links, const std::string& formulation) {
     const Method& rk4 = method("rkmk/rk4");
     OptionValues options;
     for (const OptionDescription& option : rk4.description.options) options[option.name] = option.standard;
-    const auto integrator = rk4.factory.make(*kreisel.system, options, rk4.description);
+    const auto integrator = rk4.bind(*kreisel.system, options);
     time(state, links, [&] {
         if (integrator->step(0, step_size, kreisel.y.data()) != Status::ok) state.SkipWithError("the step failed");
     });

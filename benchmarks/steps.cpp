@@ -25,7 +25,7 @@ void step(benchmark::State& state, const Model& model, const std::string& formul
     auto system = make_system(model, formulation);
     OptionValues options;
     for (const OptionDescription& option : method.description.options) options[option.name] = option.standard;
-    auto integrator = method.factory.make(*system, options, method.description);
+    auto integrator = method.bind(*system, options);
     std::vector<Real> y = initial_state(*system, model);
     // Short steps, started over now and then: drift must not lead into a singularity.
     const Real h = Real(1) / 100000;

@@ -146,6 +146,9 @@ ForceData read_force(const Node& node, const ElementType& type, std::size_t inde
     assign(force.stiffness, not_negative_at(node, "stiffness"));
     assign(force.damping, not_negative_at(node, "damping"));
     force.rest = type.has("angle") ? number_at(node, "angle") : not_negative_at(node, "length");
+    if (const auto turns = node.find("turns")) {
+        assign(force.turns, turns->count(-largest_whole, largest_whole, expectation(ValueKind::whole)));
+    }
     assign(force.amplitude, number_at(node, "amplitude"));
     assign(force.frequency, number_at(node, "frequency"));
     return force;

@@ -41,13 +41,16 @@ struct ReportedReaction {
     bool unique = true;
 };
 
-/// A state as reported. `multipliers`: see mechanics/system.hpp; empty where there are none or they are not all unique.
+/// A state as reported. `multipliers`: see mechanics/system.hpp; empty where there are none or they are not all
+/// unique. Of each torsion spring, in the order of the model, the angle and how many full turns are in it.
 struct ReportedState {
     Number t;
     std::vector<ReportedBody> bodies;
     std::vector<Number> multipliers;
     std::vector<std::string> multiplier_names;  ///< "lambda.crank-rod.2 [N m]" of each row
     std::vector<ReportedReaction> reactions;    ///< of each joint
+    std::vector<Number> theta = {};  ///< rad
+    std::vector<long> turns = {};
 };
 
 /// A reference solution at one time, its uncertainty (the larger of the differences between two step sizes and between

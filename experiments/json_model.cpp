@@ -59,6 +59,7 @@ std::string json_element(const ForceData& force) {
     if (type.has("axis")) { object.member("axis", json_vector(force.axis)); }
     object.member("stiffness", json_number(force.stiffness)).member("damping", json_number(force.damping));
     if (force.rest) { object.member(type.has("angle") ? "angle" : "length", json_number(*force.rest)); }
+    if (type.has("turns")) { object.member("turns", std::to_string(force.turns)); }
     return object.text();
 }
 

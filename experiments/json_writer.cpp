@@ -95,6 +95,10 @@ std::string json_value(const ReportedState& state, bool quad) {
         return one.member("unique", reaction.unique ? "true" : "false").text();
     };
     if (!state.reactions.empty()) { object.member("reactions", json_list(state.reactions, write_reaction)); }
+    if (!state.turns.empty()) {
+        object.member("theta", json_list(state.theta, write));
+        object.member("turns", json_list(state.turns, [](long turns) { return std::to_string(turns); }));
+    }
     return object.text();
 }
 

@@ -85,9 +85,14 @@ ElementList forces() {
               "stiffness (l - length) + damping l' along the line of two points at distance l",
               {between, {"points", Kind::vectors, true}, stiffness, damping, {"length", Kind::not_negative, false}}},
              {"torsion_spring",
-              "torque -stiffness (theta - angle) - damping theta' on the second body about an axis both share; "
-              "theta(0) = 0",
-              {between, {"axis", Kind::vector, true}, stiffness, damping, {"angle", Kind::number, false}}},
+              "torque -stiffness (theta - angle) - damping theta' on the second body about an axis both share; theta "
+              "counts full turns, and starts at 2 pi turns",
+              {between,
+               {"axis", Kind::vector, true},
+               stiffness,
+               damping,
+               {"angle", Kind::number, false},
+               {"turns", Kind::whole, false}}},
              {"force",
               "value (1 + amplitude sin(frequency t)) at a point",
               {body, value, frame, {"point", Kind::vector, false}, amplitude, frequency}},
@@ -136,7 +141,8 @@ std::string meaning_of_key(const std::string& key) {
         {"axes", "one for each body"},
         {"length", "m (default: the initial one)"},
         {"radius", "m"},
-        {"angle", "at which the spring is free, rad (default: 0)"},
+        {"angle", "at which the spring is free, rad: any number, since full turns count (default: 0)"},
+        {"turns", "full turns that the spring has made at the start, a whole number (default: 0)"},
         {"amplitude", "default: 0"},
         {"frequency", "rad/s (default: 0)"},
         {"stiffness", "N/m, of a torsion spring N m/rad"},
@@ -157,6 +163,8 @@ std::string expectation(ValueKind kind) {
             return "a list of two bodies: names, or \"ground\" and a name";
         case Kind::number:
             return "a number";
+        case Kind::whole:
+            return "full turns";
         case Kind::positive:
             return "a number greater than 0";
         case Kind::not_negative:

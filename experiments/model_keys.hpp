@@ -17,6 +17,7 @@ enum class ValueKind {
     label,
     names,
     number,
+    whole,
     positive,
     not_negative,
     vector,
@@ -26,6 +27,9 @@ enum class ValueKind {
     inertia,
     frame
 };
+
+/// What a value of kind `whole` lies within, on both sides.
+inline constexpr long largest_whole = 1'000'000'000;
 
 struct ElementKey {
     std::string name;

@@ -52,6 +52,10 @@ Reference reference_of(const nlohmann::json& json) {
     for (const auto& multiplier : state.value("multipliers", nlohmann::json::array())) {
         reference.state.multipliers.push_back(read_number(multiplier));
     }
+    for (const auto& angle : state.value("theta", nlohmann::json::array())) {
+        reference.state.theta.push_back(read_number(angle));
+    }
+    reference.state.turns = state.value("turns", std::vector<long>());
     for (const auto& [name, error] : json.at("error").items()) { reference.error[name] = read_number(error); }
     reference.horizon = json.at("horizon");
     reference.route = json.at("route");

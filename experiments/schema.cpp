@@ -58,6 +58,8 @@ Schema value(ValueKind kind) {
             return list_of(2, text(64));
         case ValueKind::number:
             return number();
+        case ValueKind::whole:
+            return integer(-largest_whole, largest_whole);
         case ValueKind::positive:
             return positive();
         case ValueKind::not_negative:

@@ -13,6 +13,7 @@ enum class Status {
     singular_kkt,        ///< the constraint Jacobian has lost rank
     projection_failed,   ///< the projection onto the constraints did not converge
     newton_failed,       ///< the Newton iteration of an implicit step did not converge
+    turn_lost,           ///< how often a torsion spring has turned is not known: too long a step, or axes that parted
 };
 
 constexpr const char* name(Status status) {
@@ -24,6 +25,7 @@ constexpr const char* name(Status status) {
         case Status::singular_kkt: return "singular_kkt";
         case Status::projection_failed: return "projection_failed";
         case Status::newton_failed: return "newton_failed";
+        case Status::turn_lost: return "turn_lost";
     }
     return "unknown";
 }

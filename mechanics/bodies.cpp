@@ -11,8 +11,9 @@ inline namespace KREISEL_PRECISION {
 
 template <class Coordinates>
 Bodies<Coordinates>::Bodies(Model model)
-    : System(std::make_shared<Power<Factor>>(static_cast<int>(model.bodies.size()))),
+    : System(configurations(std::make_shared<Power<Factor>>(static_cast<int>(model.bodies.size())), model)),
       model_(std::move(model)),
+      turns_(model_),
       spherical_(all_spherical(model_)) {
     for (const Body& body : model_.bodies) J_inverse_.push_back(body.J.inverse());
     for (const Joint& joint : model_.joints) {
@@ -63,6 +64,7 @@ void Bodies<Coordinates>::applied_force(const Real& t, const Real* q, const Real
         store(Vec3(Vec3::Zero()), f + 6 * i + 3);
     }
     for_each_wrench(model_, t, [&](int body) { return motion(q, v, body); },
+                    [&](std::size_t i, const Turn& turn) { return turns_.angle(i, turn, t, labels(q)); },
                     [&](int body, const Wrench& wrench) {
                         Real* mine = f + 6 * body;
                         store(Vec3(vec3(mine) + Coordinates::from_body(rotation(q, body), wrench.force)), mine);
@@ -298,7 +300,8 @@ void Bodies<Coordinates>::position_scale(const Real* q, Real* size) const {
 template <class Coordinates>
 Real Bodies<Coordinates>::potential(const Real& t, const Real* q) const {
     const Vec3 g = model_.gravity.at(t);
-    Real sum = stored_energy(model_, [&](int body) { return motion(q, nullptr, body); });
+    const auto at = [&](int body) { return motion(q, nullptr, body); };
+    Real sum = stored_energy(model_, at, [&](std::size_t i) { return turns_.read(i, labels(q), at).theta; });
     for (int i = 0; i < bodies(); ++i)
         sum -= model_.bodies[static_cast<std::size_t>(i)].mass * g.dot(position(q, i));
     return sum;
@@ -322,6 +325,24 @@ void Bodies<Coordinates>::write(const BodyState* states, Real* y) const {
         store(state.x, mine), Coordinates::Rotations::save(state.R, mine + 3);
         store(Coordinates::from_space_velocity(rotation(y, i), state.v), v + 6 * i), store(state.omega, v + 6 * i + 3);
     }
+}
+
+template <class Coordinates>
+Status Bodies<Coordinates>::begin_step(const Real& t, const Real& h, const Real* y) {
+    const Real* v = y + group().size();
+    return turns_.begin_step(t, h, labels(y), [&](int body) { return motion(y, v, body); });
+}
+
+template <class Coordinates>
+Status Bodies<Coordinates>::end_step(Status result, const Real& t, Real* y) {
+    const Real* v = y + group().size();
+    return turns_.end_step(result, t, labels(y), [&](int body) { return motion(y, v, body); });
+}
+
+template <class Coordinates>
+void Bodies<Coordinates>::read_angles(const Real* q, SpringAngle* angles) const {
+    for (std::size_t i = 0; i < model_.torsion_springs.size(); ++i)
+        angles[i] = turns_.read(i, labels(q), [&](int body) { return motion(q, nullptr, body); });
 }
 
 template class Bodies<MixedCoordinates>;

@@ -47,6 +47,11 @@ class Bodies : public System {
     void read(const Real* y, BodyState* states) const override;
     void write(const BodyState* states, Real* y) const override;
 
+    std::string reason(Status status) const override { return status == Status::turn_lost ? turns_.reason() : ""; }
+    Status begin_step(const Real& t, const Real& h, const Real* y) override;
+    Status end_step(Status result, const Real& t, Real* y) override;
+    void read_angles(const Real* q, SpringAngle* angles) const override;
+
   protected:
     using Factor = typename Coordinates::Factor;
 
@@ -58,6 +63,7 @@ class Bodies : public System {
     /// Of a body or of the ground; without v, at rest.
     static Motion motion(const Real* q, const Real* v, int body);
     const Model& model() const { return model_; }
+    const Turns& turns() const { return turns_; }
     /// Where row k of a joint stands among the rows of C.
     int row(std::size_t joint, int k) const {
         const auto& [all, position, first, first_velocity] = places_[joint];
@@ -80,6 +86,7 @@ class Bodies : public System {
 
     Model model_;
     std::vector<Mat3> J_inverse_;
+    Turns turns_;
     bool spherical_;  // no other joints: then the residuals are those of points, for any 3x3 matrices R
     std::vector<Place> places_;
     int rows_ = 0, position_rows_ = 0;

@@ -53,8 +53,8 @@ struct JointData {
 
 /// What acts on bodies besides gravity; mechanics/model.hpp has the equations. Points (m) and the axis in space
 /// coordinates of the initial configuration. Springs: stiffness (N/m or N m/rad), damping (N s/m or N m s/rad), free
-/// length (m, by default the initial one) or angle (rad, by default 0). Loads: force (N) at a point (by default the mass
-/// centre), or torque (N m), times 1 + amplitude sin(frequency t).
+/// length (m, by default the initial one) or angle (rad, by default 0), full turns of a torsion spring at the start.
+/// Loads: force (N) at a point (by default the mass centre), or torque (N m), times 1 + amplitude sin(frequency t).
 struct ForceData {
     enum class Type { spring, torsion_spring, force, torque };
     Type type = Type::spring;
@@ -63,6 +63,7 @@ struct ForceData {
     Vector3 axis = {0, 0, 1};
     double stiffness = 0, damping = 0;
     std::optional<double> rest = {};  ///< free length or angle
+    long turns = 0;
     Vector3 value = {0, 0, 0};
     std::optional<Vector3> point = {};  ///< where a force acts
     bool body_axes = false;             ///< whether the value turns with the body

@@ -8,26 +8,21 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// theta, and its gradient: theta' = gradient . (omega_second - omega_first) in space axes. Where the frames share their
-/// third axis, that is the gradient.
-struct Angle {
-    Real theta;
-    Vec3 gradient;
-};
-
-Angle angle(const TorsionSpring& spring, const Motion& first, const Motion& second) {
-    const Vec3 u = second.direction(spring.axes_second.col(0));
-    const Vec3 f1 = first.direction(spring.axes_first.col(0)), f2 = first.direction(spring.axes_first.col(1));
-    const Real x = u.dot(f1), y = u.dot(f2);
-    return {atan2(y, x), u.cross(x * f2 - y * f1) / (x * x + y * y)};
-}
-
 Wrench force_at(const Motion& body, const Vec3& force, const Vec3& r) {
     const Vec3 mine = body.R.transpose() * force;
     return {mine, r.cross(mine)};
 }
 
 }  // namespace
+
+/// Where the frames share their third axis, that is the gradient.
+Turn turn(const TorsionSpring& spring, const Motion& first, const Motion& second) {
+    const Vec3 u = second.direction(spring.axes_second.col(0));
+    const Vec3 f1 = first.direction(spring.axes_first.col(0)), f2 = first.direction(spring.axes_first.col(1));
+    const Real x = u.dot(f1), y = u.dot(f2), square = x * x + y * y;
+    const Vec3 gradient = u.cross(x * f2 - y * f1) / square;
+    return {atan2(y, x), gradient, gradient.dot(second.R * second.omega - first.R * first.omega), sqrt(square)};
+}
 
 WrenchPair exerted(const Spring& spring, const Motion& first, const Motion& second) {
     const Vec3 d = second.point(spring.r_second) - first.point(spring.r_first);
@@ -40,10 +35,9 @@ WrenchPair exerted(const Spring& spring, const Motion& first, const Motion& seco
     return {force_at(first, tension, spring.r_first), force_at(second, -tension, spring.r_second)};
 }
 
-WrenchPair exerted(const TorsionSpring& spring, const Motion& first, const Motion& second) {
-    const auto [theta, gradient] = angle(spring, first, second);
-    const Real rate = gradient.dot(second.R * second.omega - first.R * first.omega);
-    const Vec3 torque = (-spring.stiffness * (theta - spring.angle) - spring.damping * rate) * gradient;
+WrenchPair exerted(const TorsionSpring& spring, const Turn& turn, const Real& theta, const Motion& first,
+                   const Motion& second) {
+    const Vec3 torque = (-spring.stiffness * (theta - spring.angle) - spring.damping * turn.rate) * turn.gradient;
     return {{Vec3::Zero(), first.R.transpose() * -torque}, {Vec3::Zero(), second.R.transpose() * torque}};
 }
 
@@ -52,9 +46,8 @@ Real stored_energy(const Spring& spring, const Motion& first, const Motion& seco
     return spring.stiffness / 2 * stretch * stretch;
 }
 
-Real stored_energy(const TorsionSpring& spring, const Motion& first, const Motion& second) {
-    const Real turn = angle(spring, first, second).theta - spring.angle;
-    return spring.stiffness / 2 * turn * turn;
+Real stored_energy(const TorsionSpring& spring, const Real& theta) {
+    return spring.stiffness / 2 * (theta - spring.angle) * (theta - spring.angle);
 }
 
 bool is_conservative(const Model& model) {

@@ -56,6 +56,11 @@ std::vector<Real> initial_state(const System& system, const Model& model) {
     for (const Body& body : model.bodies) states.push_back(body.start);
     std::vector<Real> y(static_cast<std::size_t>(system.state_group().size()));
     system.write(states.data(), y.data());
+    Real* const labels = system.labels(y.data());
+    std::vector<SpringAngle> angles(static_cast<std::size_t>(system.torsion_springs()));
+    for (std::size_t i = 0; i < angles.size(); ++i) labels[i] = 2 * pi() * Real(model.torsion_springs[i].turns);
+    system.read_angles(y.data(), angles.data());
+    for (std::size_t i = 0; i < angles.size(); ++i) labels[i] = angles[i].theta;
     return y;
 }
 

@@ -12,13 +12,13 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-using States = std::span<const BodyState>;
+using Bodies = std::span<const BodyState>;
 /// Integrals outlive the model they were found in, and share one copy of it.
 using Shared = std::shared_ptr<const Model>;
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
 /// Without velocities, on which no stored energy depends.
-Motion pose(States states, int body) {
+Motion pose(Bodies states, int body) {
     if (body == ground) return {};
     const BodyState& s = states[static_cast<std::size_t>(body)];
     return {s.x, s.R};
@@ -31,20 +31,21 @@ struct Terms {
     void add(const Real& term, const Real& bound) { value += term, size += bound; }
 };
 
-Terms energy(const Model& model, States states) {
+Terms energy(const Model& model, const MotionState& state) {
     Terms sum;
-    for (std::size_t i = 0; i < states.size(); ++i) {
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
         const Body& body = model.bodies[i];
-        const BodyState& s = states[i];
+        const BodyState& s = state.bodies[i];
         sum.add(body.mass * s.v.squaredNorm() / 2 + s.omega.dot(body.J * s.omega) / 2);
         sum.add(-body.mass * model.gravity.g.dot(s.x), body.mass * model.gravity.g.norm() * s.x.norm());
     }
-    sum.add(stored_energy(model, [&](int body) { return pose(states, body); }));
+    const auto at = [&](int body) { return pose(state.bodies, body); };
+    sum.add(stored_energy(model, at, [&](std::size_t i) { return state.angles[i]; }));
     return sum;
 }
 
 /// e . sum ((x - P) x m v + R J omega).
-Terms angular_momentum(const Model& model, const Line& axis, States states) {
+Terms angular_momentum(const Model& model, const Line& axis, Bodies states) {
     Terms sum;
     for (std::size_t i = 0; i < states.size(); ++i) {
         const Body& body = model.bodies[i];
@@ -56,7 +57,7 @@ Terms angular_momentum(const Model& model, const Line& axis, States states) {
 }
 
 /// e . sum m v.
-Terms momentum(const Model& model, const Vec3& e, States states) {
+Terms momentum(const Model& model, const Vec3& e, Bodies states) {
     Terms sum;
     for (std::size_t i = 0; i < states.size(); ++i)
         sum.add(model.bodies[i].mass * e.dot(states[i].v), model.bodies[i].mass * states[i].v.norm());
@@ -74,11 +75,11 @@ Terms kovalevskaya(const KovalevskayaTop& top, const BodyState& s) {
     return sum;
 }
 
-/// What a name, a unit and a reason say of f(states) -> Terms.
+/// What a name, a unit and a reason say of f(state) -> Terms.
 template <class F>
 FirstIntegral integral(std::string name, const char* unit, std::string reason, F f) {
-    return {std::move(name), unit, std::move(reason), [f](States s) { return f(s).value; },
-            [f](States s) { return f(s).size; }};
+    return {std::move(name), unit, std::move(reason), [f](const MotionState& s) { return f(s).value; },
+            [f](const MotionState& s) { return f(s).size; }};
 }
 
 std::string energy_reason(const Model& model) {
@@ -91,7 +92,8 @@ std::string energy_reason(const Model& model) {
 void add_energy(const Shared& model, std::vector<FirstIntegral>& integrals) {
     const auto driven = [](const Joint& joint) { return joint.amplitude != 0; };
     if (!is_conservative(*model) || std::any_of(model->joints.begin(), model->joints.end(), driven)) return;
-    integrals.push_back(integral("energy", "J", energy_reason(*model), [model](States s) { return energy(*model, s); }));
+    integrals.push_back(integral("energy", "J", energy_reason(*model),
+                                 [model](const MotionState& s) { return energy(*model, s); }));
 }
 
 void add_angular_momenta(const Shared& model, std::vector<FirstIntegral>& integrals) {
@@ -99,8 +101,8 @@ void add_angular_momenta(const Shared& model, std::vector<FirstIntegral>& integr
     const auto add = [&](const std::string& name, const Vec3& e, const char* reason) {
         const Line axis{P, e};
         if (!is_invariant_under_rotation(*model, axis)) return;
-        integrals.push_back(integral("angular_momentum_" + name, "N m s", reason,
-                                     [model, axis](States s) { return angular_momentum(*model, axis, s); }));
+        const auto value = [model, axis](const MotionState& s) { return angular_momentum(*model, axis, s.bodies); };
+        integrals.push_back(integral("angular_momentum_" + name, "N m s", reason, value));
     };
     if (!g.isZero(0)) {
         add("vertical", -g / g.norm(), "neither gravity nor the ground has a moment about this vertical");
@@ -114,7 +116,7 @@ void add_momenta(const Shared& model, std::vector<FirstIntegral>& integrals) {
         const Vec3 e = Vec3::Unit(k);
         if (!is_invariant_under_translation(*model, e)) continue;
         integrals.push_back(integral(std::string("momentum_") + axis_names[k], "N s", "no external force acts along this axis",
-                                     [model, e](States s) { return momentum(*model, e, s); }));
+                                     [model, e](const MotionState& s) { return momentum(*model, e, s.bodies); }));
     }
 }
 
@@ -125,14 +127,14 @@ void add_body_integrals(const Shared& model, std::vector<FirstIntegral>& integra
         if (const auto e = free_spin_axis(*model, static_cast<int>(i)))
             integrals.push_back(integral("body_momentum" + suffix, "N m s",
                                          "the body is symmetric about an axis along which no moment acts",
-                                         [model, e = *e, i](States s) {
-                                             const Vec3 spin = model->bodies[i].J * s[i].omega;
+                                         [model, e = *e, i](const MotionState& s) {
+                                             const Vec3 spin = model->bodies[i].J * s.bodies[i].omega;
                                              return Terms{e.dot(spin), spin.norm()};
                                          }));
         if (const auto top = kovalevskaya_top(*model, static_cast<int>(i)))
             integrals.push_back(integral("kovalevskaya" + suffix, "1/s^4",
                                          "a heavy top with A = B = 2 C and its mass centre in the plane of A and B",
-                                         [top = *top, i](States s) { return kovalevskaya(top, s[i]); }));
+                                         [top = *top, i](const MotionState& s) { return kovalevskaya(top, s.bodies[i]); }));
     }
 }
 

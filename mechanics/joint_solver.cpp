@@ -319,7 +319,7 @@ const VecX& JointSolver::multipliers() {
     return lambda_;
 }
 
-Status JointSolver::accelerate(const Real& t) {
+Status JointSolver::accelerate(const Real& t, const Turns& turns, const Real* labels) {
     const Vec3 g = model_.gravity.at(t);
     for (BodyNode& node : nodes_) {
         const Vec3& w = node.motion.omega;
@@ -330,6 +330,7 @@ Status JointSolver::accelerate(const Real& t) {
                     [&](int body) -> const Motion& {
                         return body == ground ? rest : nodes_[static_cast<std::size_t>(body)].motion;
                     },
+                    [&](std::size_t i, const Turn& turn) { return turns.angle(i, turn, t, labels); },
                     [&](int body, const Wrench& wrench) {
                         Vec6 both;
                         both << wrench.force / mass_unit_, wrench.torque / mass_unit_;

@@ -42,8 +42,9 @@ class JointSolver {
     JointSolver(const Model& model, SolverChoice choice);
 
     std::vector<BodyNode>& nodes() { return nodes_; }
-    /// From the motions of the nodes to their accelerations under gravity, forces and joints.
-    Status accelerate(const Real& t);
+    /// From the motions of the nodes to their accelerations under gravity, forces and joints; with the turns of the torsion
+    /// springs and their labels.
+    Status accelerate(const Real& t, const Turns& turns, const Real* labels);
     /// Rows and factors at the motions of the nodes.
     Status prepare(const Real& t);
     /// Prepared, and with free accelerations in the nodes: makes C a = c hold, c in the order of the joints.

@@ -30,7 +30,8 @@ template <class Coordinates>
 Status JointedBodies<Coordinates>::accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) {
     int body = 0;
     for (BodyNode& node : solver_.nodes()) node.motion = motion(q, v, body++);
-    if (const Status status = solver_.accelerate(t); status != Status::ok) return status;
+    const Status status = solver_.accelerate(t, this->turns(), this->labels(q));
+    if (status != Status::ok) return status;
     Real sum = 0;
     for (const BodyNode& node : solver_.nodes()) {
         const Vec3 A = node.a.template head<3>(), dw = node.a.template tail<3>();
@@ -40,7 +41,7 @@ Status JointedBodies<Coordinates>::accelerations(const Real& t, const Real* q, c
         v += 6, dv += 6;
     }
     if (lambda) report(solver_.multipliers(), lambda);
-    return isfinite(sum) ? Status::ok : Status::non_finite;
+    return isfinite(sum) ? this->turns().status() : Status::non_finite;
 }
 
 template <class Coordinates>

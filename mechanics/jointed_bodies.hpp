@@ -22,7 +22,9 @@ class JointedBodies final : public Bodies<Coordinates> {
     /// The complement loses the square of what its rows lose.
     Real kkt_round_off() const override { return epsilon / solver_.pivot(); }
     ConstraintRank constraint_rank() const override { return solver_.constraint_rank(); }
-    std::string singularity() const override { return solver_.singularity(); }
+    std::string reason(Status status) const override {
+        return status == Status::singular_kkt ? solver_.singularity() : Base::reason(status);
+    }
     bool is_unique(int row) const override { return unique_[static_cast<std::size_t>(row)]; }
 
   private:

@@ -69,6 +69,11 @@ std::vector<std::string> Model::joint_names() const {
     return names;
 }
 
+std::string Model::name_of_torsion_spring(std::size_t spring) const {
+    const TorsionSpring& s = torsion_springs[spring];
+    return "torsion spring " + std::to_string(spring) + " (" + name_of(s.first) + " - " + name_of(s.second) + ")";
+}
+
 const char* name(JointType type) {
     switch (type) {
         case JointType::spherical: return "spherical";

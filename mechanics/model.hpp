@@ -98,12 +98,15 @@ struct Spring {
 };
 
 /// About the third axis that two frames share: torque -stiffness (theta - angle) - damping theta' on the second body and its
-/// opposite on the first. theta is the angle from the first frame's first axis to the second's, in (-pi, pi]: the spring
-/// forgets full turns. Frames may part (the second axis is then projected, and the torque is the gradient of the energy).
+/// opposite on the first. theta is the angle from the first frame's first axis to the second's, full turns included: at the
+/// start it is the one in (-pi, pi] and 2 pi turns more, from there on it is continuous (mechanics/turns.hpp). Frames may
+/// part (the second axis is then projected, and the torque is the gradient of the energy), as long as the projection is not
+/// shorter than 1/2.
 struct TorsionSpring {
     int first = ground, second = 0;
     Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();
     Real stiffness = 0, damping = 0, angle = 0;
+    long turns = 0;  ///< full turns at the start
 };
 
 struct Model {
@@ -127,6 +130,8 @@ struct Model {
     std::string name_of_joint(std::size_t joint) const;
     /// What results call the joints, no two alike: a joint's own name, or "crank-rod"; where that is taken, "crank-rod-2".
     std::vector<std::string> joint_names() const;
+    /// "torsion spring 0 (ground - wheel)", counted without other forces.
+    std::string name_of_torsion_spring(std::size_t spring) const;
 };
 
 const char* name(JointType type);

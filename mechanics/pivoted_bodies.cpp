@@ -42,7 +42,10 @@ std::string PivotedBodies::why_not(const Model& model) {
 }
 
 PivotedBodies::PivotedBodies(Model model)
-    : System(std::make_shared<Power<SO3>>(static_cast<int>(model.bodies.size()))), model_(std::move(model)), forces_(has_forces(model_)) {
+    : System(configurations(std::make_shared<Power<SO3>>(static_cast<int>(model.bodies.size())), model)),
+      model_(std::move(model)),
+      turns_(model_),
+      forces_(has_forces(model_)) {
     for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
         const Body& body = model_.bodies[i];
         const auto joints = joints_of(model_, static_cast<int>(i));
@@ -70,6 +73,7 @@ template <class F>
 void PivotedBodies::each_moment(const Real& t, const Real* q, const Real* v, F f) const {
     if (!forces_) return;
     for_each_wrench(model_, t, [&](int body) { return motion(q, v, body); },
+                    [&](std::size_t i, const Turn& turn) { return turns_.angle(i, turn, t, labels(q)); },
                     [&](int body, const Wrench& wrench) {
                         const Vec3& lever = bodies_[static_cast<std::size_t>(body)].lever;
                         f(body, Vec3(lever.cross(wrench.force) + wrench.torque));
@@ -93,7 +97,7 @@ KREISEL_HOT Status PivotedBodies::accelerations(const Real& t, const Real* q, co
         store(Vec3(vec3(mine) + bodies_[static_cast<std::size_t>(body)].J_O_inverse * moment), mine);
         sum += vec3(mine).sum();
     });
-    return isfinite(sum) ? Status::ok : Status::non_finite;
+    return isfinite(sum) ? turns_.status() : Status::non_finite;
 }
 
 Status PivotedBodies::solve_kkt(const Real&, const Real*, const Real* f, const Real*, Real* a, Real*) {
@@ -118,6 +122,7 @@ Status PivotedBodies::reactions(const Real& t, const Real* q, const Real* v, con
         on_body.push_back(bodies_[i].mass * (mat3(q + i * SO3::size) * A - g));
     }
     for_each_wrench(model_, t, [&](int body) { return motion(q, v, body); },
+                    [&](std::size_t i, const Turn& turn) { return turns_.angle(i, turn, t, labels(q)); },
                     [&](int body, const Wrench& wrench) {
                         on_body[static_cast<std::size_t>(body)] -= mat3(q + body * SO3::size) * wrench.force;
                     });
@@ -153,7 +158,8 @@ void PivotedBodies::gyroscopic_force(const Real*, const Real* v, Real* f) const 
 
 Real PivotedBodies::potential(const Real& t, const Real* q) const {
     const Vec3 g = model_.gravity.at(t);
-    Real sum = stored_energy(model_, [&](int body) { return motion(q, nullptr, body); });
+    const auto at = [&, q](int body) { return motion(q, nullptr, body); };
+    Real sum = stored_energy(model_, at, [&, q](std::size_t i) { return turns_.read(i, labels(q), at).theta; });
     for (const Pivoted& body : bodies_) {
         sum -= body.mass * g.dot(body.pivot + mat3(q) * body.lever);
         q += SO3::size;
@@ -174,6 +180,21 @@ void PivotedBodies::write(const BodyState* states, Real* y) const {
     Real* v = y + group().size();
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         store(states[i].R, y + i * SO3::size), store(states[i].omega, v + 3 * i);
+}
+
+Status PivotedBodies::begin_step(const Real& t, const Real& h, const Real* y) {
+    const Real* v = y + group().size();
+    return turns_.begin_step(t, h, labels(y), [&](int body) { return motion(y, v, body); });
+}
+
+Status PivotedBodies::end_step(Status result, const Real& t, Real* y) {
+    const Real* v = y + group().size();
+    return turns_.end_step(result, t, labels(y), [&](int body) { return motion(y, v, body); });
+}
+
+void PivotedBodies::read_angles(const Real* q, SpringAngle* angles) const {
+    for (std::size_t i = 0; i < model_.torsion_springs.size(); ++i)
+        angles[i] = turns_.read(i, labels(q), [&](int body) { return motion(q, nullptr, body); });
 }
 
 }  // namespace KREISEL_PRECISION

@@ -36,6 +36,11 @@ class PivotedBodies final : public System {
     void read(const Real* y, BodyState* states) const override;
     void write(const BodyState* states, Real* y) const override;
 
+    std::string reason(Status status) const override { return status == Status::turn_lost ? turns_.reason() : ""; }
+    Status begin_step(const Real& t, const Real& h, const Real* y) override;
+    Status end_step(Status result, const Real& t, Real* y) override;
+    void read_angles(const Real* q, SpringAngle* angles) const override;
+
   private:
     struct Pivoted {
         Real mass;
@@ -51,6 +56,7 @@ class PivotedBodies final : public System {
     void each_moment(const Real& t, const Real* q, const Real* v, F f) const;
 
     Model model_;
+    Turns turns_;
     std::vector<Pivoted> bodies_;
     bool forces_;  // whether anything but gravity acts
 };

@@ -177,6 +177,7 @@ void SphericalBodies<Coordinates>::add_wrenches(const Real& t, const Real* q, co
     std::fill(wrenches_.begin(), wrenches_.end(), Wrench());
     for_each_wrench(
         this->model(), t, [&](int body) { return motion(q, v, body); },
+        [&](std::size_t i, const Turn& turn) { return this->turns().angle(i, turn, t, this->labels(q)); },
         [&](int body, const Wrench& wrench) {
             wrenches_[static_cast<std::size_t>(body)].force += rotation(q, body) * wrench.force;
             wrenches_[static_cast<std::size_t>(body)].torque += wrench.torque;
@@ -214,7 +215,7 @@ KREISEL_HOT Status SphericalBodies<Coordinates>::forest_accelerations(const Real
         store(a, dv + 6 * node.body), store(dw, dv + 6 * node.body + 3);
     });
     if (lambda) report_multipliers(lambda);
-    return isfinite(sum) ? Status::ok : Status::non_finite;
+    return isfinite(sum) ? this->turns().status() : Status::non_finite;
 }
 
 template <class Coordinates>

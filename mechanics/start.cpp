@@ -210,9 +210,18 @@ class Start {
     VecX scale_;
 };
 
+/// Throws where the axes of a torsion spring have parted so far that its turns have no meaning.
+void check_springs(const Model& model) {
+    if (model.torsion_springs.empty()) return;
+    const auto system = formulation(coordinates).make(model);
+    const std::vector<Real> y = initial_state(*system, model);
+    if (system->begin_step(0, 0, y.data()) != Status::ok) throw ParameterError("", system->reason(Status::turn_lost));
+}
+
 }  // namespace
 
 void check_start(const Model& model) {
+    check_springs(model);
     if (model.joints.empty()) return;
     Start start(model);
     start.require_positions();
@@ -221,7 +230,7 @@ void check_start(const Model& model) {
     std::vector<Real> dv(static_cast<std::size_t>(system.velocities()));
     if (system.accelerations(0, start.q(), start.v(), dv.data(), nullptr) == Status::singular_kkt)
         throw ParameterError("", "the joints contradict each other in the initial configuration, or lose rank there: " +
-                                     system.singularity());
+                                     system.reason(Status::singular_kkt));
 }
 
 StartCorrection project_start(Model& model) {

@@ -7,6 +7,18 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
+namespace {
+
+int size_of_poses(const Group& configurations) {
+    const auto* covering = dynamic_cast<const Covering*>(&configurations);
+    return covering ? covering->base().size() : configurations.size();
+}
+
+}  // namespace
+
+System::System(std::shared_ptr<const Group> configurations)
+    : group_(configurations), state_group_(configurations), poses_(size_of_poses(*configurations)) {}
+
 Status System::solve_kkt(const Real&, const Real*, const Real* f, const Real*, Real* a, Real*) {
     std::copy_n(f, velocities(), a);  // unit mass, no constraints
     return Status::ok;

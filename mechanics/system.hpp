@@ -20,16 +20,23 @@
 #include "lie/status.hpp"
 #include "mechanics/model.hpp"
 #include "mechanics/reaction.hpp"
+#include "mechanics/turns.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// A quantity constant along the exact flow, and why; a function of the bodies, so that it is the same in every
-/// formulation.
+/// What first integrals are functions of, the same in every formulation: the bodies, and the angles of the torsion springs
+/// (rad, all turns counted).
+struct MotionState {
+    std::span<const BodyState> bodies;
+    std::span<const Real> angles = {};
+};
+
+/// A quantity constant along the exact flow, and why.
 struct FirstIntegral {
     std::string name, unit, reason;
-    std::function<Real(std::span<const BodyState>)> value;
-    std::function<Real(std::span<const BodyState>)> size;  ///< sum of the sizes of its terms: what its round-off scales with
+    std::function<Real(const MotionState&)> value;
+    std::function<Real(const MotionState&)> size;  ///< sum of the sizes of its terms: what its round-off scales with
 };
 
 /// How many constraint rows there are and how many of them are independent in the initial configuration. Rows that follow
@@ -45,8 +52,7 @@ struct ConstraintRank {
 /// rows are in space axes. Work space belongs to the object: one object per thread.
 class System {
   public:
-    explicit System(std::shared_ptr<const Group> configurations)
-        : group_(configurations), state_group_(std::move(configurations)) {}
+    explicit System(std::shared_ptr<const Group> configurations);
     virtual ~System() = default;
     System(const System&) = delete;
     System& operator=(const System&) = delete;
@@ -124,8 +130,22 @@ class System {
     /// What the joints of the model exert in its order under the multipliers lambda (m), those of another method or of
     /// accelerations. Where the formulation eliminates the joints, Newton's law says it, and lambda is not read.
     virtual Status reactions(const Real&, const Real*, const Real*, const Real*, JointReaction*) { return Status::ok; }
-    /// After singular_kkt: where the constraints lost rank.
-    virtual std::string singularity() const { return ""; }
+    /// What lies behind the status of the last evaluation, in words: after singular_kkt where the constraints lost rank, after
+    /// turn_lost which spring and why. Empty where there is no more to say.
+    virtual std::string reason(Status) const { return ""; }
+
+    /// Torsion springs count full turns, which poses forget. q has a label for each behind the poses (mechanics/turns.hpp);
+    /// a step that a method makes stands between begin_step and end_step (Method::bind sees to that), so that stages know
+    /// where angles are expected, and the labels are those of the last step that succeeded.
+    int torsion_springs() const { return group_->size() - poses_; }
+    Real* labels(Real* q) const { return q + poses_; }
+    const Real* labels(const Real* q) const { return q + poses_; }
+    /// Of a step by h from y(t): ok or turn_lost.
+    virtual Status begin_step(const Real& /*t*/, const Real& /*h*/, const Real* /*y*/) { return Status::ok; }
+    /// At its end y(t), where `result` is what the step answered: the same, or turn_lost.
+    virtual Status end_step(Status result, const Real& /*t*/, Real* /*y*/) { return result; }
+    /// The angles of the torsion springs outside a step.
+    virtual void read_angles(const Real* /*q*/, SpringAngle* /*angles*/) const {}
 
     /// Jacobian of the rows (Phi, C v + b) in ambient coordinates, where R is any 3x3 matrix: columns are the entries of
     /// q and then v; 2m rows, column by column.
@@ -137,7 +157,7 @@ class System {
     virtual Real potential(const Real&, const Real*) const { return 0; }
 
     virtual int bodies() const { return 0; }
-    /// Reads the state of each body; writes one back (what is reported is always x, R, v, omega).
+    /// Reads the state of each body; writes one back (what is reported is always x, R, v, omega), labels staying as they are.
     virtual void read(const Real*, BodyState*) const {}
     virtual void write(const BodyState*, Real*) const {}
 
@@ -149,6 +169,7 @@ class System {
   private:
     std::shared_ptr<const Group> group_;
     TangentGroup state_group_;
+    int poses_;  // reals of q before the labels
     std::vector<FirstIntegral> integrals_;
     long evaluations_ = 0;
 };

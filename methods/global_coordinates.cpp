@@ -43,21 +43,24 @@ class GlobalRk4 final : public Integrator {
     int stride() const { return translations_ + coordinates_->size(); }
 
     void read(const Real* y) {
+        std::copy(y, y + y_.size(), y_.begin());  // labels that are no poses
         Real* w = w_.data();
+        const Real* v = y + system_.group().size();
         for (int i = 0; i < bodies_; ++i, y += translations_ + 9, w += stride()) {
             std::copy_n(y, translations_, w);
             coordinates_->from_matrix(y + translations_, w + translations_);
         }
-        std::copy_n(y, system_.velocities(), w);
+        std::copy_n(v, system_.velocities(), w);
     }
 
     void write(const Flat& flat, Real* y) const {
         const Real* w = flat.data();
+        Real* v = y + system_.group().size();
         for (int i = 0; i < bodies_; ++i, y += translations_ + 9, w += stride()) {
             std::copy_n(w, translations_, y);
             coordinates_->to_matrix(w + translations_, y + translations_);
         }
-        std::copy_n(w, system_.velocities(), y);
+        std::copy_n(w, system_.velocities(), v);
     }
 
     /// w' = (x', z', v'). The first failure of a step is kept; Odeint has no way to stop inside one.

@@ -25,7 +25,8 @@ struct Scheme {
     Tableau tableau;
 };
 
-/// A method that can be bound to a system. The system outlives the integrator.
+/// What makes the integrators of a method. Whoever runs one asks Method::bind for it: `make` alone knows nothing of the turns
+/// that torsion springs count.
 struct Factory {
     std::function<std::unique_ptr<Integrator>(System&, const OptionValues&, const MethodDescription&)> make;
     std::vector<OptionDescription> options = {};
@@ -43,6 +44,9 @@ struct Method {
     MethodDescription description;
     Factory factory;
     std::string file;
+    /// The method on a system, which outlives the integrator. Where torsion springs count full turns, a step can answer
+    /// turn_lost (mechanics/turns.hpp).
+    std::unique_ptr<Integrator> bind(System& system, const OptionValues& options) const;
 };
 
 const std::vector<Method>& methods();

@@ -60,6 +60,7 @@ class ForceReader {
         spring.stiffness = not_negative(data_.stiffness, path_ + "/stiffness", "stiffness");
         spring.damping = not_negative(data_.damping, path_ + "/damping", "damping");
         spring.angle = decimal(data_.rest.value_or(0));
+        spring.turns = data_.turns;
         model_.torsion_springs.push_back(spring);
     }
 

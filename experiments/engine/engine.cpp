@@ -79,7 +79,7 @@ class RealEngine final : public Engine {
         std::vector<std::string> bodies;
         for (const Body& body : model.bodies) bodies.push_back(body.name);
         Reference reference;
-        reference.state = to_report(decimal(t_end), solution.states, bodies, solution.multipliers);
+        reference.state = to_report(decimal(t_end), solution.states, bodies, solution.multipliers, solution.angles);
         if (solution.compared) {
             reference.error = {{"error.position", to_number(solution.position_error)},
                                {"error.rotation", to_number(solution.rotation_error)},

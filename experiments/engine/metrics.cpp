@@ -43,6 +43,8 @@ Monitor::Monitor(System& system, std::vector<std::string> patterns)
       patterns_(std::move(patterns)),
       states_(static_cast<std::size_t>(system.bodies())),
       directions_(system.constraint_rows()),
+      springs_(static_cast<std::size_t>(system.torsion_springs())),
+      angles_(springs_.size()),
       rows_(system.constraints()),
       xi_(system.constraints()),
       bias_(system.constraints()),
@@ -112,12 +114,15 @@ void Monitor::observe(const Real& t, const Real* y) {
     }
     if (integrals_.empty()) return;
     system_.read(y, states_.data());
+    system_.read_angles(y, springs_.data());
+    for (std::size_t i = 0; i < angles_.size(); ++i) angles_[i] = springs_[i].theta;
+    const MotionState state{states_, angles_};
     for (Integral& integral : integrals_) {
-        const Real value = integral.source->value(states_);
+        const Real value = integral.source->value(state);
         if (!started_) {
             integral.start = value;
             // Below round-off of its terms a start value is zero, and relative to it nothing can be said.
-            integral.has_relative = abs(value) > 100 * epsilon * integral.source->size(states_);
+            integral.has_relative = abs(value) > 100 * epsilon * integral.source->size(state);
         }
         integral.now = value - integral.start;
         keep_worst(integral.worst, abs(integral.now));

@@ -67,6 +67,8 @@ class Monitor {
     std::vector<Integral> integrals_;
     std::vector<BodyState> states_;
     std::vector<ConstraintRow> directions_;
+    std::vector<SpringAngle> springs_;
+    std::vector<Real> angles_;
     VecX rows_, xi_, bias_, dv_;
     bool started_ = false, measured_ = true;
     long evaluations_ = 0;

@@ -2,6 +2,7 @@
 #include "experiments/engine/quaternion_form.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "lie/so3.hpp"
 #include "mechanics/formulation.hpp"
@@ -46,10 +47,30 @@ std::vector<Real> QuaternionForm::start() const {
         store(body.start.v, p + 7), store(body.start.omega, p + 10);
         p += body_size;
     }
+    for (const TorsionSpring& spring : model_.torsion_springs) *p++ = 2 * pi() * Real(spring.turns);
     return w;
 }
 
-/// Flat state of SO3xR3: (x, R) of each body, then (x', omega) of each body.
+std::vector<SpringAngle> QuaternionForm::angles(const Real* w) {
+    load(w);
+    std::vector<SpringAngle> angles(model_.torsion_springs.size());
+    system_->read_angles(y_.data(), angles.data());
+    return angles;
+}
+
+void QuaternionForm::settle(Real* w) {
+    Real* theta = w + body_size * bodies_;
+    for (const SpringAngle& angle : angles(w)) *theta++ = angle.theta;
+}
+
+Motion QuaternionForm::motion(const Real* w, int body) const {
+    if (body == ground) return {};
+    w += body * body_size;
+    const Mat3 R = rotation_of_quaternion(w + 3);
+    return {vec3(w), R, R.transpose() * vec3(w + 7), vec3(w + 10)};
+}
+
+/// Flat state of SO3xR3: (x, R) of each body, the angles of torsion springs, then (x', omega) of each body.
 void QuaternionForm::load(const Real* w) {
     Real* q = y_.data();
     Real* v = q + system_->group().size();
@@ -57,6 +78,7 @@ void QuaternionForm::load(const Real* w) {
         store(vec3(w), q), store(rotation_of_quaternion(w + 3), q + 3);
         store(vec3(w + 7), v), store(vec3(w + 10), v + 3);
     }
+    std::copy_n(w, system_->torsion_springs(), q);
 }
 
 Status QuaternionForm::rate(const Real& t, const Real* w, Real* dw) {
@@ -64,6 +86,9 @@ Status QuaternionForm::rate(const Real& t, const Real* w, Real* dw) {
     const Real* v = y_.data() + system_->group().size();
     if (const Status s = system_->accelerations(t, y_.data(), v, acceleration_.data(), nullptr); s != Status::ok)
         return s;
+    Real* theta_rate = dw + body_size * bodies_;
+    for (const TorsionSpring& spring : model_.torsion_springs)
+        *theta_rate++ = turn(spring, motion(w, spring.first), motion(w, spring.second)).rate;
     const Real* dv = acceleration_.data();
     for (int i = 0; i < bodies_; ++i, w += body_size, dw += body_size, dv += 6) {
         const Vec3 a = vec3(w + 4), half = vec3(w + 10) / 2;

@@ -3,7 +3,8 @@
 // A model as an ordinary differential equation in R^{13 n}, n bodies, each w = (x, a, v, omega) with a quaternion a:
 //   x' = v,   a' = 1/2 a (0, omega),   (v', omega') from the index-1 form,
 // which no method under test uses. R(a) is the rotation of a/|a|, so the right-hand side is defined for every a != 0
-// and does not depend on |a|; the exact flow keeps |a|, and nothing renormalises it.
+// and does not depend on |a|; the exact flow keeps |a|, and nothing renormalises it. Behind the bodies stands the angle
+// of each torsion spring with theta' as its rate: it tells the full turns, and nothing else is taken from it.
 #pragma once
 
 #include <memory>
@@ -26,11 +27,15 @@ class QuaternionForm {
 
     explicit QuaternionForm(const Model& model);
 
-    int dimension() const { return body_size * bodies_; }
+    int dimension() const { return body_size * bodies_ + system_->torsion_springs(); }
+    int bodies() const { return bodies_; }
     std::vector<Real> start() const;
+    /// Makes the angles behind the bodies those of the poses, which accumulate no error.
+    void settle(Real* w);
     Status rate(const Real& t, const Real* w, Real* dw);
 
     std::vector<BodyState> states(const Real* w) const;
+    std::vector<SpringAngle> angles(const Real* w);
     /// Multipliers, in the order and the axes of System.
     Status multipliers(const Real& t, const Real* w, std::vector<Real>& lambda);
     /// |Phi| and |C v + b|.
@@ -49,6 +54,7 @@ class QuaternionForm {
 
   private:
     void load(const Real* w);
+    Motion motion(const Real* w, int body) const;
 
     Model model_;
     std::unique_ptr<System> system_;

@@ -34,12 +34,12 @@ constexpr std::array<Part, 4> parts = {{{0, 3}, {3, 7}, {7, 10}, {10, 13}}};
 using Sizes = std::array<Real, 4>;
 
 /// Norm of each part over all bodies.
-Sizes norms(const Real* w, int dimension) {
+Sizes norms(const Real* w, int bodies) {
     Sizes sizes{};
     for (std::size_t p = 0; p < parts.size(); ++p) {
         Real sum = 0;
-        for (int body = 0; body < dimension; body += QuaternionForm::body_size)
-            for (int i = parts[p].begin; i < parts[p].end; ++i) sum += w[body + i] * w[body + i];
+        for (int at = 0; at < bodies * QuaternionForm::body_size; at += QuaternionForm::body_size)
+            for (int i = parts[p].begin; i < parts[p].end; ++i) sum += w[at + i] * w[at + i];
         sizes[p] = sqrt(sum);
     }
     return sizes;
@@ -96,7 +96,7 @@ class Integration {
 Run Integration::begin(const Real& H) {
     Run run{{Real(0)}, {form.start()}};
     const Real* w = run.states[0].data();
-    run.sizes = norms(w, form.dimension());
+    run.sizes = norms(w, form.bodies());
     const auto scale = form.acceleration_scale(0, w);
     const Real step = abs(H) / 1024;
     enlarge(run.sizes, {scale.linear * step * step, 0, scale.linear * step, scale.angular * step});
@@ -108,10 +108,11 @@ bool Integration::append(Run& run, const Real& t, const Real& allowed) {
     run.status = gbs_.step(run.times.back(), t - run.times.back(), w.data());
     if (run.status != Status::ok) return false;
     Sizes sizes = run.sizes;
-    enlarge(sizes, norms(w.data(), form.dimension()));
-    local_error_ = largest_ratio(norms(gbs_.difference().data(), form.dimension()), sizes);
+    enlarge(sizes, norms(w.data(), form.bodies()));
+    local_error_ = largest_ratio(norms(gbs_.difference().data(), form.bodies()), sizes);
     if (!(local_error_ <= allowed)) return false;
     run.sizes = sizes;
+    form.settle(w.data());
     run.times.push_back(t);
     run.states.push_back(std::move(w));
     return true;
@@ -161,13 +162,13 @@ Real first_step(const Model& model, const Real& t_end) {
 }
 
 /// Last big step up to which two runs agree.
-std::size_t agreed_steps(const Run& coarse, const Run& fine, int dimension) {
+std::size_t agreed_steps(const Run& coarse, const Run& fine, int bodies) {
     const Real limit = Real(1) / 1000000000000;
-    std::vector<Real> difference(static_cast<std::size_t>(dimension));
+    std::vector<Real> difference(static_cast<std::size_t>(bodies * QuaternionForm::body_size));
     std::size_t n = 1;
     for (; n < coarse.states.size() && 2 * n < fine.states.size(); ++n) {
         for (std::size_t i = 0; i < difference.size(); ++i) difference[i] = coarse.states[n][i] - fine.states[2 * n][i];
-        if (!(largest_ratio(norms(difference.data(), dimension), fine.sizes) <= limit)) break;
+        if (!(largest_ratio(norms(difference.data(), bodies), fine.sizes) <= limit)) break;
     }
     return n - 1;
 }
@@ -176,6 +177,7 @@ std::size_t agreed_steps(const Run& coarse, const Run& fine, int dimension) {
 void compare_ends(QuaternionForm& form, const Real& t_end, const Run& coarse, const Run& fine, ReferenceSolution& out) {
     const Real *a = coarse.states.back().data(), *b = fine.states.back().data();
     out.states = form.states(b);
+    out.angles = form.angles(b);
     const std::vector<BodyState> others = form.states(a);
     Real x = 0, angle = 0, v = 0, omega = 0;
     for (std::size_t i = 0; i < others.size(); ++i) {
@@ -206,7 +208,7 @@ ReferenceSolution reference_solution(const Model& model, const Real& t_end, cons
     out.interrupted = coarse.interrupted || fine.interrupted;
     if (out.interrupted) return out;
     const std::size_t steps = coarse.states.size() - 1;
-    const std::size_t agreed = agreed_steps(coarse, fine, integration.form.dimension());
+    const std::size_t agreed = agreed_steps(coarse, fine, integration.form.bodies());
     out.horizon = coarse.times[agreed];
     for (std::size_t n = 0; n <= agreed && 2 * n < fine.states.size(); ++n)
         out.path.push_back({coarse.times[n], integration.form.states(fine.states[2 * n].data())});

@@ -11,6 +11,7 @@
 #include "experiments/engine/joint_forces.hpp"
 #include "experiments/engine/report.hpp"
 #include "mechanics/model.hpp"
+#include "mechanics/turns.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -33,6 +34,7 @@ struct ReferencePoint {
 /// are no states and no multipliers.
 struct ReferenceSolution {
     std::vector<BodyState> states;
+    std::vector<SpringAngle> angles;  ///< of the torsion springs
     std::vector<Real> multipliers;  ///< rows in space axes, joints in the order of the model; none if rows are redundant
     Real position_error = 0, rotation_error = 0, velocity_error = 0, omega_error = 0;
     MultiplierDistance multiplier_error;

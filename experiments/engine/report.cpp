@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/engine/report.hpp"
 
+#include <map>
+
 #include "lie/so3.hpp"
 
 namespace kreisel {
@@ -23,7 +25,7 @@ ConstraintSummary to_summary(const ConstraintRank& rank) {
 }
 
 ReportedState to_report(const Real& t, const std::vector<BodyState>& states, const std::vector<std::string>& names,
-                        const std::vector<Real>& multipliers) {
+                        const std::vector<Real>& multipliers, const std::vector<SpringAngle>& springs) {
     ReportedState report{to_number(t), {}, {}, {}, {}};
     for (std::size_t i = 0; i < states.size(); ++i) {
         const BodyState& s = states[i];
@@ -33,7 +35,22 @@ ReportedState to_report(const Real& t, const std::vector<BodyState>& states, con
         report.bodies.push_back(body);
     }
     for (const Real& lambda : multipliers) report.multipliers.push_back(to_number(lambda));
+    for (const SpringAngle& spring : springs) {
+        report.theta.push_back(to_number(spring.theta));
+        report.turns.push_back(spring.turns);
+    }
     return report;
+}
+
+std::vector<std::string> names_of_torsion_springs(const Model& model) {
+    std::vector<std::string> names;
+    std::map<std::string, int> used;
+    for (const TorsionSpring& spring : model.torsion_springs) {
+        const std::string pair = model.name_of(spring.first) + "-" + model.name_of(spring.second);
+        const int number = ++used[pair];
+        names.push_back(number == 1 ? pair : pair + "-" + std::to_string(number));
+    }
+    return names;
 }
 
 std::vector<BodyState> from_report(const ReportedState& report) {

@@ -16,7 +16,10 @@ ConstraintSummary to_summary(const ConstraintRank& rank);
 Real from_number(const Number& x);
 
 ReportedState to_report(const Real& t, const std::vector<BodyState>& states, const std::vector<std::string>& names,
-                        const std::vector<Real>& multipliers);
+                        const std::vector<Real>& multipliers, const std::vector<SpringAngle>& springs);
+/// "ground-wheel" of a spring between ground and wheel; where several are between the same bodies, "ground-wheel-2" of
+/// the second, and so on.
+std::vector<std::string> names_of_torsion_springs(const Model& model);
 std::vector<BodyState> from_report(const ReportedState& report);
 
 /// The distances behind error.*: Euclidean norms over all bodies of x, v, omega (m, m/s, rad/s), and of log(R_b^T R_a) (rad).

@@ -78,7 +78,8 @@ class Run {
           t_end_(decimal(cell.t_end)),
           h_(t_end_ / Real(cell.steps)),
           y_(initial_state(*system_, model_)),
-          states_(model_.bodies.size()) {
+          states_(model_.bodies.size()),
+          springs_(model_.torsion_springs.size()) {
         for (const Body& body : model_.bodies) names_.push_back(body.name);
         outcome_.constraints = to_summary(system_->constraint_rank());
         outcome_.bodies = system_->bodies();
@@ -102,8 +103,7 @@ class Run {
 
   private:
     std::unique_ptr<Integrator> bind_method() {
-        const Method& entry = method(cell_.method);
-        return entry.factory.make(*system_, cell_.options, entry.description);
+        return method(cell_.method).bind(*system_, cell_.options);
     }
 
     Real time(long step) const { return step == cell_.steps ? t_end_ : Real(h_ * Real(step)); }
@@ -155,7 +155,7 @@ class Run {
         outcome_.status = name(status);
         outcome_.detail = where + " failed in step " + std::to_string(step + 1) + " of " + std::to_string(cell_.steps) +
                           ", from t = " + brief(time(step)) + " s";
-        if (status == Status::singular_kkt) outcome_.detail += ": " + system_->singularity();
+        if (const std::string reason = system_->reason(status); !reason.empty()) outcome_.detail += ": " + reason;
     }
 
     /// Names the first quantity that is not finite.
@@ -183,6 +183,10 @@ class Run {
             add("v", "m/s", 3);
             add("omega", "rad/s", 3);
         }
+        for (const std::string& spring : names_of_torsion_springs(model_)) {
+            all.push_back({"theta." + spring, "rad"});
+            all.push_back({"turns." + spring, "1"});
+        }
         for (Column& column : joint_forces_->columns()) all.push_back(std::move(column));
         for (Column& column : monitor_.columns()) all.push_back(std::move(column));
         return all;
@@ -198,6 +202,8 @@ class Run {
                 for (int j = 0; j < 3; ++j) row.push_back(s.R(i, j));
             row.insert(row.end(), {s.v[0], s.v[1], s.v[2], s.omega[0], s.omega[1], s.omega[2]});
         }
+        system_->read_angles(y_.data(), springs_.data());
+        for (const SpringAngle& spring : springs_) row.insert(row.end(), {spring.theta, Real(spring.turns)});
         std::string line;
         const auto append = [&](const std::string& text) { line += (line.empty() ? "" : ",") + text; };
         for (const Real& x : row) append(to_text(x));
@@ -225,7 +231,9 @@ class Run {
                 known = false;
             }
             system_->read(y_.data(), states_.data());
-            outcome_.final = to_report(t, states_, names_, known ? joint_forces_->multipliers() : std::vector<Real>());
+            system_->read_angles(y_.data(), springs_.data());
+            outcome_.final =
+                to_report(t, states_, names_, known ? joint_forces_->multipliers() : std::vector<Real>(), springs_);
             if (found) joint_forces_->report(*outcome_.final);
             if (reference) add_errors(*reference, known);
         }
@@ -276,6 +284,7 @@ class Run {
     Real t_end_, h_;
     std::vector<Real> y_;
     std::vector<BodyState> states_;
+    std::vector<SpringAngle> springs_;
     std::vector<std::string> names_;
     long evaluations_ = 0;
     SampleSink* samples_ = nullptr;

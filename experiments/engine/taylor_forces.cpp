@@ -94,7 +94,8 @@ TorsionSpringSeries::TorsionSpringSeries(const TorsionSpring& spring, BodySeries
       size_(x_),
       across_(vectors(first)),
       moment_(across_),
-      gradient_(across_) {}
+      gradient_(across_),
+      expected_(2 * pi() * Real(spring.turns)) {}
 
 void TorsionSpringSeries::update(std::size_t i) {
     f1_.update(i), f2_.update(i), u_.update(i);
@@ -102,8 +103,15 @@ void TorsionSpringSeries::update(std::size_t i) {
 }
 
 void TorsionSpringSeries::start(const Real&) {
+    using std::floor;
     update(0);
-    theta_[0] = atan2(y_[0], x_[0]);
+    const Real principal = atan2(y_[0], x_[0]), turn = 2 * pi();
+    theta_[0] = principal + turn * floor(Real((expected_ - principal) / turn + Real(1) / 2));
+}
+
+void TorsionSpringSeries::move_on(const Real& s) {
+    expected_ = 0;
+    for (std::size_t k = theta_.size(); k-- > 0;) expected_ = expected_ * s + theta_[k];
 }
 
 void TorsionSpringSeries::act(std::size_t k) {

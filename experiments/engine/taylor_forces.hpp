@@ -17,6 +17,10 @@ class ForceSeries {
     virtual void start(const Real& /*t*/) {}
     /// Adds coefficient k to the bodies it acts on.
     virtual void act(std::size_t k) = 0;
+    /// Before the next expansion, at a time s after the last one: keeps what poses and velocities do not know.
+    virtual void move_on(const Real& /*s*/) {}
+    /// Whether the force is not defined at the expansion point.
+    virtual bool has_parted() const { return false; }
 };
 
 class GravitySeries final : public ForceSeries {
@@ -66,11 +70,15 @@ class SpringSeries final : public ForceSeries {
 
 /// With u = R_second e_1 and x, y its components along the first two axes of the first frame,
 ///   theta' = (x y' - y x') / (x^2 + y^2),   gradient = u x (x f_2 - y f_1) / (x^2 + y^2).
+/// theta_0 is atan2(y, x) and as many full turns as bring it nearest to the angle that the last series has led to.
 class TorsionSpringSeries final : public ForceSeries {
   public:
     TorsionSpringSeries(const TorsionSpring& spring, BodySeries& first, BodySeries& second);
     void start(const Real& t) override;
     void act(std::size_t k) override;
+    void move_on(const Real& s) override;
+    /// The angle winds about a pose that has none.
+    bool has_parted() const override { return 4 * (x_[0] * x_[0] + y_[0] * y_[0]) < 1; }
 
   private:
     void update(std::size_t i);
@@ -80,6 +88,7 @@ class TorsionSpringSeries final : public ForceSeries {
     Attached f1_, f2_, u_;
     Scalars x_, y_, x_rate_, y_rate_, square_, area_, theta_, theta_rate_, size_;
     Vectors across_, moment_, gradient_;
+    Real expected_;
 };
 
 }  // namespace KREISEL_PRECISION

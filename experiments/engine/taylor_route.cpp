@@ -55,6 +55,7 @@ TaylorRoute::TaylorRoute(const Model& model) : series_(model, taylor_order) {
 }
 
 Status TaylorRoute::expand() {
+    if (steps_ > 0) series_.move_on(t_ - base_t_);
     base_t_ = t_;
     ++steps_;
     return series_.expand(t_, states_);

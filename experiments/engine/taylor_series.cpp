@@ -184,7 +184,10 @@ Status TaylorSeries::expand(const Real& t, const std::vector<BodyState>& states)
     for (const BodyState& s : states) sum += s.x.sum() + s.R.sum() + s.v.sum() + s.omega.sum();
     if (!isfinite(sum)) return Status::non_finite;
     for (std::size_t i = 0; i < states.size(); ++i) bodies_[i].start(states[i]);
-    for (const auto& force : forces_) force->start(t);
+    for (const auto& force : forces_) {
+        force->start(t);
+        if (force->has_parted()) return Status::turn_lost;
+    }
     for (JointSeries& joint : joints_) joint.start(t);
     for (std::size_t k = 0; k < order_; ++k) {
         for (BodySeries& body : bodies_) body.begin(k);
@@ -198,6 +201,10 @@ Status TaylorSeries::expand(const Real& t, const std::vector<BodyState>& states)
         for (const Real& last : {body.v[order_].sum(), body.omega[order_].sum(), body.R[order_].sum()})
             if (!isfinite(last)) return Status::non_finite;
     return Status::ok;
+}
+
+void TaylorSeries::move_on(const Real& s) {
+    for (const auto& force : forces_) force->move_on(s);
 }
 
 Real TaylorSeries::reach(const Real& limit) const {

@@ -33,8 +33,10 @@ class TaylorSeries {
 
     /// The series of the motion that passes through `states` at time t (s). The answer is singular_kkt where the rank
     /// of the constraints is not that of the first expansion, or where rows that depend on each other contradict each
-    /// other.
+    /// other; turn_lost where the axes of a torsion spring have parted so far that turns have no meaning.
     Status expand(const Real& t, const std::vector<BodyState>& states);
+    /// Before the next expansion, if that goes on with this motion a time s after the last one: angles then count on.
+    void move_on(const Real& s);
 
     /// The largest s = limit, 7/8 limit, ... for which the last two terms of x, R, v and omega (each over all bodies)
     /// are below round-off of their largest terms; negative for a negative limit.

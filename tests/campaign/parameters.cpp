@@ -54,7 +54,8 @@ std::vector<ForceData> forces_of_all_types() {
                       .axis = awkward(Vector3{1, 0, 2}),
                       .stiffness = awkward(7),
                       .damping = awkward(0.1),
-                      .rest = awkward(-0.5)};
+                      .rest = awkward(-0.5),
+                      .turns = -12};
     ForceData torque{.type = Type::torque,
                      .between = {"", "rod"},
                      .value = awkward(Vector3{1, 0, 2}),

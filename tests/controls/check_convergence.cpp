@@ -25,7 +25,7 @@ class Runaway final : public System {
 Objection convergence_objection(const Method& entry) {
     if (!entry.description.implicit) return "";
     Runaway system;
-    const auto integrator = entry.factory.make(system, default_options(entry.description.options), entry.description);
+    const auto integrator = entry.bind(system, default_options(entry.description.options));
     std::vector<Real> y = {1, 0};
     const Status status = integrator->step(0, 1, y.data());
     if (status != Status::newton_failed) return std::string("a step without a solution ends as ") + name(status);

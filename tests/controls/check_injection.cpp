@@ -23,7 +23,7 @@ struct Patient {
         : healthy(formulation(form).make(model)),
           sick(formulation(form).make(spoiled)),
           system(*healthy, *sick),
-          integrator(entry.factory.make(system, default_options(entry.description.options), entry.description)),
+          integrator(entry.bind(system, default_options(entry.description.options))),
           y(initial_state(*healthy, model)),
           t(step_size * healthy_steps) {
         good = integrator->start(0, y.data()) == Status::ok;

@@ -48,6 +48,11 @@ class SwitchedSystem final : public System {
         now().velocity_residual(t, q, v, residual);
     }
     void jacobian(const Real& t, const Real* q, Real* C) const override { now().jacobian(t, q, C); }
+    Status begin_step(const Real& t, const Real& h, const Real* y) override {
+        second_.begin_step(t, h, y);
+        return now().begin_step(t, h, y);
+    }
+    Status end_step(Status result, const Real& t, Real* y) override { return now().end_step(result, t, y); }
 
   private:
     System& now() const { return solves_until_switch == 0 ? second_ : first_; }

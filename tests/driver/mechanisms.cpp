@@ -117,7 +117,7 @@ TEST_CASE("forces of every type are read") {
     const auto forces = entries<ForceData>("forces", R"([
         {"type": "spring", "between": ["ground", "a"], "points": [[1, 0, 0], [0, 1, 0]], "stiffness": 5, "damping": 2, "length": 0},
         {"type": "spring", "between": ["ground", "a"], "points": [[1, 0, 0], [0, 1, 0]], "stiffness": 0},
-        {"type": "torsion_spring", "between": ["a", "b"], "axis": [0, 0, 1], "stiffness": 5, "angle": -0.5},
+        {"type": "torsion_spring", "between": ["a", "b"], "axis": [0, 0, 1], "stiffness": 5, "angle": -0.5, "turns": -2},
         {"type": "torque", "body": "a", "value": [1, 0, 0], "frame": "body", "amplitude": 0.5, "frequency": 3},
         {"type": "force", "body": "a", "value": [1, 0, 0], "frame": "space", "point": [0, 0, 1]},
         {"type": "force", "body": "a", "value": [0, 1, 0]}
@@ -128,7 +128,7 @@ TEST_CASE("forces of every type are read") {
           ForceData{
               .type = Type::spring, .between = {"ground", "a"}, .points = ij, .stiffness = 5, .damping = 2, .rest = 0});
     CHECK(forces[1] == ForceData{.type = Type::spring, .between = {"ground", "a"}, .points = ij});
-    CHECK(forces[2] == ForceData{.type = Type::torsion_spring, .between = {"a", "b"}, .stiffness = 5, .rest = -0.5});
+    CHECK(forces[2] == ForceData{.type = Type::torsion_spring, .between = {"a", "b"}, .stiffness = 5, .rest = -0.5, .turns = -2});
     CHECK(forces[3] == ForceData{.type = Type::torque,
                                  .between = {"", "a"},
                                  .value = {1, 0, 0},

@@ -71,7 +71,7 @@ TEST_CASE("a body symmetric about its axis of the least or the largest moment ke
         body.J = Mat3::Identity() + (axial - 1) * e * e.transpose();
         CHECK(declared(model) == with(of_gravity, {"body_momentum"}));
         const auto integrals = first_integrals(model);
-        CHECK(abs(abs(integrals.back().value(std::vector{body.start})) - axial * abs(e.dot(body.start.omega))) <=
+        CHECK(abs(abs(integrals.back().value({std::vector{body.start}})) - axial * abs(e.dot(body.start.omega))) <=
               100 * epsilon * body.start.omega.norm());
         body.J += Mat3(Vec3(1, 2, 3).asDiagonal()) / 1000000000;
         CHECK(declared(model) == of_gravity);
@@ -101,8 +101,8 @@ TEST_CASE("a joint to the ground may name its bodies in either order", "[declare
         for (const Body& body : model.bodies) states.push_back(body.start);
         const auto a = first_integrals(model), b = first_integrals(other);
         for (std::size_t i = 0; i < a.size(); ++i) {
-            CHECK(a[i].value(states) == b[i].value(states));
-            CHECK(a[i].size(states) == b[i].size(states));
+            CHECK(a[i].value({states}) == b[i].value({states}));
+            CHECK(a[i].size({states}) == b[i].size({states}));
         }
     }
 }
@@ -119,5 +119,5 @@ TEST_CASE("the size of an angular momentum is the sum of the sizes of its terms"
     const auto integrals = first_integrals(model);
     REQUIRE(integrals.size() == 1);  // gravity varies in time
     CHECK(integrals[0].name == "angular_momentum_vertical");
-    CHECK(abs(integrals[0].size(states) - expected) <= 100 * epsilon * expected);
+    CHECK(abs(integrals[0].size({states}) - expected) <= 100 * epsilon * expected);
 }

@@ -42,7 +42,7 @@ TEST_CASE("heavy top: values of its first integrals", "[mechanics]") {
     const Model model = standard("heavy_top");
     const std::vector<BodyState> start = {model.bodies[0].start};
     std::map<std::string, Real> values;
-    for (const FirstIntegral& integral : first_integrals(model)) values[integral.name] = integral.value(start);
+    for (const FirstIntegral& integral : first_integrals(model)) values[integral.name] = integral.value({start});
     REQUIRE(values.size() == 3);
     check_close(values.at("energy"), digits("5435.696790865547"), "1e-13");
     check_close(values.at("angular_momentum_vertical"), digits("-70.3124296875"), "1e-13");
@@ -101,6 +101,6 @@ TEST_CASE("the size of the energy is the sum of the sizes of its terms", "[mecha
     const auto system = make_system(model, "SE3");
     const FirstIntegral& energy = system->integrals().front();
     REQUIRE(energy.name == "energy");
-    CHECK(abs(energy.size(states) - expected) <= 100 * epsilon * expected);
-    CHECK(abs(energy.value(states)) <= expected);
+    CHECK(abs(energy.size({states}) - expected) <= 100 * epsilon * expected);
+    CHECK(abs(energy.value({states})) <= expected);
 }

@@ -64,7 +64,8 @@ Real newton_euler_defect(const Model& model, const Answered& now, const Real& t)
         const BodyState& s = now.states[static_cast<std::size_t>(body)];
         return {s.x, s.R, s.R.transpose() * s.v, s.omega};
     };
-    for_each_wrench(model, t, motion, [&](int body, const Wrench& w) {
+    const auto within_half_a_turn = [](std::size_t, const Turn& turn) { return turn.principal; };
+    for_each_wrench(model, t, motion, within_half_a_turn, [&](int body, const Wrench& w) {
         const BodyState& s = now.states[static_cast<std::size_t>(body)];
         add(body, s.R * w.force, s.R * w.torque, s.x);
     });

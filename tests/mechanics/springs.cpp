@@ -35,19 +35,34 @@ Real rate(const std::function<Real(const Real&)>& f) {
 
 Real power(const Wrench& wrench, const Motion& m) { return wrench.force.dot(m.V) + wrench.torque.dot(m.omega); }
 
+Real energy_of(const Spring& element, const Motion& first, const Motion& second) {
+    return stored_energy(element, first, second);
+}
+/// Without full turns.
+Real energy_of(const TorsionSpring& element, const Motion& first, const Motion& second) {
+    return stored_energy(element, turn(element, first, second).principal);
+}
+WrenchPair wrenches_of(const Spring& element, const Motion& first, const Motion& second) {
+    return exerted(element, first, second);
+}
+WrenchPair wrenches_of(const TorsionSpring& element, const Motion& first, const Motion& second) {
+    const Turn now = turn(element, first, second);
+    return exerted(element, now, now.principal, first, second);
+}
+
 template <class Element>
 Real power_of(const Element& element, const Motion& first, const Motion& second) {
-    const WrenchPair pair = exerted(element, first, second);
+    const WrenchPair pair = wrenches_of(element, first, second);
     return power(pair.first, first) + power(pair.second, second);
 }
 
 /// Stiffness k and damping c: -(V' + c s'^2) with the elongation s, for which V = k s^2/2.
 template <class Element>
 void check_power(Element element) {
-    const auto energy = [&](const Real& t) { return stored_energy(element, after(one, t), after(other, t)); };
+    const auto energy = [&](const Real& t) { return energy_of(element, after(one, t), after(other, t)); };
     Element unit = element;
     unit.stiffness = 2;
-    const auto elongation = [&](const Real& t) { return sqrt(stored_energy(unit, after(one, t), after(other, t))); };
+    const auto elongation = [&](const Real& t) { return sqrt(energy_of(unit, after(one, t), after(other, t))); };
     const Real s_rate = rate(elongation), expected = -rate(energy) - element.damping * s_rate * s_rate;
     REQUIRE(abs(s_rate) > Real(1) / 10);
     CHECK(abs(power_of(element, one, other) - expected) <= 1000 * pow(epsilon, Real(2) / 3) * (1 + abs(expected)));
@@ -61,7 +76,7 @@ TEST_CASE("the power of springs and dampers is what their energy loses and their
 }
 
 TEST_CASE("springs and dampers act and react in one line", "[forces]") {
-    const WrenchPair pull = exerted(spring, one, other), twist = exerted(torsion, one, other);
+    const WrenchPair pull = exerted(spring, one, other), twist = wrenches_of(torsion, one, other);
     const auto moment = [](const Wrench& w, const Motion& m) {
         return Vec3(m.R * w.torque + m.x.cross(m.R * w.force));
     };
@@ -77,7 +92,7 @@ TEST_CASE("a damper does nothing between bodies that move as one", "[forces]") {
     TorsionSpring brake = torsion;
     brake.stiffness = 0;
     const Motion second = carried_along();
-    for (const WrenchPair& pair : {exerted(damper, one, second), exerted(brake, one, second)})
+    for (const WrenchPair& pair : {wrenches_of(damper, one, second), wrenches_of(brake, one, second)})
         for (const Wrench& wrench : {pair.first, pair.second})
             CHECK(wrench.force.norm() + wrench.torque.norm() <= 1000 * epsilon);
 }

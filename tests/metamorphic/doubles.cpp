@@ -37,6 +37,9 @@ class Forwarding : public System {
     int bodies() const override { return inner_->bodies(); }
     void read(const Real* y, BodyState* states) const override { inner_->read(y, states); }
     void write(const BodyState* states, Real* y) const override { inner_->write(states, y); }
+    Status begin_step(const Real& t, const Real& h, const Real* y) override { return inner_->begin_step(t, h, y); }
+    Status end_step(Status result, const Real& t, Real* y) override { return inner_->end_step(result, t, y); }
+    void read_angles(const Real* q, SpringAngle* angles) const override { inner_->read_angles(q, angles); }
 
   protected:
     std::unique_ptr<System> inner_;

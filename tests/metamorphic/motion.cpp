@@ -40,8 +40,12 @@ class Run {
         if (status == Status::ok) status = find_multipliers(span.h * span.steps);
         if (status != Status::ok) outcome_.failure = name(status);
         if (status == Status::ok) act(span.h * span.steps);
+        std::vector<SpringAngle> springs(static_cast<std::size_t>(system_->torsion_springs()));
+        system_->read_angles(y_.data(), springs.data());
+        std::vector<Real> angles;
+        for (const SpringAngle& spring : springs) angles.push_back(spring.theta);
         for (const FirstIntegral& integral : system_->integrals())
-            outcome_.integrals[integral.name] = integral.value(outcome_.bodies);
+            outcome_.integrals[integral.name] = integral.value({outcome_.bodies, angles});
         return std::move(outcome_);
     }
 
@@ -130,8 +134,7 @@ Bench::Bench()
     : system(make_system),
       integrator([](System& bound, const Combination& combination) {
           const Method& entry = method(combination.method);
-          return entry.factory.make(bound, with_defaults(combination.options, entry.description.options),
-                                    entry.description);
+          return entry.bind(bound, with_defaults(combination.options, entry.description.options));
       }),
       projection([](System& bound, const Combination& combination) {
           const ProjectionMethod& entry = kreisel::projection(combination.projection);

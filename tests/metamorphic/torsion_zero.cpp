@@ -3,6 +3,8 @@
 // Where the angle of a torsion spring is zero: its first frame turned back about the axis by most of half a turn, and the rest
 // angle with it. A spring that forgets full turns forgets them elsewhere then.
 #include "lie/so3.hpp"
+#include "mechanics/forces.hpp"
+#include "tests/metamorphic/motion.hpp"
 #include "tests/metamorphic/transformation.hpp"
 
 namespace kreisel {
@@ -12,8 +14,12 @@ namespace metamorphic {
 std::optional<Transformed> moved_zero(const Model& model) {
     if (model.torsion_springs.empty()) return {};
     const Real shift = Real(9) / 4;
+    std::vector<BodyState> starts;
+    for (const Body& body : model.bodies) starts.push_back(body.start);
     Model changed = model;
     for (TorsionSpring& spring : changed.torsion_springs) {
+        const Turn now = turn(spring, motion_of(starts, spring.first), motion_of(starts, spring.second));
+        if (now.principal + shift > pi()) ++spring.turns;  // past half a turn the next one begins
         spring.axes_first = spring.axes_first * SO3::exp(-shift * Vec3::UnitZ());
         spring.angle += shift;
     }

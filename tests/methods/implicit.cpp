@@ -59,7 +59,7 @@ Model resized(Model model, const Real& length, const Real& mass) {
 std::vector<std::array<Real, 2>> march(const Method& entry, const OptionValues& options, Line& system, const Real& h,
                                        int steps) {
     std::vector<std::array<Real, 2>> states = {{Real(1), Real(1) / 2}};
-    const auto integrator = entry.factory.make(system, options, entry.description);
+    const auto integrator = entry.bind(system, options);
     REQUIRE(integrator->start(0, states[0].data()) == Status::ok);
     for (int i = 0; i < steps; ++i) {
         states.push_back(states.back());
@@ -216,7 +216,7 @@ TEST_CASE("a step without a solution is newton_failed, and leaves the state", "[
         INFO(entry.description.name);
         Line system(runaway);
         const auto integrator =
-            entry.factory.make(system, default_options(entry.description.options), entry.description);
+            entry.bind(system, default_options(entry.description.options));
         Real y[2] = {1, 0};
         CHECK(integrator->step(0, 1, y) == Status::newton_failed);
         CHECK(y[0] == 1);
@@ -239,7 +239,7 @@ TEST_CASE("what is not a number never ends as ok in an implicit step", "[methods
                     Trip trip(standard("double_pendulum"), "SO3xR3", entry);
                     PoisonedSystem system(*trip.system);
                     const auto integrator =
-                        entry.factory.make(system, default_options(entry.description.options), entry.description);
+                        entry.bind(system, default_options(entry.description.options));
                     const Real h = Real(1) / 100;
                     for (int i = 0; i < healthy_steps; ++i)
                         REQUIRE(integrator->step(h * i, h, trip.y.data()) == Status::ok);

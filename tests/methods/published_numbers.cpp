@@ -18,7 +18,7 @@ Model with(const std::string& problem_name, const ParameterValues& changes) {
 
 Real integral(const Trip& trip, const std::string& name) {
     for (const FirstIntegral& entry : trip.system->integrals())
-        if (entry.name == name) return entry.value(trip.bodies());
+        if (entry.name == name) return entry.value({trip.bodies()});
     throw std::out_of_range(name);
 }
 

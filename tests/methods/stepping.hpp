@@ -44,7 +44,7 @@ struct Trip {
     Trip(const Model& m, const std::string& formulation, const Method& method, const OptionValues& options,
          const std::string& projector = "none", OptionValues projection_options = {})
         : model(m), system(make_system(model, formulation)), y(initial_state(*system, model)) {
-        integrator = method.factory.make(*system, options, method.description);
+        integrator = method.bind(*system, options);
         const ProjectionMethod& entry = projection(projector);
         for (const auto& [name, value] : default_options(entry.description.options)) projection_options.insert({name, value});
         project = entry.make(*system, projection_options);

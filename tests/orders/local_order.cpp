@@ -78,7 +78,7 @@ State exact_flow(const Real& h) {
 double local_error(const Method& method, const OptionValues& options, const Real& h) {
     ForcedBody body;
     State y = start();
-    REQUIRE(method.factory.make(body, options, method.description)->step(start_time, h, y.data()) == Status::ok);
+    REQUIRE(method.bind(body, options)->step(start_time, h, y.data()) == Status::ok);
     const State exact = exact_flow(h);
     Real sum = 0;
     for (std::size_t i = 0; i < y.size(); ++i) sum += (y[i] - exact[i]) * (y[i] - exact[i]);

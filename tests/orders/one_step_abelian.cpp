@@ -54,7 +54,7 @@ constexpr int steps = 10;
 
 State ours(const Method& method, const OptionValues& options) {
     Oscillator system;
-    const auto integrator = method.factory.make(system, options, method.description);
+    const auto integrator = method.bind(system, options);
     State y = initial;
     for (int step = 0; step < steps; ++step) REQUIRE(integrator->step(step * h, h, y.data()) == Status::ok);
     return y;
@@ -117,7 +117,7 @@ TEST_CASE("the running step on R^n shows the declared tableau", "[one_step]") {
         const int s = method.description.stages;
         ScriptedSystem system(std::make_shared<AdditiveGroup>(s), marks(s));
         VecX y = VecX::Zero(2 * s);
-        const auto integrator = method.factory.make(system, standard_options(method), method.description);
+        const auto integrator = method.bind(system, standard_options(method));
         REQUIRE(integrator->step(Real(0), Real(1), y.data()) == Status::ok);
         REQUIRE(system.calls().size() == tableau.a.size());
         CHECK(system.evaluations() == s);

@@ -58,7 +58,7 @@ DenseStep declared(const Method& method, const OptionValues& options, const Scen
 
 DenseStep running(const Method& method, const OptionValues& options, const Scenario& s) {
     ScriptedSystem system(s.group.group, s.script);
-    const auto integrator = method.factory.make(system, options, method.description);
+    const auto integrator = method.bind(system, options);
     VecX y = s.y;
     if (integrator->step(s.t, s.h, y.data()) != Status::ok) throw std::domain_error("the step fails");
     DenseStep step;

@@ -61,7 +61,7 @@ RecordedRun::RecordedRun(const Method& method, const OptionValues& options, cons
                          const std::string& formulation, const Real& step, int steps)
     : bodies(formulation), h(step), system_(make_system(model, formulation)) {
     std::vector<Real> y = initial_state(*system_, model);
-    const auto integrator = method.factory.make(*system_, options, method.description);
+    const auto integrator = method.bind(*system_, options);
     const Real start = Real(1) / 3;
     const auto keep = [&](const Real& t, const VecX& lambda) {
         const Eigen::Map<const VecX> all(y.data(), static_cast<Eigen::Index>(y.size()));

@@ -176,9 +176,15 @@ std::string integrals_are_constant(System& s, const At& at) {
     if (s.evaluate(at.t, at.y.data(), v.data(), a.data()) != Status::ok) return "the index-1 system has no solution";
     const Real fast = speed(v, a);
     std::vector<BodyState> bodies(static_cast<std::size_t>(s.bodies()));
-    const auto along = [&](const std::function<Real(std::span<const BodyState>)>& f, const Real& x) {
-        s.read(moved(s, at, v, a, x / fast).data(), bodies.data());
-        return f(bodies);
+    std::vector<SpringAngle> springs(static_cast<std::size_t>(s.torsion_springs()));
+    std::vector<Real> angles;
+    const auto along = [&](const std::function<Real(const MotionState&)>& f, const Real& x) {
+        const std::vector<Real> y = moved(s, at, v, a, x / fast);
+        s.read(y.data(), bodies.data());
+        s.read_angles(y.data(), springs.data());
+        angles.clear();
+        for (const SpringAngle& spring : springs) angles.push_back(spring.theta);
+        return f({bodies, angles});
     };
     for (const FirstIntegral& integral : s.integrals()) {
         const VecX rate = derivative([&](const Real& x) { return VecX::Constant(1, along(integral.value, x)); });

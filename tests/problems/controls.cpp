@@ -84,7 +84,7 @@ class Broken final : public System {
         auto integrals = inner_->integrals();
         if (fault == Fault::integral_drifts)
             integrals.push_back(
-                {"height", "m", "none", [](auto bodies) { return bodies[0].x[2]; }, [](auto) { return Real(1); }});
+                {"height", "m", "none", [](const MotionState& s) { return s.bodies[0].x[2]; }, [](const MotionState&) { return Real(1); }});
         set_integrals(std::move(integrals));
     }
 

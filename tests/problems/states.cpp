@@ -43,6 +43,9 @@ bool on_joints(const System& s, const checks::At& at) {
     return residual.norm() <= 1000 * epsilon;
 }
 
+/// Where the angles of torsion springs are defined.
+bool has_angles(System& s, const checks::At& at) { return s.begin_step(at.t, 0, at.y.data()) == Status::ok; }
+
 bool near(const std::vector<BodyState>& a, const std::vector<BodyState>& b) {
     for (std::size_t i = 0; i < a.size(); ++i)
         if (!((a[i].x - b[i].x).norm() < 4)) return false;
@@ -87,7 +90,7 @@ std::vector<Pose> poses(const Model& model, int count) {
             checks::At at = in_coordinates(*system, pose);
             if (!model.joints.empty()) onto_joints(*system, at);
             system->read(at.y.data(), pose.bodies.data());
-            if (near(all[0].bodies, pose.bodies) && on_joints(*system, at)) break;
+            if (near(all[0].bodies, pose.bodies) && on_joints(*system, at) && has_angles(*system, at)) break;
         }
         all.push_back(pose);
     }
