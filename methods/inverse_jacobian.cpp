@@ -28,7 +28,14 @@ void InverseJacobian::clear() {
 
 void InverseJacobian::apply(const VecX& r, VecX& out) const {
     out = r;
-    for (Eigen::Index j = 0; j < matrix_.cols(); ++j) out += r[j] * matrix_.col(j);
+    const Eigen::Index n = matrix_.cols();
+    Real* const to = out.data();
+    const Real* column = matrix_.data();
+    for (Eigen::Index j = 0; j < n; ++j, column += n) {
+        const Real share = r[j];
+        KREISEL_ELEMENTWISE
+        for (Eigen::Index i = 0; i < n; ++i) to[i] += share * column[i];
+    }
     for (const Eigen::Index i : order_) out += p_.col(i).dot(r) * u_.col(i);
 }
 

@@ -11,8 +11,8 @@ namespace {
 /// Directions that are kept of the last steps, and at most, of a stiff system: all there are, unless unknowns are many.
 constexpr Eigen::Index few_directions = 8, many_unknowns = 512, most_directions = 64;
 Eigen::Index directions(Eigen::Index unknowns) { return unknowns <= many_unknowns ? unknowns : most_directions; }
-/// Newton steps before the iteration is given up.
-constexpr int most_probes = 40;
+/// Steps of any kind, and Newton steps, before the iteration is given up.
+constexpr int most_iterations = 400, most_probes = 40;
 /// In round-offs: what counts as none, as one that has stopped falling, and as too small to tell a direction.
 constexpr int close = 8, stagnant = 4096, noisy = 1 << 14;
 
@@ -68,9 +68,10 @@ Status Newton::iterate(Equations& equations) {
     Real now = largest(g_), before = 0;  // none yet
     keep_best();
     bool newton_step = false;
-    for (int probes = 0, slow = 0; probes <= most_probes;) {
-        if (before > 0 && 4 * now > before) ++slow;
-        if (converged(equations, now, before, slow, newton_step)) return Status::ok;
+    for (int i = 0, probes = 0, slow = 0, still = 0; i < most_iterations && probes <= most_probes; ++i) {
+        const bool quiet = max(now, largest(r_)) <= stagnant * equations.round_off() * equations.size();
+        if (before > 0 && 4 * now > before) ++(quiet ? still : slow);  // round-off is no slowness
+        if (converged(equations, now, before, still, newton_step)) return Status::ok;
         newton_step = slow > (stiff_ ? 0 : 2);
         if (newton_step) {
             if (probes++ == 0) H_.clear();  // what it knows has not helped
@@ -87,7 +88,7 @@ Status Newton::iterate(Equations& equations) {
             if (!stiff_) learn_from_step(noisy * equations.round_off() * equations.size());
             now = largest(g_);
         }
-        const bool nearer = known && now < 4 * before && largest(r_) < 16 * largest(before_);
+        const bool nearer = known && now < 4 * before && (quiet || largest(r_) < 16 * largest(before_));
         if (newton_step || nearer) {
             keep_best();
         } else {  // away: back to where it was, and from there by a Newton step
@@ -110,17 +111,19 @@ Status Newton::move(Equations& equations) {
 
 void Newton::keep_best() { best_x_ = x_, best_r_ = r_; }
 
-bool Newton::converged(const Equations& equations, const Real& now, const Real& before, int slow,
+bool Newton::converged(const Equations& equations, const Real& now, const Real& before, int still,
                        bool newton_step) const {
     const Real size = equations.size();
     // A Jacobian that is large where no solution is makes corrections small, but not the residual.
     const Real most = min(max(Real(sqrt(epsilon)), Real(stagnant * gain_ * equations.round_off())), Real(1) / 1024);
     if (!(largest(r_) <= most * size)) return false;
     if (now <= close * epsilon * size) return true;
+    if (still > 1 && now <= stagnant * equations.round_off() * size) return true;
     if (!(2 * now > before) || !(before > 0)) return false;
     // After a fresh Newton step it is the residual's own round-off, of terms as large as the Jacobian makes them.
-    return now <= (slow > 1 || newton_step ? Real(stagnant * equations.round_off()) : Real(64 * epsilon)) * size ||
-           (newton_step && now <= close * equations.round_off() * gain_ * size);
+    return now <=
+           (newton_step ? Real(equations.round_off() * max(Real(stagnant), Real(close * gain_))) : Real(64 * epsilon)) *
+               size;
 }
 
 void Newton::learn_from_step(const Real& noise) {

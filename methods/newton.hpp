@@ -50,7 +50,7 @@ class Newton {
     Status iterate(Equations& equations);
     /// Residual at x_ into r, weighted; not finite is no failure.
     Status evaluate(Equations& equations, VecX& r);
-    bool converged(const Equations& equations, const Real& now, const Real& before, int slow, bool newton_step) const;
+    bool converged(const Equations& equations, const Real& now, const Real& before, int still, bool newton_step) const;
     /// Solves J s = r up to a small share by directions that enter H.
     Status probe(Equations& equations);
     /// u_ = -(1/|p|) g where p_ = r - before_ is new; H p = s then holds for the step s that has led from before_ to r.
