@@ -13,6 +13,8 @@ constexpr Eigen::Index few_directions = 8, many_unknowns = 512, most_directions 
 Eigen::Index directions(Eigen::Index unknowns) { return unknowns <= many_unknowns ? unknowns : most_directions; }
 /// Steps of any kind, and Newton steps, before the iteration is given up.
 constexpr int most_iterations = 400, most_probes = 40;
+/// Of a Jacobian that is the identity where nothing is stiff.
+constexpr int large_gain = 8;
 /// In round-offs: what counts as none, as one that has stopped falling, and as too small to tell a direction.
 constexpr int close = 8, stagnant = 4096, noisy = 1 << 14;
 
@@ -182,6 +184,7 @@ Status Newton::probe(Equations& equations) {
     }
     H_.apply(rest_, g_);
     g_ += newton_step_;
+    stiff_ = gain_ > large_gain;  // else it was an odd step, and learning goes on
     return Status::ok;
 }
 
