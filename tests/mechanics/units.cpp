@@ -23,24 +23,24 @@ std::vector<Real> multiplier_units(const Model& model, const Units& u) {
     return positions;
 }
 
-struct Answer {
+struct Solved {
     Status status;
     VecX a, lambda;
     ConstraintRank rank;
 };
 
-Answer answer(const Model& model, const std::string& formulation) {
+Solved solved(const Model& model, const std::string& formulation) {
     const auto s = make_system(model, formulation);
     const auto y = initial_state(*s, model);
-    Answer answer{Status::ok, VecX::Zero(s->velocities()), VecX::Zero(s->constraints()), s->constraint_rank()};
-    answer.status = s->accelerations(0, y.data(), y.data() + s->group().size(), answer.a.data(),
-                                     answer.lambda.size() > 0 ? answer.lambda.data() : nullptr);
-    return answer;
+    Solved result{Status::ok, VecX::Zero(s->velocities()), VecX::Zero(s->constraints()), s->constraint_rank()};
+    result.status = s->accelerations(0, y.data(), y.data() + s->group().size(), result.a.data(),
+                                     result.lambda.size() > 0 ? result.lambda.data() : nullptr);
+    return result;
 }
 
 /// What is not the same bits in other units, or nothing.
 std::string difference(const Model& model, const Model& other, const Units& u, const std::string& formulation) {
-    const Answer here = answer(model, formulation), there = answer(other, formulation);
+    const Solved here = solved(model, formulation), there = solved(other, formulation);
     if (here.status != there.status) return "status";
     if (here.rank.rank != there.rank.rank || here.rank.redundant != there.rank.redundant) return "rank";
     if (here.rank.condition != there.rank.condition) return "condition";
@@ -62,7 +62,7 @@ std::vector<Named> mechanisms() {
 }
 
 /// Moved off its joints, in units of its own.
-Model disturbed(Model model) {
+Model moved_off(Model model) {
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
         BodyState& s = model.bodies[i].start;
         s.x += Vec3(1, -2, Real(static_cast<int>(i))) / 512, s.v += Vec3(-1, 1, 2) / 256;
@@ -136,7 +136,7 @@ TEST_CASE("what is left in its old unit shows", "[units][control]") {
 TEST_CASE("other units leave every bit of a start that is projected", "[units]") {
     for (const Named& named : mechanisms()) {
         if (named.model.joints.empty()) continue;
-        Model moved = disturbed(named.model);
+        Model moved = moved_off(named.model);
         std::vector<Model> others;
         for (const Units& u : other_units()) others.push_back(scaled(moved, u));
         const StartCorrection correction = project_start(moved);
