@@ -10,6 +10,7 @@
 #include "experiments/json_strict.hpp"
 #include "experiments/json_writer.hpp"
 #include "experiments/plan.hpp"
+#include "tests/campaign/acceptance.hpp"
 
 using namespace kreisel;
 using Catch::Contains;
@@ -82,18 +83,19 @@ TEST_CASE("turns are read at a start", "[campaign]") {
 
 TEST_CASE("samples hold angle and turns of each torsion spring", "[campaign]") {
     const Plan plan = plan_with(wheel(10), 2, 400, 4);
-    const Outcome outcome = engine_binary64().run(plan.cells[0].cell, nullptr, {});
+    acceptance::Samples samples;
+    engine_binary64().run(plan.cells[0].cell, nullptr, {}, &samples);
     std::size_t theta = 0, turns = 0;
-    for (std::size_t i = 0; i < outcome.trajectory.columns.size(); ++i) {
-        const Column& column = outcome.trajectory.columns[i];
+    for (std::size_t i = 0; i < samples.columns.size(); ++i) {
+        const Column& column = samples.columns[i];
         if (column.name == "theta.ground-wheel" && column.unit == "rad") theta = i;
         if (column.name == "turns.ground-wheel" && column.unit == "1") turns = i;
     }
     REQUIRE(theta > 0);
     REQUIRE(turns == theta + 1);
-    REQUIRE(outcome.trajectory.rows.size() == 5);
+    REQUIRE(samples.rows.size() == 5);
     for (std::size_t row = 0; row < 5; ++row) {
-        const auto values = ordered_json::parse("[" + outcome.trajectory.rows[row] + "]");
+        const auto values = ordered_json::parse("[" + samples.rows[row] + "]");
         const double expected = 5 * std::sin(static_cast<double>(row));
         CHECK(std::abs(values[theta].get<double>() - expected) < 1e-6);
         CHECK(values[turns].get<double>() == std::round(expected / (2 * M_PI)));
