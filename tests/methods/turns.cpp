@@ -70,9 +70,11 @@ std::string turning_objection(const Turner& turner, const std::string& form, con
                              [&](System& system) { return entry.bind(system, options); });
 }
 
-/// A first-order method needs short steps before its order shows.
+/// A first-order method needs short steps before its order shows. So does BLieDF on SO3xR3: at 30 rad/s its errors are 0.24,
+/// 0.078, 0.022, 0.0058 and 0.0015 from 128 steps on, orders 1.61, 1.82, 1.92, 1.96.
 long steps_for(const Method& entry, long steps) {
-    return entry.description.order.configuration == 1 ? 16 * steps : steps;
+    if (entry.description.order.configuration == 1) return 16 * steps;
+    return entry.description.own_multipliers ? 4 * steps : steps;
 }
 
 Model with_torque(Model model, const Real& torque) {
