@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "tests/methods/stepping.hpp"
+#include "tests/methods/linkages.hpp"
 
 namespace {
 
@@ -63,6 +63,20 @@ TEST_CASE("a step and a projection allocate nothing", "[methods]") {
                     CHECK(status == Status::ok);
                     CHECK(during == 0);
                 }
+}
+
+TEST_CASE("an implicit step on redundant rows allocates nothing", "[methods]") {
+    for (const Method& entry : methods())
+        for (const Named& named : linkages::redundant_linkages()) {
+            if (!entry.description.implicit || (KREISEL_QUAD && named.name != "planar four-bar")) continue;
+            Trip trip(named.model, "SO3xR3", entry);
+            const long before = allocations;
+            const Status status = trip.run(Real(1) / 100, KREISEL_QUAD ? 2 : 10);
+            const long during = allocations - before;
+            INFO(entry.description.name << ", " << named.name);
+            CHECK(status == Status::ok);
+            CHECK(during == 0);
+        }
 }
 
 TEST_CASE("the count above sees an allocation", "[methods][control]") {
