@@ -224,6 +224,10 @@ void JointSolver::compare_terms() {
     for (std::size_t j = 0; j < rows_.size(); ++j)
         for (int k = 0; k < matrix_.rows[j]; ++k)
             largest_[island_[j]] = max(largest_[island_[j]], Real(sizes_[at(j, k)] / scale_[at(j, k)]));
+    // A mechanism at rest beside one that moves has round-off of that for a motion.
+    Real all = *std::max_element(largest_.begin(), largest_.end());
+    for (const BodyNode& node : nodes_) all = max(all, Real(node.motion.omega.squaredNorm()));
+    for (Real& largest : largest_) largest = max(largest, Real(epsilon * all));
 }
 
 bool JointSolver::hold(bool those_kept, const Real& share, const char* what) {
