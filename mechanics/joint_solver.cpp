@@ -365,6 +365,20 @@ std::string JointSolver::name_rows(const std::vector<bool>& rows, bool which) co
     return names;
 }
 
+std::string JointSolver::weakness() const {
+    constexpr int weak = 1000;
+    if (!(weak * pivot_ < 1)) return "";
+    const MatX A = geometric_transpose();
+    if (!A.allFinite()) return "";
+    const RowChoice others = choose_rows(A, choice_.rank - 1);
+    std::string names;
+    for (std::size_t j = 0; j < rows_.size(); ++j)
+        for (int k = 0; k < matrix_.rows[j]; ++k)
+            if (kept(at(j, k)) && !others.independent[static_cast<std::size_t>(at(j, k))])
+                names += (names.empty() ? "" : ", ") + name_row(j, k);
+    return "close to a pose in which the constraints lose rank: " + names + " all but follow from the others";
+}
+
 ConstraintRank JointSolver::constraint_rank() const {
     ConstraintRank rank{matrix_.size, choice_.rank, {}, condition_};
     for (std::size_t j = 0; j < rows_.size(); ++j)

@@ -66,6 +66,9 @@ class JointSolver {
     int rows(std::size_t joint) const { return matrix_.rows[joint]; }
     ConstraintRank constraint_rank() const;
     const std::string& singularity() const { return singularity_; }
+    /// Where an iteration beside the prepared configuration has failed: the row that is closest to following from others there, if any is close;
+    /// else nothing.
+    std::string weakness() const;
 
   private:
     /// A joint on a moving body: W and M^{-1} W.

@@ -23,6 +23,7 @@ class JointedBodies final : public Bodies<Coordinates> {
     Real kkt_round_off() const override { return epsilon / solver_.pivot(); }
     ConstraintRank constraint_rank() const override { return solver_.constraint_rank(); }
     std::string reason(Status status) const override {
+        if (status == Status::newton_failed) return solver_.weakness();
         return status == Status::singular_kkt ? solver_.singularity() : Base::reason(status);
     }
     bool is_unique(int row) const override { return unique_[static_cast<std::size_t>(row)]; }

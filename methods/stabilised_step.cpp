@@ -76,9 +76,10 @@ Status StabilisedStep::advance(const Real& t, const Real& h, Real* y) {
     balance();
     guess();
     if (const Status status = newton_.solve(*this, weights_, unknowns_.data()); status != Status::ok) {
+        const Status cause = status == Status::newton_failed ? find_cause() : status;
         std::copy_n(y, configuration_.size(), configuration_.begin());  // where the multipliers belong
         end_ = t;
-        return status;
+        return cause;
     }
     if (const Status status = settle_positions(); status != Status::ok) return status;
     if (const Status status = settle_rate(); status != Status::ok) return status;
@@ -90,6 +91,14 @@ Status StabilisedStep::advance(const Real& t, const Real& h, Real* y) {
     std::copy(configuration_.begin(), configuration_.end(), y);
     std::copy_n(velocity_.data(), n_, y + configuration_.size());
     return Status::ok;
+}
+
+/// An iteration fails beside poses in which rows lose rank. Where the guess is one, the system names the joints.
+Status StabilisedStep::find_cause() {
+    guess();
+    place(unknowns_.data());
+    return system_.prepare_kkt(end_, configuration_.data()) == Status::singular_kkt ? Status::singular_kkt
+                                                                                    : Status::newton_failed;
 }
 
 /// Where something is stiff, its round-off in x' reaches eta: then Phi = 0 is met for the last x.

@@ -51,6 +51,7 @@ class StabilisedStep final : private Equations {
     Real round_off() const override { return remoteness_ * system_.kkt_round_off(); }
 
     Status measure_positions(const Real& t, const Real* q);
+    Status find_cause();
     Status settle_positions();
     Status settle_rate();
     void balance();

@@ -137,3 +137,19 @@ TEST_CASE("stiff springs and dampers are no obstacle", "[methods]") {
             }
     });
 }
+
+TEST_CASE("a step that ends where a linkage loses rank says so, in every unit", "[methods]") {
+    // A parallelogram turns at 1 rad/s; after 64 steps all bars lie in a line.
+    Model one = standard("four_bar");
+    one.gravity.g.setZero();
+    for (const Real& length : {Real(1), Real(1) / 1048576})
+        for_each_implicit([&](const Method& entry) {
+            if (!entry.description.own_multipliers) return;
+            Trip trip(in_units(one, length, 1), "SO3xR3", entry);
+            const Status status = trip.run(pi() / 2, 64);
+            INFO(name(status));
+            CHECK(status != Status::ok);
+            CHECK(trip.system->reason(status).find("rank") != std::string::npos);
+            CHECK(trip.system->reason(status).find("joint") != std::string::npos);
+        });
+}
