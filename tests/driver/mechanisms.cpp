@@ -144,7 +144,8 @@ TEST_CASE("forces of every type are read") {
 TEST_CASE("a joint may have a name") {
     const std::string named = R"([{"type": "fixed", "name": "weld_1", "between": ["ground", "a"], "point": [1, 2, 3]}])";
     CHECK(entries<JointData>("joints", named)[0].name == "weld_1");
-    const ParameterValues values = read({{"joints", ordered_json::parse(named)}});
+    const ParameterValues values =
+        read({{"bodies", ordered_json::parse(good_mechanism()).at("bodies")}, {"joints", ordered_json::parse(named)}});
     CHECK(read(ordered_json::parse(json_value(values))) == values);
 }
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/metamorphic/exceptions.hpp"
 
-#include "experiments/engine/metrics.hpp"
+#include "experiments/pattern.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 namespace metamorphic {
 
 namespace {
-
-bool matches(const std::string& pattern, const std::string& text) { return kreisel::matches({pattern}, text); }
 
 bool covers(const Exception& entry, const Case& tried) {
     const Combination& combination = tried.combination;
