@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "mechanics/system.hpp"
-#include "methods/extrapolation.hpp"
+#include "methods/predictor.hpp"
 #include "methods/motion_scale.hpp"
 #include "methods/newton.hpp"
 
@@ -68,7 +68,7 @@ class StabilisedStep final : private Equations {
     MotionScale scale_;
     Eigen::Index etas_count_;  // all rows, or none
     Newton newton_;
-    Extrapolation rates_, etas_;
+    Predictor rates_, etas_;
     VecX unknowns_, weights_;                                // x, eta
     VecX increment_, velocity_, rate_, force_, gyroscopic_;  // n
     VecX shift_, shift_force_;                               // n: M^{-1} C^T eta

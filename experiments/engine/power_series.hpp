@@ -20,6 +20,13 @@ using Vectors = Series<Vec3>;
 
 inline Real real(std::size_t k) { return static_cast<int>(k); }
 
+/// a(s) = sum a_k s^k.
+inline Real value(const Scalars& a, const Real& s) {
+    Real sum = 0;
+    for (std::size_t k = a.size(); k-- > 0;) sum = sum * s + a[k];
+    return sum;
+}
+
 /// sum over j = from ... k of op(a_j, b_{k-j}), added to `sum`.
 template <class Sum, class A, class B, class Product>
 Sum convolve(Sum sum, const Series<A>& a, const Series<B>& b, std::size_t k, Product op, std::size_t from = 0) {

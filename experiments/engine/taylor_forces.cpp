@@ -109,9 +109,11 @@ void TorsionSpringSeries::start(const Real&) {
     theta_[0] = principal + turn * floor(Real((expected_ - principal) / turn + Real(1) / 2));
 }
 
-void TorsionSpringSeries::move_on(const Real& s) {
-    expected_ = 0;
-    for (std::size_t k = theta_.size(); k-- > 0;) expected_ = expected_ * s + theta_[k];
+void TorsionSpringSeries::move_on(const Real& s) { expected_ = value(theta_, s); }
+
+bool TorsionSpringSeries::has_parted(const Real& s) const {
+    const Real x = value(x_, s), y = value(y_, s);
+    return 4 * (x * x + y * y) < 1;
 }
 
 void TorsionSpringSeries::act(std::size_t k) {

@@ -19,8 +19,8 @@ class ForceSeries {
     virtual void act(std::size_t k) = 0;
     /// Before the next expansion, at a time s after the last one: keeps what poses and velocities do not know.
     virtual void move_on(const Real& /*s*/) {}
-    /// Whether the force is not defined at the expansion point.
-    virtual bool has_parted() const { return false; }
+    /// Whether the force is not defined a time s after the expansion point.
+    virtual bool has_parted(const Real& /*s*/) const { return false; }
 };
 
 class GravitySeries final : public ForceSeries {
@@ -78,7 +78,7 @@ class TorsionSpringSeries final : public ForceSeries {
     void act(std::size_t k) override;
     void move_on(const Real& s) override;
     /// The angle winds about a pose that has none.
-    bool has_parted() const override { return 4 * (x_[0] * x_[0] + y_[0] * y_[0]) < 1; }
+    bool has_parted(const Real& s) const override;
 
   private:
     void update(std::size_t i);

@@ -73,6 +73,7 @@ Status TaylorRoute::advance(const Real& t, const std::stop_token& stop) {
         holds_ = abs(t - base_t_) <= abs(reach_);
         t_ = holds_ ? t : Real(base_t_ + reach_);
         states_ = series_.states(t_ - base_t_);
+        if (series_.has_parted(t_ - base_t_)) return Status::turn_lost;
     }
     return Status::ok;
 }

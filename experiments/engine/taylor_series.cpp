@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/engine/taylor_series.hpp"
 
+#include <algorithm>
 #include <Eigen/QR>
 #include <array>
 #include <stdexcept>
@@ -186,7 +187,7 @@ Status TaylorSeries::expand(const Real& t, const std::vector<BodyState>& states)
     for (std::size_t i = 0; i < states.size(); ++i) bodies_[i].start(states[i]);
     for (const auto& force : forces_) {
         force->start(t);
-        if (force->has_parted()) return Status::turn_lost;
+        if (force->has_parted(0)) return Status::turn_lost;
     }
     for (JointSeries& joint : joints_) joint.start(t);
     for (std::size_t k = 0; k < order_; ++k) {
@@ -205,6 +206,10 @@ Status TaylorSeries::expand(const Real& t, const std::vector<BodyState>& states)
 
 void TaylorSeries::move_on(const Real& s) {
     for (const auto& force : forces_) force->move_on(s);
+}
+
+bool TaylorSeries::has_parted(const Real& s) const {
+    return std::any_of(forces_.begin(), forces_.end(), [&](const auto& force) { return force->has_parted(s); });
 }
 
 Real TaylorSeries::reach(const Real& limit) const {

@@ -41,6 +41,8 @@ class TaylorSeries {
     /// The largest s = limit, 7/8 limit, ... for which the last two terms of x, R, v and omega (each over all bodies)
     /// are below round-off of their largest terms; negative for a negative limit.
     Real reach(const Real& limit) const;
+    /// Whether the axes of a torsion spring have parted a time s after the expansion, so that turns have no meaning there.
+    bool has_parted(const Real& s) const;
     /// The states at a time s after that of the expansion; |s| within reach.
     std::vector<BodyState> states(const Real& s) const;
     /// At the time of the expansion: lambda (N, or N m where rows compare directions), joints in the order of the

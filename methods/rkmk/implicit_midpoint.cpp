@@ -12,7 +12,7 @@
 // The unknown of the iteration w = h f (methods/newton.hpp) is w = v+ - v, and its last f makes the step: what is linear in
 // the constraints then holds to the round-off of one solve. Sources: midpoint rule [hairer2006], lift [munthekaas1998].
 #include "mechanics/system.hpp"
-#include "methods/extrapolation.hpp"
+#include "methods/predictor.hpp"
 #include "methods/integrator.hpp"
 #include "methods/motion_scale.hpp"
 #include "methods/newton.hpp"
@@ -90,7 +90,7 @@ class ImplicitMidpoint final : public Integrator, private Equations {
     System& system_;
     Newton newton_;
     MotionScale scale_;
-    Extrapolation changes_;
+    Predictor changes_;
     VecX w_, u_, middle_v_, f_;
     std::vector<Real> middle_q_;
     Real t_ = 0, h_ = 0, known_h_ = 0, motion_ = 0;

@@ -12,9 +12,9 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-class Extrapolation {
+class Predictor {
   public:
-    explicit Extrapolation(Eigen::Index size) {
+    explicit Predictor(Eigen::Index size) {
         for (VecX& difference : differences_) difference.setZero(size);
         next_.setZero(size);
     }

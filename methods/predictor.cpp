@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "methods/extrapolation.hpp"
+#include "methods/predictor.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-void Extrapolation::push(const VecX& value) {
+void Predictor::push(const VecX& value) {
     next_ = value;
     for (int k = 0; k <= most_; ++k) {
         VecX& difference = differences_[static_cast<std::size_t>(k)];
@@ -15,7 +15,7 @@ void Extrapolation::push(const VecX& value) {
     known_ = min(known_ + 1, most_ + 1);
 }
 
-int Extrapolation::best_degree(const VecX& weights) const {
+int Predictor::best_degree(const VecX& weights) const {
     int best = 0;
     Real least = 0;
     if (weights.size() == 0) return best;
@@ -27,7 +27,7 @@ int Extrapolation::best_degree(const VecX& weights) const {
     return best;
 }
 
-void Extrapolation::guess(int degree, VecX& value) const {
+void Predictor::guess(int degree, VecX& value) const {
     value = differences_[0];
     for (int k = 1; k <= min(degree, known_ - 1); ++k) value += differences_[static_cast<std::size_t>(k)];
 }
