@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mechanics/turns.hpp"
 
-#include <cstdio>
+#include <sstream>
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -19,9 +19,9 @@ Real floor_of(const Real& x) {
 Real turns_to(const Real& angle, const Real& near) { return floor_of((near - angle) / full_turn + Real(1) / 2); }
 
 std::string text(const Real& x) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.6g", to_double(x));
-    return digits;
+    std::ostringstream out;
+    out << to_double(x);  // six digits
+    return out.str();
 }
 
 }  // namespace
