@@ -129,7 +129,7 @@ std::string bias_is_derivative(System& s, const At& at) {
     const VecX rate = fast * derivative([&](const Real& x) {
                           return velocity_residual(s, at.t + x / fast, moved(s, at, v, a, x / fast));
                       });
-    return compare("xi", jacobian(s, at) * a - xi, rate, difference_tolerance, fast * fast);
+    return compare("xi", jacobian(s, at) * a - xi, rate, difference_tolerance, fast * fast + xi.norm());
 }
 
 std::string accelerations_solve_kkt(System& s, const At& at) {
