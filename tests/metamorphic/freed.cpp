@@ -112,9 +112,11 @@ Real freed_difference(const Model& model, const Bench& bench) {
     std::vector<Real> lambda(static_cast<std::size_t>(system->constraints()));
     const VecX joined = accelerations(model, *system, lambda.data());
     const std::vector<BodyState> states = starts(model);
-    Model loose = model;  // where joints hold everything fast, accelerations are round-off of what they would be without
+    Model loose =
+        model;  // where joints hold everything fast, accelerations are round-off of what they would be without
     loose.joints.clear();
-    const Real size = max(Real(joined.norm()), Real(accelerations(loose, *make_system(loose, "SO3xR3"), nullptr).norm()));
+    const Real size =
+        max(Real(joined.norm()), Real(accelerations(loose, *make_system(loose, "SO3xR3"), nullptr).norm()));
     std::size_t position = 0, velocity = static_cast<std::size_t>(system->position_constraints());
     Real worst = 0;
     for (std::size_t j = 0; j < model.joints.size(); ++j) {

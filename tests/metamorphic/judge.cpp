@@ -6,6 +6,7 @@
 #include "mechanics/formulation.hpp"
 #include "mechanics/joint_rows.hpp"
 #include "mechanics/rank.hpp"
+#include "mechanics/scales.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

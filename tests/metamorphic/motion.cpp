@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/metamorphic/motion.hpp"
 
+#include <utility>
+
 #include "mechanics/formulation.hpp"
 #include "mechanics/joint_rows.hpp"
+#include "mechanics/scales.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -151,32 +154,28 @@ Motion motion_of(const std::vector<BodyState>& bodies, int body) {
     return {s.x, s.R, s.R.transpose() * s.v, s.omega};
 }
 
-Real extent(const Model& model) {
-    std::vector<BodyState> starts;
-    for (const Body& body : model.bodies) starts.push_back(body.start);
-    std::vector<Vec3> points;
-    for (const BodyState& s : starts) points.push_back(s.x);
-    for (const Joint& joint : model.joints) {
-        points.push_back(motion_of(starts, joint.first).point(joint.r_first));
-        points.push_back(motion_of(starts, joint.second).point(joint.r_second));
-    }
-    Real size = 0;
-    for (const Vec3& p : points)
-        for (const Vec3& q : points) size = max(size, Real((p - q).norm()));
-    for (const Body& body : model.bodies)
-        if (!body.point) size = max(size, Real(sqrt(body.J.trace() / body.mass)));
-    for (const Joint& joint : model.joints) size = max(size, joint.length);
-    return size;
+namespace {
+
+/// The shortest distance of a mass centre from a joint of its body, 0 where there is none.
+Real shortest_arm(const Model& model) {
+    Real arm = 0;
+    for (const Joint& joint : model.joints)
+        for (const auto& [body, r] : {std::pair(joint.first, joint.r_first), std::pair(joint.second, joint.r_second)})
+            if (const Real length = r.norm(); body != ground && length > 0) arm = arm > 0 ? min(arm, length) : length;
+    return arm;
 }
+
+}  // namespace
 
 Real fastest_rate(const Model& model) {
     const auto system = make_system(model, "SO3xR3");
     std::vector<Real> y = initial_state(*system, model), dv(static_cast<std::size_t>(system->velocities()));
     if (system->accelerations(0, y.data(), y.data() + system->group().size(), dv.data(), nullptr) != Status::ok)
         return 0;
-    const Real size = extent(model);
+    const Real size = extent(model), arm = shortest_arm(model);
     Real rate = model.gravity.amplitude != 0 ? abs(model.gravity.frequency) : Real(0);
     const auto allow = [&](const Real& other) { rate = max(rate, other); };
+    if (arm > 0) allow(sqrt(model.gravity.g.norm() / arm));  // of the pendulum that some pose of it is
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
         const BodyState& s = model.bodies[i].start;
         allow(s.omega.norm()), allow(s.v.norm() / size);

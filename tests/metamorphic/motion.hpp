@@ -67,8 +67,6 @@ struct Span {
 
 Outcome run(const Model& model, const Combination& combination, const Span& span, const Bench& bench = {});
 
-/// Mass centre, points of joints: how far things are from each other (m), at least the largest radius of gyration.
-Real extent(const Model& model);
 /// Rate of the fastest thing in the model at its start (1/s): turning, accelerations over the extent, springs, loads.
 Real fastest_rate(const Model& model);
 

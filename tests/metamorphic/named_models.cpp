@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/metamorphic/named_models.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "tests/mechanics/models.hpp"
@@ -57,7 +58,9 @@ const std::vector<NamedModel>& named_models() {
     static const std::vector<NamedModel> all = [] {
         std::vector<NamedModel> list;
         const auto add = [&](const std::string& name, const Model& model) {
-            list.push_back({name, model, step_for(model)});
+            const auto taken = [&](const NamedModel& other) { return other.name == name; };
+            const bool again = std::any_of(list.begin(), list.end(), taken);
+            list.push_back({again ? name + " of tests" : name, model, step_for(model)});
         };
         for (const models::Named& named : models::all()) add(named.name, named.model);
         add("winding", winding());

@@ -43,7 +43,10 @@ TEST_CASE("a model that is written down and read again is the same", "[metamorph
         INFO(named.name);
         ++models;
         const VecX a = accelerations_at_start(named.model), b = accelerations_at_start(*again);
-        CHECK((a - b).norm() <= a.norm() / 1000000000);  // data are decimals of double precision
+        Model loose = named.model;  // where joints hold everything fast, accelerations are round-off of these
+        loose.joints.clear();
+        const Real size = max(Real(a.norm()), Real(accelerations_at_start(loose).norm()));
+        CHECK((a - b).norm() <= size / 1000000000);  // data are decimals of double precision
     }
     std::cout << models << " models were read again\n";
     CHECK(models >= 25);

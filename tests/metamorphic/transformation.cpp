@@ -34,17 +34,17 @@ auto up_to_round_off() {
     return [](const Model& model, const Combination&) { return unless_redundant(model, Agreement::round_off); };
 }
 
+/// Stages of the baselines are no rotations; what a solve makes of them depends on where it begins.
+Agreement of_orders(const Model& model, const Combination& combination) {
+    return combination.method.starts_with("baseline/") ? Agreement::truncation
+                                                       : unless_redundant(model, Agreement::round_off);
+}
+
 auto always(Agreement agreement) {
     return [agreement](const Model&, const Combination&) { return agreement; };
 }
 
 bool is_implicit(const Combination& combination) { return method(combination.method).description.implicit; }
-
-/// Square roots of masses: of an odd power of two they round.
-Agreement of_masses(int k, const Model& model, const Combination& combination) {
-    const bool reduced = combination.formulation == "SO3" && !is_implicit(combination);
-    return k % 2 == 0 || reduced ? Agreement::bits : unless_redundant(model, Agreement::round_off);
-}
 
 /// Where an unknown is minus another, a difference quotient is not.
 Agreement of_mirrors(const Model& model, const Combination& combination) {
@@ -58,7 +58,7 @@ void add_units(std::vector<Transformation>& all) {
         all.push_back({"lengths" + by, [=](const Model& m) -> Made { return with(m, {.length = factor}); },
                        always(Agreement::bits)});
         all.push_back({"masses" + by, [=](const Model& m) -> Made { return with(m, {.mass = factor}); },
-                       [k](const Model& m, const Combination& c) { return of_masses(k, m, c); }});
+                       always(Agreement::bits)});
         all.push_back(
             {"time" + by, [=](const Model& m) -> Made { return with(m, {.time = factor}); }, always(Agreement::bits)});
     }
@@ -130,9 +130,8 @@ void add_descriptions(std::vector<Transformation>& all) {
     all.push_back({"turned", turned, up_to_round_off()});
     all.push_back({"bodies in other axes", in_other_axes, up_to_round_off()});
     all.push_back({"zero of torsion moved", moved_zero, always(Agreement::round_off)});
-    all.push_back({"reordered", reordered, up_to_round_off()});
-    all.push_back(
-        {"symmetric joints reversed", [](const Model& m) { return reversed(m, symmetric); }, up_to_round_off()});
+    all.push_back({"reordered", reordered, of_orders});
+    all.push_back({"symmetric joints reversed", [](const Model& m) { return reversed(m, symmetric); }, of_orders});
     all.push_back(
         {"all joints reversed", [](const Model& m) { return reversed(m, reversible); }, always(Agreement::truncation)});
     all.push_back({"a body split", split, of_splits});

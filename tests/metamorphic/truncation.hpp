@@ -9,7 +9,7 @@ namespace metamorphic {
 
 /// "" or what speaks against two runs that agree up to truncation: their distance at the end must be no larger than the sum
 /// of their errors, each against a far finer run of its own description (in double, where that is quick), and
-/// fall at the declared order from N to 4 N steps, unless all that is left of it is round-off.
+/// fall at the declared order between two of the step sizes h/2, ... h/16, unless all that is left of it is round-off.
 std::string beyond_truncation(const Case& entry, const Transformed& changed, int steps, const Bench& bench);
 
 }  // namespace metamorphic
