@@ -37,7 +37,7 @@ DenseBodies::DenseBodies(const std::string& formulation)
 
 VecX DenseBodies::increment(const VecX& q, const VecX& next, Side side) const {
     VecX u(q.size() / size_ * dim_);
-    for (Eigen::Index i = 0; i * size_ < q.size(); ++i) {
+    for (Eigen::Index i = 0; (i + 1) * size_ <= q.size(); ++i) {
         const MatX a = body_.matrix(q.data() + i * size_), b = body_.matrix(next.data() + i * size_);
         const MatX inverse = a.partialPivLu().inverse();
         const MatX U = dense_log(side == Side::right ? MatX(inverse * b) : MatX(b * inverse));
@@ -49,8 +49,8 @@ VecX DenseBodies::increment(const VecX& q, const VecX& next, Side side) const {
 }
 
 VecX DenseBodies::moved(const VecX& q, const VecX& u) const {
-    VecX next(q.size());
-    for (Eigen::Index i = 0; i * size_ < q.size(); ++i) {
+    VecX next = q;  // labels of torsion springs stand behind the poses
+    for (Eigen::Index i = 0; (i + 1) * size_ <= q.size(); ++i) {
         const MatX step = dense_exp(body_.hat(u.segment(i * dim_, dim_)));
         next.segment(i * size_, size_) = stored(MatX(body_.matrix(q.data() + i * size_) * step), size_);
     }
