@@ -26,9 +26,10 @@ const Combination plain = {"rkmk/rk4", "SO3xR3", "none"};
 
 TEST_CASE("control: a projection that stops by one number for all rows", "[metamorphic]") {
     const Combination projected = {"rkmk/rk4", "SO3xR3", "position_velocity"};
+    const int many = 64;  // until the drift in metres exceeds the tolerance
     for (const char* model : {"double_pendulum", "closed loop"}) {
-        CHECK(judged(model, "lengths times 2^-20", projected) == "");
-        CHECK(judged(model, "lengths times 2^-20", projected, with_absolute_tolerance()) != "");
+        CHECK(judged(model, "lengths times 2^-20", projected, {}, many) == "");
+        CHECK(judged(model, "lengths times 2^-20", projected, with_absolute_tolerance(), many) != "");
     }
 }
 
