@@ -21,6 +21,9 @@ const Real doubtful_pivot = Real(1) / 10000000000;
 /// By this share of the terms in its mechanism a row that was left out may be violated by accelerations: drift does so a
 /// little. A row that was kept is met to more digits, or the solve is no solution.
 const Real noticeable = Real(1) / 1000, unmet = Real(1) / 1000000000;
+/// What of scale omega^2 counts as a term where the terms themselves vanish. A small share only: about a symmetry axis a body
+/// spins fast without any acceleration, and beside all of omega^2 a contradiction of its joints would pass unnoticed.
+const Real spinning = Real(1) / 10000;
 
 }  // namespace
 
@@ -213,7 +216,7 @@ void JointSolver::add_terms(bool bias) {
         for (int k = 0; k < matrix_.rows[end.joint]; ++k) {
             const Eigen::Index row = at(end.joint, k);
             sizes_[row] += end.W->col(k).head<3>().norm() * linear + end.W->col(k).tail<3>().norm() * angular;
-            if (bias) sizes_[row] += scale_[row] * node.motion.omega.squaredNorm();
+            if (bias) sizes_[row] += spinning * scale_[row] * node.motion.omega.squaredNorm();
         }
     }
     if (bias) sizes_ += bias_.cwiseAbs();
