@@ -39,13 +39,11 @@ TEST_CASE("who is excepted from turning says so itself", "[metamorphic]") {
         if (exception.transformation == "turned") CHECK_FALSE(method(exception.method).description.equivariant);
 }
 
-// By its tag alone: of some 8,500 comparisons four disagree, mechanisms moved by 1000 km (bricard and the spherical pendulum
-// chain, methods that give up there or lose digits). The controls and the rest of the suite run in every check.
-TEST_CASE("descriptions of one motion agree", "[.][metamorphic]") {
+TEST_CASE("descriptions of one motion agree", "[metamorphic]") {
     if (KREISEL_QUAD)
         check(Extent::sparse, {400, 200, 100});
     else
-        check(Extent::pairwise, {4300, 2400, 850});
+        check(Extent::pairwise, {5000, 2500, 900});
 }
 
 TEST_CASE("descriptions of one motion agree, in every combination", "[.][full]") {

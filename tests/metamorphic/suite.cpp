@@ -27,9 +27,9 @@ std::string beyond_round_off(const Case& entry, const Pair& pair, const Transfor
     Real far = 0;
     for (const Body& body : changed.model.bodies) far = max(far, Real(body.start.x.norm() / changed.length));
     far = max(far, max(pair.original.sizes.x, pair.changed.sizes.x));
-    const Allowance allowed =
-        allowance(model, pair.original.sizes, far, growing::growth(entry.model->name, to_double(h), steps),
-                  solves_positions(entry.combination) ? h : Real(0));
+    const bool solved = solves_positions(entry.combination);
+    const growing::Growth& growth = growing::growth(entry.model->name, to_double(h), steps, solved);
+    const Allowance allowed = allowance(model, pair.original.sizes, far, growth, solved ? h : Real(0));
     const Excess found = excess(pair, model, allowed, steps);
     Real& largest = report.largest[entry.transformation->name];
     if (found.ratio <= most_round_off) largest = max(largest, found.ratio);

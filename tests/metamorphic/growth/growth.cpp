@@ -3,6 +3,7 @@
 
 #include <map>
 #include <stdexcept>
+#include <tuple>
 
 #include "lie/so3.hpp"
 #include "tests/metamorphic/motion.hpp"
@@ -69,8 +70,8 @@ std::array<double, effects> differences(const Outcome& a, const Outcome& b) {
     return worst;
 }
 
-Growth measured(const Model& model, const Span& span) {
-    const Combination standard{"rkmk/rk4", "SO3xR3", "none"};
+Growth measured(const Model& model, const Span& span, bool projected) {
+    const Combination standard{"rkmk/rk4", "SO3xR3", projected ? "position_velocity" : "none"};
     const Outcome base = run(model, standard, span);
     if (!base.failure.empty()) throw std::runtime_error("no growth: " + base.failure);
     Growth growth{};
@@ -90,12 +91,13 @@ Growth measured(const Model& model, const Span& span) {
 
 namespace growing {
 
-const Growth& growth(const std::string& model, double h, int steps) {
-    static std::map<std::pair<std::string, int>, Growth> known;
-    const auto key = std::make_pair(model, steps);
+const Growth& growth(const std::string& model, double h, int steps, bool projected) {
+    static std::map<std::tuple<std::string, int, bool>, Growth> known;
+    const auto key = std::make_tuple(model, steps, projected);
     const auto found = known.find(key);
     if (found != known.end()) return found->second;
-    return known[key] = metamorphic::measured(metamorphic::named_model(model).model, {Real(h), steps});
+    const Model& start = metamorphic::named_model(model).model;
+    return known[key] = metamorphic::measured(start, {Real(h), steps}, projected);
 }
 
 }  // namespace growing

@@ -15,7 +15,8 @@ enum Effect { on_position, on_rotation, on_velocity, on_omega, on_force, on_torq
 /// Largest |change at the end| over the size of the change of the start that caused it, each in its own unit.
 using Growth = std::array<std::array<double, causes>, effects>;
 
-/// Of a model of named_models.hpp over some steps of h, by rkmk/rk4 without projection. Kept for the next time.
-const Growth& growth(const std::string& model, double h, int steps);
+/// Of a model of named_models.hpp over some steps of h, by rkmk/rk4, with projection of positions and velocities or without.
+/// Kept for the next time.
+const Growth& growth(const std::string& model, double h, int steps, bool projected);
 
 }  // namespace kreisel::growing
