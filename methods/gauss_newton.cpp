@@ -13,7 +13,7 @@ namespace {
 constexpr int most_iterations = 25;
 
 /// A row is at round-off below this share of its terms. Iterations that no longer halve the largest row have met it too, if
-/// what is left is at most `stagnation` times as much; otherwise they do not converge.
+/// what is left is at most `stagnation` of what places are known to; otherwise they do not converge.
 const Real round_off = 4 * epsilon, stagnation = 1000 * round_off;
 
 bool all_finite(const std::vector<Real>& values) {
@@ -27,7 +27,10 @@ GaussNewtonProjection::GaussNewtonProjection(System& system)
       zero_force_(static_cast<std::size_t>(system.velocities()), Real(0)),
       residual_(static_cast<std::size_t>(system.constraints())),
       terms_(static_cast<std::size_t>(system.position_constraints())),
-      delta_(zero_force_.size()) {}
+      scale_(residual_.size()),
+      delta_(zero_force_.size()) {
+    system.row_scale(scale_.data());
+}
 
 /// The largest position row relative to its terms.
 Real GaussNewtonProjection::relative_residual() const {
@@ -35,6 +38,16 @@ Real GaussNewtonProjection::relative_residual() const {
     for (std::size_t i = 0; i < terms_.size(); ++i)
         if (residual_[i] != 0) largest = max(largest, Real(abs(residual_[i]) / terms_[i]));
     return largest;
+}
+
+/// Where the mechanism is far away, a row that follows from others is known as well only as they are, relative to their
+/// scales: those that compare directions too.
+bool GaussNewtonProjection::stands_still() const {
+    Real remoteness = 1;
+    for (std::size_t i = 0; i < terms_.size(); ++i) remoteness = max(remoteness, Real(terms_[i] / scale_[i]));
+    for (std::size_t i = 0; i < terms_.size(); ++i)
+        if (!(abs(residual_[i]) <= stagnation * max(terms_[i], Real(remoteness * scale_[i])))) return false;
+    return true;
 }
 
 Status GaussNewtonProjection::correction(const Real& t, const Real* q) {
@@ -52,7 +65,7 @@ Status GaussNewtonProjection::project_position(const Real& t, Real* y) {
         std::fill(residual_.begin() + system_.position_constraints(), residual_.end(), Real(0));
         if (!all_finite(residual_)) return Status::non_finite;  // NaN compares as false, and would pass below
         const Real size = relative_residual();
-        if (size <= round_off || (2 * size > previous && size <= stagnation)) return Status::ok;
+        if (size <= round_off || (2 * size > previous && stands_still())) return Status::ok;
         previous = size;
         if (const Status status = correction(t, y); status != Status::ok) return status;
         system_.group().append_exp(y, delta_.data(), y);

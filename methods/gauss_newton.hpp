@@ -24,9 +24,10 @@ class GaussNewtonProjection : public Projection {
   private:
     Status correction(const Real& t, const Real* q);
     Real relative_residual() const;
+    bool stands_still() const;
 
     System& system_;
-    std::vector<Real> zero_force_, residual_, terms_, delta_;
+    std::vector<Real> zero_force_, residual_, terms_, scale_, delta_;
 };
 
 }  // namespace KREISEL_PRECISION

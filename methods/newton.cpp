@@ -95,6 +95,8 @@ Status Newton::iterate(Equations& equations) {
             keep_best();
         } else {  // away: back to where it was, and from there by a Newton step
             x_ = best_x_, r_ = best_r_;
+            const Real known_to = close * equations.round_off() * equations.size();
+            if (max(before, largest(r_)) <= known_to) return move(equations);  // it is not known better
             before = 0, slow = 3;
             now = std::numeric_limits<Real>::max();
         }

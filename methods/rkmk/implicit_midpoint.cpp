@@ -33,6 +33,8 @@ class ImplicitMidpoint final : public Integrator, private Equations {
           u_(w_),
           middle_v_(w_),
           f_(w_),
+          terms_(VecX::Zero(system.position_constraints())),
+          lengths_(VecX::Zero(system.constraints())),
           middle_q_(static_cast<std::size_t>(system.group().size())) {}
 
     Status start(const Real&, const Real*) override {
@@ -45,6 +47,7 @@ class ImplicitMidpoint final : public Integrator, private Equations {
         if (const Status status = guess(); status != Status::ok) return status;
         scale_.weigh(y);
         motion_ = scale_.of_motion(t, h, y);
+        measure_remoteness();
         if (const Status status = newton_.solve(*this, scale_.weights(), w_.data()); status != Status::ok) {
             changes_.clear();
             return status;
@@ -85,15 +88,24 @@ class ImplicitMidpoint final : public Integrator, private Equations {
     }
 
     Real size() const override { return max(motion_, Real(abs(h_) * scale_.of_velocity(f_.data()))); }
-    Real round_off() const override { return system_.kkt_round_off(); }
+    Real round_off() const override { return remoteness_ * system_.kkt_round_off(); }
+
+    /// Rows along a line between bodies know its direction as well as places are known over its length.
+    void measure_remoteness() {
+        remoteness_ = 1;
+        if (terms_.size() == 0) return;
+        system_.position_scale(q_, terms_.data());
+        system_.row_scale(lengths_.data());
+        remoteness_ = max(remoteness_, Real(terms_.cwiseQuotient(lengths_.head(terms_.size())).maxCoeff()));
+    }
 
     System& system_;
     Newton newton_;
     MotionScale scale_;
     Predictor changes_;
-    VecX w_, u_, middle_v_, f_;
+    VecX w_, u_, middle_v_, f_, terms_, lengths_;
     std::vector<Real> middle_q_;
-    Real t_ = 0, h_ = 0, known_h_ = 0, motion_ = 0;
+    Real t_ = 0, h_ = 0, known_h_ = 0, motion_ = 0, remoteness_ = 1;
     const Real *q_ = nullptr, *v_ = nullptr;  // where the step begins
 };
 
