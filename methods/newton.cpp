@@ -66,6 +66,8 @@ Status Newton::iterate(Equations& equations) {
     directions_ = 0;
     if (const Status status = evaluate(equations, r_); status != Status::ok) return status;
     if (!all_finite(r_)) return Status::non_finite;
+    // Of the guess: without a solution the iteration runs off to where any residual is small beside the unknowns.
+    const Real known_to = close * equations.round_off() * equations.size();
     H_.apply(r_, g_);
     Real now = largest(g_), before = 0;  // none yet
     keep_best();
@@ -95,7 +97,6 @@ Status Newton::iterate(Equations& equations) {
             keep_best();
         } else {  // away: back to where it was, and from there by a Newton step
             x_ = best_x_, r_ = best_r_;
-            const Real known_to = close * equations.round_off() * equations.size();
             if (max(before, largest(r_)) <= known_to) return move(equations);  // it is not known better
             before = 0, slow = 3;
             now = std::numeric_limits<Real>::max();

@@ -54,20 +54,27 @@ class TerzeProjection final : public Projection {
         Eigen::Map<VecX> z(y, unknowns_);
         start_ = z;
         system_.position_scale(y, terms_.data());
-        Real previous = std::numeric_limits<Real>::max();
+        Real residual_before = std::numeric_limits<Real>::max();
+        Real step = 0, step_before = 1;  // the first step is predicted to be followed by one of its square
         for (int i = 0; i < most_iterations; ++i) {
             linearise(t, y);
             if (!residual_.allFinite()) return Status::non_finite;
-            const Real size = relative_residual(y);
-            if (size <= tolerance) return Status::ok;
+            const Real residual = relative_residual(y);
+            const bool on_rows = residual <= tolerance;
             // At round-off the rows stop falling; above it that means no convergence.
-            if (2 * size > previous && size <= 100 * tolerance) return Status::ok;
-            previous = size;
+            const bool still = 2 * residual > residual_before && residual <= 100 * tolerance;
+            // Steps shrink at a linear rate along the rows, where the multipliers bend them: the nearest state is met later
+            // than the rows.
+            const bool nearest = step * step <= tolerance * step_before || 2 * step > step_before;
+            if ((on_rows || still) && nearest) return Status::ok;
+            residual_before = residual;
             shift_ = (start_ - z).cwiseQuotient(column_unit_);  // in a product it would be evaluated into memory of its own
             rhs_.head(unknowns_).noalias() = weight_ * shift_;
             rhs_.tail(rows_) = -residual_.cwiseProduct(row_unit_);
             lu_.compute(kkt_);
             solution_ = lu_.solve(rhs_);
+            if (i > 0) step_before = step;
+            step = relative_step(y);
             z += solution_.head(unknowns_).cwiseProduct(column_unit_);
             ++iterations_;
         }
@@ -89,6 +96,15 @@ class TerzeProjection final : public Projection {
             if (residual_[m + i] != 0) largest = max(largest, Real(abs(residual_[m + i]) / speed));
         }
         return largest;
+    }
+
+    /// Largest entry of the last solution: places over the unit of length, R as it is, velocities to the fastest of them.
+    Real relative_step(const Real* y) const {
+        const auto velocities = Eigen::Map<const VecX>(y, unknowns_).tail(unknowns_ - configuration_);
+        const Real rate = velocities.cwiseQuotient(column_unit_.tail(velocities.size())).lpNorm<Eigen::Infinity>();
+        const auto change = solution_.head(unknowns_).cwiseAbs();
+        const Real placed = change.head(configuration_).maxCoeff(), moved = change.tail(velocities.size()).maxCoeff();
+        return rate > 0 ? max(placed, Real(moved / rate)) : placed;
     }
 
     /// Powers of two that make the matrix nearly free of units, so that pivoting compares what is comparable: lengths over
