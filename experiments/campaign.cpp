@@ -11,6 +11,7 @@
 #include "experiments/campaign_work.hpp"
 #include "experiments/errors.hpp"
 #include "experiments/interrupt.hpp"
+#include "experiments/lost_integrals.hpp"
 #include "experiments/past_horizon.hpp"
 #include "experiments/provenance.hpp"
 
@@ -95,13 +96,9 @@ void list_failures(const Plan& plan, const Finished& finished, CampaignReport& r
     }
 }
 
-std::vector<ResultRow> rows_past_horizon(const Finished& finished) {
+std::vector<ResultRow> rows_of(const Finished& finished) {
     std::vector<ResultRow> rows;
-    for (const auto& [hash, cell] : finished) {
-        if (cell.line.find("\"past_horizon\":true") != std::string::npos) {
-            rows.push_back(read_result_line(cell.line));
-        }
-    }
+    for (const auto& [hash, cell] : finished) { rows.push_back(read_result_line(cell.line)); }
     return rows;
 }
 
@@ -161,7 +158,9 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
         prune_journal(journal_file(folder, shard), settings.build);
     }
     list_failures(plan, finished, report);
-    report.past_horizon = past_horizon_notes(rows_past_horizon(finished));
+    const std::vector<ResultRow> rows = rows_of(finished);
+    report.notes = past_horizon_notes(rows);
+    for (std::string& note : lost_integral_notes(rows)) { report.notes.push_back(std::move(note)); }
     report.parts = trajectory_parts(folder);
     return report;
 }

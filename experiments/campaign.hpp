@@ -33,7 +33,7 @@ struct CampaignReport {
     bool interrupted = false;
     bool workers_left_behind = false;          ///< the process must end without waiting for them
     std::vector<std::filesystem::path> parts;  ///< samples of cells that were interrupted, this time or before
-    std::vector<std::string> past_horizon;     ///< one line for each reference that ends before its cells
+    std::vector<std::string> notes;            ///< what is to be known of cells that are ok, one line each
 };
 
 /// "", or "I-of-N".

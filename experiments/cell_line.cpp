@@ -81,6 +81,12 @@ FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, c
         cell.line += member("constraints", constraints_text(outcome.constraints, planned.quad()));
     }
     if (outcome.status != "skipped") { cell.line += member("metrics", metrics_text(outcome, planned.quad())); }
+    if (outcome.lost) {
+        cell.line += member("lost", ObjectWriter()
+                                        .member("integral", json_text(outcome.lost->name))
+                                        .member("share", json_number(outcome.lost->share))
+                                        .text());
+    }
     if (reference != nullptr) { cell.line += member("reference", reference_text(*reference, planned.cell.t_end)); }
     if (!trajectory_sum.empty()) {
         cell.trajectory_sum = trajectory_sum;

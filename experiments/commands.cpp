@@ -59,7 +59,7 @@ Exit report(const CampaignReport& report, const PlannedConfig& planned, const st
             const RunSettings& settings, std::ostream& messages) {
     const CellCounts& counts = report.counts;
     for (const auto& [text, status] : report.failures) { fmt::print(messages, "failed: {}\n", text); }
-    for (const std::string& note : report.past_horizon) { fmt::print(messages, "note: {}\n", note); }
+    for (const std::string& note : report.notes) { fmt::print(messages, "note: {}\n", note); }
     std::string text = fmt::format("{}: {} ok, {} skipped, {} failed", planned.plan.config.name, counts.ok,
                                    counts.skipped, counts.failed);
     if (report.reused > 0) { text += fmt::format(" ({} taken over from before)", report.reused); }

@@ -123,6 +123,12 @@ struct ConstraintSummary {
 /// What a cell came to. `status` is "ok", "skipped", "interrupted", or the name of a Status (lie/status.hpp);
 /// `detail` says when and where in words. A failed cell keeps what it measured up to `t_reached`. A timed cell has no final
 /// state: that of ten thousand bodies would fill the results.
+/// A first integral that has changed by more than 1 % of its terms.
+struct LostIntegral {
+    std::string name;
+    double share = 0;  ///< |I - I_0| over the sum of the sizes of its terms
+};
+
 struct Outcome {
     std::string status = "ok";
     std::string detail;
@@ -132,6 +138,7 @@ struct Outcome {
     std::optional<ReportedState> final;
     ConstraintSummary constraints;
     std::vector<std::pair<std::string, Number>> metrics;
+    std::optional<LostIntegral> lost;  ///< the one lost most, at the end
     Cost cost;
 };
 

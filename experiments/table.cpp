@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "experiments/errors.hpp"
+#include "experiments/lost_integrals.hpp"
 #include "experiments/past_horizon.hpp"
 #include "experiments/table_certification.hpp"
 #include "experiments/table_drift.hpp"
@@ -48,7 +49,8 @@ void print_counts(const Results& results) {
     }
     fmt::print("{}: {} cells: {} ok, {} skipped, {} failed\n\n", results.name, results.rows.size(), ok, skipped,
                results.rows.size() - ok - skipped);
-    const auto notes = past_horizon_notes(results.rows);
+    auto notes = past_horizon_notes(results.rows);
+    for (std::string& note : lost_integral_notes(results.rows)) { notes.push_back(std::move(note)); }
     for (const std::string& note : notes) { fmt::print("{}\n", note); }
     if (!notes.empty()) { fmt::print("\n"); }
 }

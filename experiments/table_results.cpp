@@ -180,6 +180,10 @@ ResultRow read_result_line(const std::string& text) {
         row.reference_horizon = number(line.at("reference").at("horizon"));
         row.past_horizon = line.at("reference").value("past_horizon", false);
     }
+    if (line.contains("lost")) {
+        row.lost_integral = line.at("lost").at("integral");
+        row.lost_share = number(line.at("lost").at("share"));
+    }
     if (line.contains("final")) { row.scale = scales(line.at("final")); }
     if (line.contains("order")) { row.declared_order = declared_orders(line.at("order")); }
     row.has_trajectory = line.contains("trajectory");

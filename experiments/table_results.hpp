@@ -24,6 +24,8 @@ struct ResultRow {
     std::map<std::string, double> metrics;
     std::map<std::string, double> reference_error;  ///< by error.* metric; empty without a reference
     double reference_horizon = 0;                   ///< s; 0 without a reference
+    std::string lost_integral;                      ///< changed by more than 1 % of its terms; empty: none was
+    double lost_share = 0;                          ///< by how much
     bool past_horizon = false;                      ///< it ends past that: errors hold to 1 % only
     std::map<std::string, double> scale;            ///< by error.* metric: size of the final state, same unit
     std::map<std::string, double> cost;             ///< of timed cells with what the journals tell: "step_s", "memory"

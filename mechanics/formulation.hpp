@@ -48,7 +48,8 @@ struct StartCorrection {
 StartCorrection project_start(Model& model);
 
 /// What a model whose start is allowed is warned of: a singular position, where the rank of the constraints is less than
-/// beside it; rows so nearly dependent, in position or by the ratio of masses, that a solve keeps fewer than six digits. Nothing is said of more than 120 rows.
+/// beside it; rows so nearly dependent, in position or by the ratio of masses, that a solve keeps fewer than six digits (of
+/// at most 120 rows, both); a torsion spring whose axes the joints let part.
 std::vector<std::string> start_warnings(const Model& model);
 
 /// The state in which a model starts.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is said of a start that is allowed: that it is a singular position, or that the solves keep few digits.
+// What is said of a start that is allowed: that it is a singular position, that the solves keep few digits, or that axes of a
+// torsion spring may part.
 #include <sstream>
 
 #include "mechanics/formulation.hpp"
@@ -35,20 +36,28 @@ VecX some_force(const Model& model, int seed) {
     return force;
 }
 
+/// A velocity of size 1 that the joints allow at the start, in no particular direction, of the formulation SO3xR3; nothing
+/// where no motion is left.
+std::optional<VecX> some_motion(const Model& model, System& system, const std::vector<Real>& y, int seed) {
+    const VecX force = some_force(model, seed), still = VecX::Zero(system.constraints());
+    VecX a(force.size());
+    if (system.solve_kkt(0, y.data(), force.data(), still.data(), a.data(), nullptr) != Status::ok) return std::nullopt;
+    Real largest = 0;
+    for (Eigen::Index i = 0; i < a.size(); i += 6)
+        largest = max(largest, max(Real(a.segment<3>(i).norm() / extent(model)), Real(a.segment<3>(i + 3).norm())));
+    if (!(largest > sqrt(epsilon))) return std::nullopt;  // of forces of size 1: what is less is round-off
+    return VecX(a / largest);
+}
+
 /// The model at rest beside its start, moved by some 1/64 as the joints allow, and back onto them; nothing where no motion
 /// is left, or where the way back is not found.
 std::optional<Model> beside(Model model, int seed) {
     const auto system = formulation("SO3xR3").make(model);
     std::vector<Real> y = initial_state(*system, model);
-    const VecX force = some_force(model, seed), still = VecX::Zero(system->constraints());
-    VecX a(force.size());
-    if (system->solve_kkt(0, y.data(), force.data(), still.data(), a.data(), nullptr) != Status::ok) return std::nullopt;
-    Real largest = 0;
-    for (Eigen::Index i = 0; i < a.size(); i += 6)
-        largest = max(largest, max(Real(a.segment<3>(i).norm() / extent(model)), Real(a.segment<3>(i + 3).norm())));
-    if (!(largest > sqrt(epsilon))) return std::nullopt;  // of forces of size 1: what is less is round-off
-    a /= 64 * largest;
-    system->group().append_exp(y.data(), a.data(), y.data());
+    const std::optional<VecX> motion = some_motion(model, *system, y, seed);
+    if (!motion) return std::nullopt;
+    const VecX step = *motion / 64;
+    system->group().append_exp(y.data(), step.data(), y.data());
     std::vector<BodyState> states(model.bodies.size());
     system->read(y.data(), states.data());
     for (std::size_t i = 0; i < states.size(); ++i) model.bodies[i].start = {states[i].x, states[i].R};
@@ -100,14 +109,42 @@ std::string of_singularity(const Model& model, const ConstraintRank& here) {
     return "";
 }
 
+/// What the start makes of a vector in body axes, in space axes.
+Vec3 in_space(const Model& model, int body, const Vec3& vector) {
+    return body == ground ? vector : Vec3(model.bodies[static_cast<std::size_t>(body)].start.R * vector);
+}
+
+/// Angular velocity of a body in space axes, of a velocity of the formulation SO3xR3.
+Vec3 turning(const Model& model, const VecX& motion, int body) {
+    return body == ground ? Vec3(Vec3::Zero()) : in_space(model, body, motion.segment<3>(6 * body + 3));
+}
+
+/// Springs whose axes the joints allow to part.
+std::vector<std::string> of_springs(const Model& model) {
+    std::vector<std::string> warnings;
+    if (model.torsion_springs.empty()) return warnings;
+    const auto system = formulation("SO3xR3").make(model);
+    const std::optional<VecX> motion = some_motion(model, *system, initial_state(*system, model), 0);
+    for (std::size_t i = 0; motion && i < model.torsion_springs.size(); ++i) {
+        const TorsionSpring& spring = model.torsion_springs[i];
+        const Vec3 axis = in_space(model, spring.second, spring.axes_second.col(2));
+        const Vec3 relative = turning(model, *motion, spring.second) - turning(model, *motion, spring.first);
+        if (relative.cross(axis).norm() > sqrt(epsilon))
+            warnings.push_back(model.name_of_torsion_spring(i) +
+                               ": the joints do not keep its axes parallel: a run ends with turn_lost where they part so far "
+                               "that a turn is not defined");
+    }
+    return warnings;
+}
+
 }  // namespace
 
 std::vector<std::string> start_warnings(const Model& model) {
+    std::vector<std::string> warnings = of_springs(model);
     int rows = 0;
     for (const Joint& joint : model.joints) rows += rows_of(joint.type);
-    if (rows == 0 || rows > most_rows_examined) return {};
+    if (rows == 0 || rows > most_rows_examined) return warnings;
     const ConstraintRank rank = rank_at_start(model);
-    std::vector<std::string> warnings;
     for (const std::string& warning : {of_singularity(model, rank), of_conditioning(model, rank.condition.value_or(1))})
         if (!warning.empty()) warnings.push_back(warning);
     return warnings;

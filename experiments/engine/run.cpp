@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "experiments/engine/conservation.hpp"
 #include "experiments/engine/joint_forces.hpp"
 #include "experiments/engine/metrics.hpp"
 #include "experiments/engine/report.hpp"
@@ -84,6 +85,7 @@ class Run {
         outcome_.constraints = to_summary(system_->constraint_rank());
         outcome_.bodies = system_->bodies();
         if (!cell.timed || cell.samples > 0) joint_forces_.emplace(*system_, model_);
+        if (!cell.timed) conservation_.emplace(*system_, y_.data());
     }
 
     Outcome execute(const Reference* reference, const std::stop_token& stop, SampleSink* samples) {
@@ -236,6 +238,7 @@ class Run {
                 to_report(t, states_, names_, known ? joint_forces_->multipliers() : std::vector<Real>(), springs_);
             if (found) joint_forces_->report(*outcome_.final);
             if (reference) add_errors(*reference, known);
+            outcome_.lost = conservation_->lost(y_.data());
         }
         outcome_.cost.output_evaluations += monitor_.evaluations();
         if (joint_forces_) outcome_.cost.output_evaluations += joint_forces_->evaluations();
@@ -281,6 +284,7 @@ class Run {
     std::unique_ptr<Projection> projection_;
     Monitor monitor_;
     std::optional<JointForces> joint_forces_;  // not of a timed cell, which would count its memory
+    std::optional<Conservation> conservation_;  // nor this
     Real t_end_, h_;
     std::vector<Real> y_;
     std::vector<BodyState> states_;

@@ -72,6 +72,22 @@ TEST_CASE("a truncated dexpinv leaves its chart like the closed form", "[campaig
     CHECK(engine_binary64().run(cell, nullptr, {}).status == "left_chart");
 }
 
+TEST_CASE("a run that has lost a first integral says so, asked for it or not", "[campaign]") {
+    const auto lost = [](const char* method, long steps) {
+        Cell cell = cell_of("heavy_top", method, 1, steps);
+        cell.metrics = {};
+        return engine_binary64().run(cell, nullptr, {}).lost;
+    };
+    CHECK_FALSE(lost("rkmk/rk4", 2000).has_value());
+    const auto energy = lost("rkmk/euler", 2000);
+    REQUIRE(energy.has_value());
+    CHECK(energy->name == "energy");
+    CHECK(energy->share > 0.01);
+    const auto less = lost("rkmk/euler", 8000);
+    REQUIRE(less.has_value());
+    CHECK(energy->share / less->share == Approx(4).epsilon(0.25));
+}
+
 TEST_CASE("nothing is said relative to a first integral that is zero", "[campaign]") {
     // A top at rest with its mass centre on the x axis: the vertical angular momentum is zero but for round-off.
     Cell cell = cell_of("heavy_top", "rkmk/rk4", 1, 1000);

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "experiments/errors.hpp"
+#include "experiments/lost_integrals.hpp"
 #include "experiments/past_horizon.hpp"
 #include "experiments/table.hpp"
 #include "experiments/table_drift.hpp"
@@ -57,6 +58,20 @@ TEST_CASE("errors past the horizon of their reference are marked in every table"
     CHECK(notes[0] ==
           "far: 6 cells end at 1 s, past the horizon T* = 0.5 s of their reference, which is uncertain by "
           "1.0e-20 m there: only errors above 100 times its uncertainty are measured");
+}
+
+TEST_CASE("cells far from a first integral are counted, and the farthest is named") {
+    const ResultFolder folder;
+    folder.write("results.jsonl", convergence_lines(4));
+    CHECK(lost_integral_notes(read_results(folder.path()).rows).empty());
+    const auto drifted = [](double share) {
+        return nlohmann::json{{"label", "far"}, {"lost", {{"integral", "energy"}, {"share", share}}}};
+    };
+    folder.write("results.jsonl", convergence_lines(4, {{"label", "far"}}) + convergence_lines(4, drifted(0.02), 16) +
+                                      convergence_lines(2, drifted(0.5), 32));
+    const auto notes = lost_integral_notes(read_results(folder.path()).rows);
+    REQUIRE(notes.size() == 1);
+    CHECK_THAT(notes[0], Catch::Contains("far: 12 of 18 cells end ok") && Catch::Contains("energy by 50 % at most (rkmk/rk4"));
 }
 
 TEST_CASE("declared and observed orders stand side by side, and a shortfall is marked") {
