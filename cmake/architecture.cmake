@@ -20,7 +20,7 @@ elseif(NOT KREISEL_ARCH STREQUAL "generic")
 endif()
 
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
-                    -Woverloaded-virtual -Wcast-align -Wnull-dereference -Werror)
+                    -Woverloaded-virtual -Wcast-align -Wnull-dereference $<$<BOOL:${KREISEL_WERROR}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # False alarms of GCC 12 inside inlined standard and Eigen templates; designated initialisers leave defaults on purpose.
   add_compile_options(-Wno-null-dereference -Wno-maybe-uninitialized -Wno-missing-field-initializers -Wno-array-bounds

@@ -1,9 +1,9 @@
-# kreisel_build.hpp: what results say about the program that made them.
-execute_process(COMMAND git rev-parse --short=12 HEAD WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
-                OUTPUT_VARIABLE KREISEL_COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE no_git)
-if(no_git)
-  set(KREISEL_COMMIT "unknown")
-endif()
+# kreisel_build.hpp and kreisel_commit.cpp: what results say about the program that made them. The commit is looked up by
+# every build, not when it is configured.
+set(commit_script ${CMAKE_COMMAND} -D SOURCE=${CMAKE_SOURCE_DIR} -D TO=${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp
+                  -P ${CMAKE_SOURCE_DIR}/cmake/commit.cmake)
+execute_process(COMMAND ${commit_script} COMMAND_ERROR_IS_FATAL ANY)
+add_custom_target(kreisel_commit COMMAND ${commit_script} BYPRODUCTS ${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp)
 
 # The numerical sources by content: results are reused only where these are equal.
 file(GLOB_RECURSE KREISEL_NUMERICAL_SOURCES CONFIGURE_DEPENDS
@@ -22,7 +22,7 @@ string(SUBSTRING ${KREISEL_SOURCE_DIGEST} 0 16 KREISEL_SOURCE_DIGEST)
 
 # What decides a reference solution: not the methods, nor what measures their runs. A reference outlives a new method.
 set(KREISEL_REFERENCE_SOURCES ${KREISEL_NUMERICAL_SOURCES})
-list(FILTER KREISEL_REFERENCE_SOURCES EXCLUDE REGEX "^${CMAKE_SOURCE_DIR}/(methods/|experiments/engine/(run|metrics)[.])")
+list(FILTER KREISEL_REFERENCE_SOURCES EXCLUDE REGEX "^${CMAKE_SOURCE_DIR}/(methods/|experiments/engine/(run|metrics|conservation)[.])")
 set(KREISEL_DIGESTS "")
 foreach(source IN LISTS KREISEL_REFERENCE_SOURCES)
   file(SHA256 ${source} digest)

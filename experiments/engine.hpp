@@ -114,21 +114,22 @@ class SampleSink {
 /// multipliers are not unique: `least_norm` are those of least norm, each row divided by its scale, at the end of a run.
 struct ConstraintSummary {
     int rows = 0, rank = 0;
+    int directions = 0;                  ///< rows that compare directions; the others are lengths. Not in results
     std::vector<std::string> redundant;  ///< the rows that follow from others, by joint
     std::optional<double> condition;     ///< ratio of the extreme pivots of M^{-1/2} C^T, its columns of length 1
     std::vector<Number> least_norm;
     bool has_redundant_rows() const { return rank < rows; }
 };
 
-/// What a cell came to. `status` is "ok", "skipped", "interrupted", or the name of a Status (lie/status.hpp);
-/// `detail` says when and where in words. A failed cell keeps what it measured up to `t_reached`. A timed cell has no final
-/// state: that of ten thousand bodies would fill the results.
 /// A first integral that has changed by more than 1 % of its terms.
 struct LostIntegral {
     std::string name;
     double share = 0;  ///< |I - I_0| over the sum of the sizes of its terms
 };
 
+/// What a cell came to. `status` is "ok", "skipped", "interrupted", or the name of a Status (lie/status.hpp);
+/// `detail` says when and where in words. A failed cell keeps what it measured up to `t_reached`. A timed cell has no final
+/// state: that of ten thousand bodies would fill the results.
 struct Outcome {
     std::string status = "ok";
     std::string detail;

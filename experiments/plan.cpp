@@ -64,6 +64,12 @@ std::vector<std::string> known_metrics(const Plan& plan) {
     return metric_names({integrals.begin(), integrals.end()});
 }
 
+// Whether there are rows of the kind that a defect or an error of multipliers is of.
+bool has_rows_of(const ConstraintSummary& constraints, const std::string& name) {
+    const bool of_directions = name.starts_with("defect.direction") || name.starts_with("error.multipliers.torque");
+    return of_directions ? constraints.directions > 0 : constraints.rows > constraints.directions;
+}
+
 // Whether some cell can measure a metric: what is said of constraints needs some, and of multipliers unique ones.
 bool can_be_measured(const Plan& plan, const std::string& name) {
     const bool of_constraints = name.starts_with("defect.") && !name.starts_with("defect.orthogonality");
@@ -75,8 +81,8 @@ bool can_be_measured(const Plan& plan, const std::string& name) {
             const auto names = metric_names(names_of(system.integrals));
             return std::find(names.begin(), names.end(), name) != names.end();
         }
-        if (of_multipliers) { return system.constraints.rows > 0 && !system.constraints.has_redundant_rows(); }
-        return !of_constraints || system.constraints.rows > 0;
+        if (of_multipliers && system.constraints.has_redundant_rows()) { return false; }
+        return !(of_constraints || of_multipliers) || has_rows_of(system.constraints, name);
     });
 }
 

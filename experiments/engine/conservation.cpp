@@ -23,7 +23,8 @@ std::vector<Conservation::Value> Conservation::values(const Real* y) {
     for (std::size_t i = 0; i < angles_.size(); ++i) angles_[i] = springs_[i].theta;
     const MotionState state{states_, angles_};
     std::vector<Value> all;
-    for (const FirstIntegral& integral : system_.integrals()) all.push_back({integral.value(state), integral.size(state)});
+    for (const FirstIntegral& integral : system_.integrals())
+        all.push_back({integral.value(state), integral.size(state)});
     return all;
 }
 

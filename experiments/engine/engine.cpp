@@ -49,6 +49,7 @@ class RealEngine final : public Engine {
         summary.bodies = system->bodies();
         summary.velocities = system->velocities();
         summary.constraints = to_summary(system->constraint_rank());
+        for (const ConstraintRow& row : system->constraint_rows()) summary.constraints.directions += row.direction ? 1 : 0;
         for (const FirstIntegral& integral : system->integrals())
             summary.integrals.push_back({integral.name, integral.unit, integral.reason});
         return summary;

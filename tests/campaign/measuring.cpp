@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "experiments/json_strict.hpp"
+#include "experiments/plan.hpp"
 #include "tests/campaign/acceptance.hpp"
 
 using namespace kreisel;
@@ -86,6 +88,25 @@ TEST_CASE("a run that has lost a first integral says so, asked for it or not", "
     const auto less = lost("rkmk/euler", 8000);
     REQUIRE(less.has_value());
     CHECK(energy->share / less->share == Approx(4).epsilon(0.25));
+}
+
+TEST_CASE("a metric of rows that no joint has is warned of", "[campaign]") {
+    const Engines engines{engine_binary64(), engine_binary64()};
+    const auto warnings = [&](const std::string& problem, const std::string& metric) {
+        const std::string config = R"({"name": "m", "kind": "trajectory", "methods": ["rkmk/rk4"], "projections": ["none"],
+            "formulations": ["SO3xR3"], "time": {"end": 0.5, "steps": 8}, "problems": [")" +
+                                   problem + R"("], "metrics": [")" + metric + R"("]})";
+        std::size_t count = 0;
+        for (const std::string& warning : plan_of(parse_document("m.json", config), engines).warnings)
+            count += warning.find("/metrics/0") != std::string::npos ? 1U : 0U;
+        return count;
+    };
+    for (const char* metric : {"defect.direction", "defect.direction.velocity", "error.multipliers.torque"}) {
+        CHECK(warnings("heavy_top", metric) == 1);  // on a spherical joint
+        CHECK(warnings("slider_crank", metric) == 0);
+    }
+    CHECK(warnings("heavy_top", "defect.position") == 0);
+    CHECK(warnings("free_top", "defect.position") == 1);
 }
 
 TEST_CASE("nothing is said relative to a first integral that is zero", "[campaign]") {
