@@ -109,6 +109,14 @@ if(KREISEL_BINARY128)
   set_tests_properties(architecture.symbols PROPERTIES LABELS architecture ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 endif()
 
+# Every combination takes some twenty minutes, so that it runs where it is asked for: ctest --preset ci -C full -L full
+foreach(precision binary64 binary128)
+  if(TARGET test_metamorphic_${precision})
+    add_test(NAME metamorphic.full.${precision} CONFIGURATIONS full COMMAND test_metamorphic_${precision} "[full]")
+    set_tests_properties(metamorphic.full.${precision} PROPERTIES LABELS full TIMEOUT 28800)
+  endif()
+endforeach()
+
 # The other precision, in a suite of this one.
 set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/reference/closed_form_double.cpp PROPERTIES
                             SKIP_UNITY_BUILD_INCLUSION ON)

@@ -46,6 +46,7 @@ TEST_CASE("descriptions of one motion agree", "[metamorphic]") {
         check(Extent::pairwise, {5000, 2500, 900});
 }
 
+// Takes some twenty minutes in double and hours in quad: `ctest --preset ci -C full -L full`.
 TEST_CASE("descriptions of one motion agree, in every combination", "[.][full]") {
     check(Extent::full, {10000, 10000, 5000});
 }
