@@ -13,6 +13,7 @@
 #include "experiments/catalogue.hpp"
 #include "experiments/commands.hpp"
 #include "experiments/diagnostics.hpp"
+#include "experiments/diff.hpp"
 #include "experiments/nearest.hpp"
 #include "experiments/plot.hpp"
 #include "experiments/provenance.hpp"
@@ -30,7 +31,8 @@ constexpr const char* description =
     "Start with: kreisel list, then kreisel info heavy_top, then kreisel run experiments/<config>.json";
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed, or a figure could not be drawn;\n"
+    "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed, a figure could not be drawn, or results\n"
+    "differ (verify, diff);\n"
     "2 bad config or usage, nothing was run; 3 a file or folder could not be read or written, or is damaged;\n"
     "4 internal error; 130 interrupted.";
 
@@ -40,6 +42,7 @@ struct Arguments {
     Paths configs, folders;
     std::filesystem::path folder, output;
     RunSettings settings;
+    DiffSettings diff;
     bool json = false;
     std::size_t cells = 20;
     unsigned seed = 1;
@@ -58,6 +61,7 @@ class CommandLine {
         add_planning();
         add_run();
         add_results();
+        add_diff();
     }
 
     Exit run(int argc, const char* const* argv) {
@@ -156,6 +160,22 @@ class CommandLine {
         add_folder(verify);
         verify->add_option("--cells", arguments_.cells, "How many, chosen at random (default: 20)");
         verify->add_option("--seed", arguments_.seed, "Seed of that choice (default: 1)");
+    }
+
+    void add_diff() {
+        DiffSettings& settings = arguments_.diff;
+        CLI::App* diff = command("diff", "Compares the results in two folders, cell by cell", [this] {
+            return diff_command(arguments_.diff, terminal_.out, terminal_.messages);
+        });
+        diff->add_option("A", settings.a, "A folder that kreisel run has written")->required();
+        diff->add_option("B", settings.b, "Another one")->required();
+        diff->add_option("--csv", settings.csv, "Write every difference to this file");
+        diff->add_option("--within", settings.within,
+                         "Take final states and metrics for the same up to this fraction of the scale of their\n"
+                         "quantity in the cell, and leave out counts, constraints, references and samples");
+        diff->footer(
+            "Cells are matched by what was run, not by their hash. Times, hosts and builds are not compared.\n"
+            "Exit codes: 0 the same; 1 different; 2 bad usage; 3 a folder holds no results, or is damaged.");
     }
 
     void read_shard() {
