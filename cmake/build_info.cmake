@@ -8,7 +8,7 @@ add_custom_target(kreisel_commit COMMAND ${commit_script} BYPRODUCTS ${CMAKE_BIN
 # The numerical sources by content: results are reused only where these are equal.
 file(GLOB_RECURSE KREISEL_NUMERICAL_SOURCES CONFIGURE_DEPENDS
      ${CMAKE_SOURCE_DIR}/lie/*.?pp ${CMAKE_SOURCE_DIR}/mechanics/*.?pp ${CMAKE_SOURCE_DIR}/problems/*.?pp
-     ${CMAKE_SOURCE_DIR}/methods/*.?pp ${CMAKE_SOURCE_DIR}/experiments/engine/*.?pp)
+     ${CMAKE_SOURCE_DIR}/methods/*.?pp ${CMAKE_SOURCE_DIR}/engine/*.?pp)
 list(SORT KREISEL_NUMERICAL_SOURCES)
 set(KREISEL_DIGESTS "")
 foreach(source IN LISTS KREISEL_NUMERICAL_SOURCES)
@@ -22,7 +22,7 @@ string(SUBSTRING ${KREISEL_SOURCE_DIGEST} 0 16 KREISEL_SOURCE_DIGEST)
 
 # What decides a reference solution: not the methods, nor what measures their runs. A reference outlives a new method.
 set(KREISEL_REFERENCE_SOURCES ${KREISEL_NUMERICAL_SOURCES})
-list(FILTER KREISEL_REFERENCE_SOURCES EXCLUDE REGEX "^${CMAKE_SOURCE_DIR}/(methods/|experiments/engine/(run|metrics|conservation)[.])")
+list(FILTER KREISEL_REFERENCE_SOURCES EXCLUDE REGEX "^${CMAKE_SOURCE_DIR}/(methods/|engine/(engine[.]hpp|run[.]|metrics/))")
 set(KREISEL_DIGESTS "")
 foreach(source IN LISTS KREISEL_REFERENCE_SOURCES)
   file(SHA256 ${source} digest)
@@ -31,7 +31,7 @@ endforeach()
 string(SHA256 KREISEL_REFERENCE_DIGEST
        "${KREISEL_DIGESTS}${CMAKE_CXX_COMPILER_ID}${CMAKE_CXX_COMPILER_VERSION}${CMAKE_CXX_FLAGS}${CMAKE_BUILD_TYPE}${KREISEL_ARCH}${KREISEL_HAS_X86_64_V3}${Boost_VERSION_STRING}${Eigen3_VERSION}")
 string(SUBSTRING ${KREISEL_REFERENCE_DIGEST} 0 16 KREISEL_REFERENCE_DIGEST)
-set_property(SOURCE ${CMAKE_SOURCE_DIR}/experiments/engine/engine.cpp APPEND
+set_property(SOURCE ${CMAKE_SOURCE_DIR}/engine/engine.cpp APPEND
              PROPERTY COMPILE_DEFINITIONS KREISEL_REFERENCE_DIGEST="${KREISEL_REFERENCE_DIGEST}")
 
 get_directory_property(KREISEL_COMPILE_OPTIONS COMPILE_OPTIONS)

@@ -1,6 +1,7 @@
-# The driver knows no `Real`: it is compiled once and sees the numerical code through experiments/engine.hpp.
-file(GLOB driver_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/experiments/*.cpp)
-list(REMOVE_ITEM driver_sources ${CMAKE_SOURCE_DIR}/experiments/main.cpp)
+# The driver knows no `Real`: it is compiled once and sees the numerical code through engine/engine.hpp.
+file(GLOB_RECURSE driver_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/driver/*.cpp ${CMAKE_SOURCE_DIR}/plots/*.cpp
+     ${CMAKE_SOURCE_DIR}/records/*.cpp ${CMAKE_SOURCE_DIR}/support/*.cpp)
+list(REMOVE_ITEM driver_sources ${CMAKE_SOURCE_DIR}/driver/main.cpp)
 add_library(kreisel_driver OBJECT ${driver_sources})
 kreisel_unite(kreisel_driver)
 add_dependencies(kreisel_driver kreisel_commit)
@@ -11,7 +12,7 @@ target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fm
 
 if(KREISEL_BINARY128)
   # Objects only, no usage requirements: main.cpp belongs to neither precision.
-  add_executable(kreisel ${CMAKE_SOURCE_DIR}/experiments/main.cpp ${KREISEL_OBJECTS_binary64}
+  add_executable(kreisel ${CMAKE_SOURCE_DIR}/driver/main.cpp ${KREISEL_OBJECTS_binary64}
                          ${KREISEL_OBJECTS_binary128})
   target_link_libraries(kreisel PRIVATE kreisel_driver quadmath)
 endif()

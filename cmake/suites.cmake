@@ -35,7 +35,7 @@ function(kreisel_suite suite variant)
 endfunction()
 
 # The rule of observed orders, without the rest of the driver.
-add_library(kreisel_order OBJECT ${CMAKE_SOURCE_DIR}/experiments/order.cpp ${CMAKE_SOURCE_DIR}/experiments/table_fit.cpp)
+add_library(kreisel_order OBJECT ${CMAKE_SOURCE_DIR}/records/fits/order.cpp ${CMAKE_SOURCE_DIR}/records/fits/fit.cpp)
 target_include_directories(kreisel_order PRIVATE ${CMAKE_SOURCE_DIR})
 target_link_libraries(kreisel_order PUBLIC fmt::fmt GSL::gsl)
 

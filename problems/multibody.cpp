@@ -78,7 +78,7 @@ KREISEL_PROBLEM(
          {"gravity_frequency", ParameterKind::scalar, "rad/s", "W in gravity (1 + A sin(W t))", 0.0},
          {"project_initial", ParameterKind::flag, "", "move the start onto the joints, and say by how much", false}},
      .demonstration = {{"bodies", crank_and_rod()}, {"joints", pivot_and_ball()}, {"forces", one_spring()}},
-     .demonstration_config = "experiments/crank_and_rod.json"});
+     .demonstration_config = "experiments/mechanisms/crank_and_rod.json"});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/order.hpp"
 #include "methods/description.hpp"
+#include "records/fits/order.hpp"
 
 namespace kreisel {
 

@@ -4,35 +4,20 @@
 #include "tests/architecture/rules.hpp"
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 
 #include "tests/architecture/matching.hpp"
+#include "tests/architecture/rooms.hpp"
 
 namespace architecture {
 
 namespace {
 
-using Names = std::vector<std::string>;
-
-/// Which folders of ours a folder may include from, and which libraries (prefixes of the path between <>), beside the
-/// standard library. Folders that are absent may include everything.
-struct Reach {
-    Names folders, libraries;
-};
-
-const std::map<std::string, Reach>& table() {
-    static const std::map<std::string, Reach> reach = {
-        {"lie", {{"lie"}, {"Eigen/", "boost/multiprecision/"}}},
-        {"mechanics", {{"mechanics", "lie"}, {"Eigen/", "boost/multiprecision/"}}},
-        {"problems", {{"problems", "mechanics", "lie"}, {"Eigen/", "boost/multiprecision/", "boost/math/"}}},
-        {"methods", {{"methods", "mechanics", "lie"}, {"Eigen/", "boost/multiprecision/"}}},
-    };
-    return reach;
-}
-
-/// Headers that talk to files or to a terminal: lie, mechanics, problems and methods know neither.
+/// Headers that talk to files or to a terminal: the numerical rooms know neither.
 const Names talking = {"iostream", "fstream", "cstdio", "filesystem", "stdio.h", "print"};
+
+/// What a room that knows the operating system is held to as well.
+const Names third_parties = {"Eigen/", "boost/", "nlohmann/", "CLI/", "fmt/", "gsl/"};
 
 /// Written by the build, so in no folder.
 const Names generated = {"kreisel_build.hpp"};
@@ -53,29 +38,33 @@ bool any_prefix(const Names& prefixes, const std::string& of) {
 std::string join(const Names& names) {
     std::string list;
     for (const auto& name : names) { list += (list.empty() ? "" : ", ") + name; }
-    return list;
+    return list.empty() ? "none" : list;
 }
 
 /// Why `source` may not include the library header `header`; empty if it may.
 std::string library_breach(const Source& source, const std::string& header) {
-    const auto reach = table().find(source.folder());
-    if (reach == table().end()) { return ""; }
-    if (contains(talking, header)) { return "<" + header + ">: " + reach->first + " knows no file and no terminal"; }
-    if (header.find('/') == std::string::npos && header.find(".h") == std::string::npos) { return ""; }
-    if (any_prefix(reach->second.libraries, header)) { return ""; }
+    const Room* room = room_of(source.path);
+    if (room == nullptr) { return ""; }
+    if (!room->talks && contains(talking, header)) {
+        return "<" + header + ">: " + room->name + " knows no file and no terminal";
+    }
+    const bool standard = header.find('/') == std::string::npos && header.find(".h") == std::string::npos;
+    if (standard || (room->talks && !any_prefix(third_parties, header))) { return ""; }
+    if (any_prefix(room->libraries, header)) { return ""; }
     if (is_baseline(source.path) && any_prefix({"boost/numeric/odeint", "gsl/"}, header)) { return ""; }
-    return "<" + header + ">: of libraries, " + reach->first + " may include only " + join(reach->second.libraries);
+    return "<" + header + ">: of libraries, " + room->name + " may include only " + join(room->libraries);
 }
 
 /// Why `source` may not include our header `header`; empty if it may.
 std::string own_breach(const Source& source, const std::string& header, const std::set<std::string>& files) {
     if (contains(generated, header)) { return ""; }
     if (files.count(header) == 0) { return "\"" + header + "\" is no file of the project (paths start at the root)"; }
-    const auto reach = table().find(source.folder());
-    if (reach == table().end()) { return ""; }
-    const auto folder = header.substr(0, header.find('/'));
-    if (contains(reach->second.folders, folder)) { return ""; }
-    return "\"" + header + "\": " + reach->first + " may include only from " + join(reach->second.folders);
+    const Room* room = room_of(source.path);
+    if (room == nullptr || room_of(header) == room) { return ""; }
+    if (std::any_of(room->reach.begin(), room->reach.end(), [&](const auto& p) { return lies_in(header, p); })) {
+        return "";
+    }
+    return "\"" + header + "\": beside its own, " + room->name + " may include only from " + join(room->reach);
 }
 
 bool includes_gsl(const Source& source) { return source.code.find("#include <gsl/") != std::string::npos; }
@@ -117,6 +106,17 @@ std::vector<Finding> check_includes(const std::vector<Source>& tree) {
             const auto line = source.line_of(offset(m, 3));
             if (!breach.empty()) { findings.push_back({source.path, line, "arrow", breach}); }
         });
+    }
+    return findings;
+}
+
+std::vector<Finding> check_rooms(const std::vector<Source>& tree) {
+    std::vector<Finding> findings;
+    for (const auto& source : tree) {
+        if (!source.is_cpp() || room_of(source.path) != nullptr || contains(outbuildings(), source.folder())) {
+            continue;
+        }
+        findings.push_back({source.path, 1, "room", "a source in no room of tests/architecture/rooms.cpp"});
     }
     return findings;
 }
@@ -166,8 +166,8 @@ std::set<std::string> bibliography_keys(const std::string& bibtex) {
 
 std::vector<Finding> check_all(const std::vector<Source>& tree, const std::set<std::string>& bibliography) {
     std::vector<Finding> all = check_citations(tree, bibliography);
-    for (auto* rule :
-         {&check_includes, &check_licences, &check_literals, &check_math_calls, &check_precision_namespace}) {
+    for (auto* rule : {&check_includes, &check_rooms, &check_licences, &check_literals, &check_math_calls,
+                       &check_precision_namespace}) {
         const auto found = (*rule)(tree);
         all.insert(all.end(), found.begin(), found.end());
     }

@@ -21,9 +21,11 @@ struct Finding {
 
 std::string to_string(const Finding& finding);
 
-/// `arrow`: a folder includes only what stands below it (the table is in CONTRIBUTING.md), files that exist, and the
-/// libraries it may know.
+/// `arrow`: a room includes only what stands below it (rooms.cpp), files that exist, and the libraries it may know.
 std::vector<Finding> check_includes(const std::vector<Source>& tree);
+
+/// `room`: every source is in a room of the table or in a folder that sees everything; experiments/ holds none.
+std::vector<Finding> check_rooms(const std::vector<Source>& tree);
 
 /// `licence`: an SPDX line among the first two lines of every source file and script; GPL-3.0-or-later where GSL is
 /// included.

@@ -10,7 +10,7 @@ set -euo pipefail
 shared=(
     Cell Column ConstraintSummary Cost Engine Number Outcome Reference ReferenceCheck ReportedBody ReportedReaction        # engine.hpp
     ReportedState SystemSummary Trajectory
-    matches matches_any                                         # experiments/pattern.hpp: texts
+    matches matches_any                                         # support/pattern.hpp: texts
     BodyData ForceData JointData JointType ParameterError                                                                    # mechanics/data.hpp
     Elimination eliminate                                       # mechanics/elimination.hpp: the joint graph, integers
     MethodDescription OptionDescription OptionError Order ProjectionDescription             # methods/description.hpp

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/engine.hpp"
+#include "engine/engine.hpp"
 #include "tests/order_rule.hpp"
 
 namespace kreisel::acceptance {

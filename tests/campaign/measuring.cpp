@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "experiments/json_strict.hpp"
-#include "experiments/plan.hpp"
+#include "driver/plan/plan.hpp"
+#include "records/json/strict.hpp"
 #include "tests/campaign/acceptance.hpp"
 
 using namespace kreisel;

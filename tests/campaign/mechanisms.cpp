@@ -6,10 +6,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "experiments/errors.hpp"
-#include "experiments/json_strict.hpp"
-#include "experiments/plan.hpp"
+#include "driver/plan/plan.hpp"
 #include "kreisel_build.hpp"
+#include "records/json/strict.hpp"
+#include "support/errors.hpp"
 
 using namespace kreisel;
 using nlohmann::ordered_json;
@@ -290,7 +290,8 @@ TEST_CASE("the mechanism of the README can be", "[campaign]") {
 }
 
 TEST_CASE("the shipped mechanism has every formulation and keeps to its joints", "[campaign]") {
-    const Plan plan = plan_of(parse_document("multibody.json", text_of("experiments/multibody.json")), engines);
+    const Plan plan =
+        plan_of(parse_document("multibody.json", text_of("experiments/mechanisms/multibody.json")), engines);
     CHECK(plan.skipped() == 0);
     CHECK(plan.warnings.empty());
     for (const auto& [key, system] : plan.systems) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Declared order = observed order, for every registered method with no further line written: double runs against quad
-// references on the acceptance problems, judged by the rule of experiments/order.hpp.
+// references on the acceptance problems, judged by the rule of records/fits/order.hpp.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "experiments/engine.hpp"
+#include "engine/engine.hpp"
 #include "tests/campaign/acceptance.hpp"
 
 using namespace kreisel;

@@ -5,10 +5,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "experiments/config.hpp"
-#include "experiments/engine.hpp"
-#include "experiments/json_strict.hpp"
-#include "experiments/json_writer.hpp"
+#include "driver/config/config.hpp"
+#include "engine/engine.hpp"
+#include "records/json/strict.hpp"
+#include "records/json/writer.hpp"
 
 using namespace kreisel;
 

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "experiments/cli.hpp"
-#include "experiments/table_results.hpp"
+#include "driver/cli/cli.hpp"
+#include "records/results.hpp"
 #include "tests/campaign/acceptance.hpp"
 
 using namespace kreisel;

@@ -7,8 +7,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "experiments/json_writer.hpp"
-#include "experiments/order.hpp"
+#include "records/fits/order.hpp"
+#include "records/json/writer.hpp"
 #include "tests/campaign/acceptance.hpp"
 
 using namespace kreisel;

@@ -9,8 +9,8 @@
 #include <set>
 #include <sstream>
 
-#include "experiments/json_strict.hpp"
-#include "experiments/plan.hpp"
+#include "driver/plan/plan.hpp"
+#include "records/json/strict.hpp"
 #include "tests/campaign/acceptance.hpp"
 
 using namespace kreisel;

@@ -12,9 +12,9 @@
 #include <sstream>
 #include <thread>
 
-#include "experiments/cli.hpp"
-#include "experiments/engine.hpp"
-#include "experiments/trajectory_file.hpp"
+#include "driver/cli/cli.hpp"
+#include "engine/engine.hpp"
+#include "records/trajectory_file.hpp"
 
 using namespace kreisel;
 

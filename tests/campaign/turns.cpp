@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/errors.hpp"
-#include "experiments/json_strict.hpp"
-#include "experiments/json_writer.hpp"
-#include "experiments/plan.hpp"
+#include "driver/plan/plan.hpp"
+#include "records/json/strict.hpp"
+#include "records/json/writer.hpp"
+#include "support/errors.hpp"
 #include "tests/campaign/acceptance.hpp"
 
 using namespace kreisel;

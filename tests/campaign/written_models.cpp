@@ -5,9 +5,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "experiments/json_strict.hpp"
-#include "experiments/plan.hpp"
+#include "driver/plan/plan.hpp"
 #include "kreisel_build.hpp"
+#include "records/json/strict.hpp"
 
 using namespace kreisel;
 using nlohmann::ordered_json;

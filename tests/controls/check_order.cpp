@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Observed orders on the forced heavy top, by the rule that certifies registered methods in the campaign.
-#include "experiments/engine/reference.hpp"
+#include "engine/reference/reference.hpp"
 #include "tests/controls/acceptance_curves.hpp"
 #include "tests/controls/checks.hpp"
 #include "tests/controls/runs.hpp"

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "experiments/cli.hpp"
+#include "driver/cli/cli.hpp"
 
 namespace kreisel {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/registry.hpp"
+#include "driver/config/registry.hpp"
 #include "tests/driver/fake_engine.hpp"
 
 namespace kreisel {

@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "experiments/cli.hpp"
-#include "experiments/progress.hpp"
+#include "driver/campaign/progress.hpp"
+#include "driver/cli/cli.hpp"
 #include "tests/driver/command_line.hpp"
 #include "tests/driver/other_engine.hpp"
 
@@ -124,7 +124,7 @@ TEST_CASE("info tells parameters, options, integrals and why a formulation is im
     CHECK(tells(mechanism, "stiffness   N/m, of a torsion spring N m/rad"));
     CHECK(tells(mechanism, "the bodies: a list of bodies, at least one (required)"));
     CHECK(tells(mechanism, "the joints: a list of joints (default [])"));
-    CHECK(tells(mechanism, "Demonstration (experiments/one_rod.json)\n  bodies  [{\"name\""));
+    CHECK(tells(mechanism, "Demonstration (experiments/mechanisms/one_rod.json)\n  bodies  [{\"name\""));
     const auto method = run_program({"info", "rkmk/rk4"}).out;
     CHECK(tells(method, "a whole number from 0 to 20"));
     CHECK(tells(run_program({"info", "fake/relaxed"}).out, "order 2 (configuration), 2 (velocity), 1 (multipliers)"));

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/compare_cells.hpp"
-#include "experiments/match_cells.hpp"
+#include "records/diff/compare_cells.hpp"
+#include "records/diff/match_cells.hpp"
 
 using namespace kreisel;
 using nlohmann::json;

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "experiments/cell_line.hpp"
-#include "experiments/provenance.hpp"
+#include "records/cell_line.hpp"
+#include "records/provenance.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "experiments/recorded_number.hpp"
+#include "records/diff/recorded_number.hpp"
 
 using namespace kreisel;
 

@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include "experiments/json_locator.hpp"
+#include "records/json/locator.hpp"
 #include "tests/driver/bad_configs.hpp"
 #include "tests/driver/command_line.hpp"
 

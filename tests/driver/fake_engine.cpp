@@ -99,7 +99,7 @@ std::vector<ProblemDescription> FakeEngine::problems() const {
             {"free_top", "a free body", {}, {mass, inertia}, true},
             {"double_pendulum", "two links", {}, {bodies}, false},
             {"multibody", "any mechanism", {}, mechanism(), false, {{"bodies", std::vector<BodyData>{{.name = "rod"}}}},
-             "experiments/one_rod.json"}};
+             "experiments/mechanisms/one_rod.json"}};
 }
 
 std::vector<MethodDescription> FakeEngine::methods() const {

@@ -5,7 +5,7 @@
 
 #include <atomic>
 
-#include "experiments/engine.hpp"
+#include "engine/engine.hpp"
 
 namespace kreisel {
 

@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "experiments/cell_line.hpp"
-#include "experiments/errors.hpp"
-#include "experiments/files.hpp"
-#include "experiments/journal.hpp"
-#include "experiments/manifest.hpp"
-#include "experiments/provenance.hpp"
+#include "records/cell_line.hpp"
+#include "records/journal.hpp"
+#include "records/manifest.hpp"
+#include "records/provenance.hpp"
+#include "support/errors.hpp"
+#include "support/files.hpp"
 #include "tests/driver/command_line.hpp"
 #include "tests/driver/other_engine.hpp"
 

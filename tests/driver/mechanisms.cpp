@@ -5,9 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/config.hpp"
-#include "experiments/json_strict.hpp"
-#include "experiments/json_writer.hpp"
+#include "driver/config/config.hpp"
+#include "records/json/strict.hpp"
+#include "records/json/writer.hpp"
 #include "tests/driver/bad_mechanisms.hpp"
 #include "tests/driver/command_line.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiments/nearest.hpp"
+#include "support/nearest.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Patterns of metrics: what they match, and what is said of those that match nothing.
-#include "experiments/pattern.hpp"
+#include "support/pattern.hpp"
 
 #include <catch2/catch.hpp>
 #include <functional>
 #include <random>
 
-#include "experiments/json_strict.hpp"
-#include "experiments/plan.hpp"
+#include "driver/plan/plan.hpp"
+#include "records/json/strict.hpp"
 #include "tests/driver/command_line.hpp"
 #include "tests/driver/other_engine.hpp"
 

@@ -6,11 +6,12 @@
 #include <regex>
 #include <set>
 
-#include "experiments/diagnostics.hpp"
-#include "experiments/errors.hpp"
-#include "experiments/hash.hpp"
-#include "experiments/json_strict.hpp"
-#include "experiments/plan.hpp"
+#include "driver/config/resolved.hpp"
+#include "driver/plan/plan.hpp"
+#include "records/json/diagnostics.hpp"
+#include "records/json/strict.hpp"
+#include "support/errors.hpp"
+#include "support/hash.hpp"
 #include "tests/driver/command_line.hpp"
 #include "tests/driver/other_engine.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiments/provenance.hpp"
+#include "records/provenance.hpp"
 
 #include <CLI/Version.hpp>
 #include <boost/version.hpp>

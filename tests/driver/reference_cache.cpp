@@ -6,8 +6,8 @@
 #include <fstream>
 #include <optional>
 
-#include "experiments/hash.hpp"
-#include "experiments/reference_store.hpp"
+#include "records/reference_store.hpp"
+#include "support/hash.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;

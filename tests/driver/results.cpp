@@ -5,14 +5,15 @@
 #include <fstream>
 #include <limits>
 
-#include "experiments/cell_line.hpp"
-#include "experiments/errors.hpp"
-#include "experiments/files.hpp"
-#include "experiments/hash.hpp"
-#include "experiments/journal.hpp"
-#include "experiments/json_strict.hpp"
-#include "experiments/reference_store.hpp"
-#include "experiments/results_table.hpp"
+#include "driver/plan/plan.hpp"
+#include "records/cell_line.hpp"
+#include "records/csv.hpp"
+#include "records/journal.hpp"
+#include "records/json/strict.hpp"
+#include "records/reference_store.hpp"
+#include "support/errors.hpp"
+#include "support/files.hpp"
+#include "support/hash.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;

@@ -11,10 +11,10 @@
 #include <sstream>
 #include <thread>
 
-#include "experiments/cell_line.hpp"
-#include "experiments/cli.hpp"
-#include "experiments/files.hpp"
-#include "experiments/provenance.hpp"
+#include "driver/cli/cli.hpp"
+#include "records/cell_line.hpp"
+#include "records/provenance.hpp"
+#include "support/files.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;

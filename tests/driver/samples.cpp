@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "experiments/cli.hpp"
-#include "experiments/errors.hpp"
-#include "experiments/json_strict.hpp"
-#include "experiments/plan.hpp"
-#include "experiments/trajectory_file.hpp"
+#include "driver/cli/cli.hpp"
+#include "driver/plan/plan.hpp"
+#include "records/json/strict.hpp"
+#include "records/trajectory_file.hpp"
+#include "support/errors.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;

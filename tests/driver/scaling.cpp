@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "experiments/cell_line.hpp"
+#include "records/cell_line.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The JSON Schema and the reader agree: on the shipped configs, on the bad ones, and on thousands of mutants.
-#include "experiments/schema.hpp"
+#include "driver/config/schema.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -12,9 +12,9 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-#include "experiments/config.hpp"
-#include "experiments/errors.hpp"
-#include "experiments/json_strict.hpp"
+#include "driver/config/config.hpp"
+#include "records/json/strict.hpp"
+#include "support/errors.hpp"
 #include "tests/driver/bad_configs.hpp"
 #include "tests/driver/bad_mechanisms.hpp"
 #include "tests/driver/command_line.hpp"

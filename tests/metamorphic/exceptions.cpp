@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/metamorphic/exceptions.hpp"
 
-#include "experiments/pattern.hpp"
+#include "support/pattern.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // No body at all: a state without entries runs through every method and projection. Problems refuse such parameters.
-#include "experiments/engine/run.hpp"
+#include "engine/run.hpp"
 #include "tests/methods/stepping.hpp"
 
 using namespace kreisel;

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/engine/run.hpp"
+#include "engine/run.hpp"
 #include "tests/methods/poisoned.hpp"
 #include "tests/methods/stepping.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "experiments/engine/report.hpp"
+#include "engine/report/report.hpp"
 #include "methods/integrator.hpp"
 #include "methods/projection.hpp"
 #include "tests/mechanics/models.hpp"

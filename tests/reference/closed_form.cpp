@@ -6,8 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "engine/reference/reference.hpp"
 #include "tests/reference/closed_form_double.hpp"
-#include "experiments/engine/reference.hpp"
 #include "tests/reference/free_bodies.hpp"
 #include "tests/reference/named_problem.hpp"
 

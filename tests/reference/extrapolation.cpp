@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "experiments/engine/gbs.hpp"
-#include "experiments/engine/quaternion_form.hpp"
-#include "experiments/engine/reference.hpp"
+#include "engine/reference/gbs.hpp"
+#include "engine/reference/quaternion_form.hpp"
+#include "engine/reference/reference.hpp"
 #include "tests/reference/named_problem.hpp"
 
 using namespace kreisel;

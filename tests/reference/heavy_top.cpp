@@ -4,7 +4,7 @@
 // to 22 digits, and against what its motion keeps exactly.
 #include <catch2/catch.hpp>
 
-#include "experiments/engine/reference.hpp"
+#include "engine/reference/reference.hpp"
 #include "lie/so3.hpp"
 #include "tests/reference/named_problem.hpp"
 

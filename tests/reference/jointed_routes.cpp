@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "experiments/engine/quaternion_form.hpp"
+#include "engine/reference/quaternion_form.hpp"
 #include "tests/mechanics/jointed.hpp"
 #include "tests/reference/two_routes.hpp"
 

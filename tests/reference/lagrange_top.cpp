@@ -8,8 +8,8 @@
 
 #include <stdexcept>
 
-#include "experiments/engine/report.hpp"
-#include "experiments/engine/taylor_route.hpp"
+#include "engine/reference/taylor_route.hpp"
+#include "engine/report/report.hpp"
 #include "lie/so3.hpp"
 #include "tests/reference/named_problem.hpp"
 

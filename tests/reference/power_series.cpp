@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Arithmetic of power series against series that are known and against values of the functions they stand for.
-#include "experiments/engine/power_series.hpp"
+#include "engine/reference/power_series.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -11,8 +11,8 @@
 #include <memory>
 #include <vector>
 
-#include "experiments/engine/report.hpp"
-#include "experiments/engine/taylor_route.hpp"
+#include "engine/reference/taylor_route.hpp"
+#include "engine/report/report.hpp"
 #include "tests/mechanics/jointed.hpp"
 #include "tests/reference/named_problem.hpp"
 

@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "experiments/engine/report.hpp"
-#include "experiments/engine/taylor_route.hpp"
+#include "engine/reference/taylor_route.hpp"
+#include "engine/report/report.hpp"
 
 namespace reference_tests {
 

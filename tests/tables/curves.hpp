@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "experiments/order.hpp"
+#include "records/fits/order.hpp"
 
 namespace kreisel::test {
 

@@ -9,10 +9,10 @@
 #include <memory>
 #include <regex>
 
-#include "experiments/figure_panels.hpp"
-#include "experiments/files.hpp"
-#include "experiments/plot.hpp"
-#include "experiments/plot_gnuplot.hpp"
+#include "plots/figures/gnuplot.hpp"
+#include "plots/figures/panels.hpp"
+#include "plots/plot.hpp"
+#include "support/files.hpp"
 #include "tests/tables/folder.hpp"
 
 using namespace kreisel;
@@ -20,7 +20,7 @@ using namespace kreisel::test;
 
 namespace {
 
-constexpr double pixels_per_cm = 37.8;  // of SVG, see plots/terminal.gp
+constexpr double pixels_per_cm = 37.8;  // of SVG, see plots/gnuplot/terminal.gp
 
 struct PlacedText {
     double x, y;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "experiments/figure_curves.hpp"
-#include "experiments/json_strict.hpp"
+#include "plots/figures/kinds/curves.hpp"
+#include "records/json/strict.hpp"
 #include "tests/tables/folder.hpp"
 
 using namespace kreisel;

@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
-#include "experiments/errors.hpp"
-#include "experiments/plot.hpp"
-#include "experiments/plot_gnuplot.hpp"
+#include "plots/figures/gnuplot.hpp"
+#include "plots/plot.hpp"
+#include "support/errors.hpp"
 #include "tests/tables/folder.hpp"
 
 using namespace kreisel;

@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "experiments/figure_bodies.hpp"
-#include "experiments/json_strict.hpp"
-#include "experiments/plot.hpp"
+#include "plots/figures/kinds/bodies.hpp"
+#include "plots/plot.hpp"
+#include "records/json/strict.hpp"
 #include "tests/tables/folder.hpp"
 
 using namespace kreisel;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "experiments/table_fit.hpp"
+#include "records/fits/fit.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The observed order states the right one, with an honest window, or says why it states none.
-#include "experiments/order.hpp"
+#include "records/fits/order.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <functional>
 
-#include "experiments/table.hpp"
-#include "experiments/table_certification.hpp"
-#include "experiments/table_drift.hpp"
-#include "experiments/table_names.hpp"
-#include "experiments/table_orders.hpp"
-#include "experiments/table_references.hpp"
+#include "plots/table.hpp"
+#include "plots/tables/certification.hpp"
+#include "plots/tables/drift.hpp"
+#include "plots/tables/names.hpp"
+#include "plots/tables/orders.hpp"
+#include "plots/tables/references.hpp"
 #include "tests/tables/folder.hpp"
 
 using namespace kreisel;

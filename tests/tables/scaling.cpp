@@ -3,9 +3,9 @@
 // Time and memory against the number of bodies: tables, fitted exponents, figures.
 #include <catch2/catch.hpp>
 
-#include "experiments/cell_line.hpp"
-#include "experiments/figure_curves.hpp"
-#include "experiments/table_scaling.hpp"
+#include "plots/figures/kinds/curves.hpp"
+#include "plots/tables/scaling.hpp"
+#include "records/cell_line.hpp"
 #include "tests/tables/folder.hpp"
 
 using namespace kreisel;

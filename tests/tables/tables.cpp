@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "experiments/errors.hpp"
-#include "experiments/lost_integrals.hpp"
-#include "experiments/past_horizon.hpp"
-#include "experiments/table.hpp"
-#include "experiments/table_drift.hpp"
-#include "experiments/table_orders.hpp"
+#include "plots/table.hpp"
+#include "plots/tables/drift.hpp"
+#include "plots/tables/orders.hpp"
+#include "records/remarks/lost_integrals.hpp"
+#include "records/remarks/past_horizon.hpp"
+#include "support/errors.hpp"
 #include "tests/tables/folder.hpp"
 
 using namespace kreisel;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Labels are data in every format a table is written in.
-#include "experiments/table_text.hpp"
+#include "plots/tables/text.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Runs the cells of a plan in parallel into an output folder.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "driver/plan/plan.hpp"
+#include "records/cell_line.hpp"
+#include "records/manifest.hpp"
+
+namespace kreisel {
+
+struct RunSettings {
+    unsigned workers = 1;
+    bool resume = false;
+    bool overwrite = false;
+    std::size_t shard = 1, shards = 1;  ///< run every cell whose index i has i mod shards = shard - 1
+    std::string build;                  ///< identifies the code; results of another build are never reused
+    std::filesystem::path cache;        ///< where references are kept for all results; empty: nowhere
+    bool terminal = false;              ///< progress as one line that rewrites itself
+    double grace = 1.5;                 ///< s that interrupted workers have before they are left behind
+};
+
+struct CampaignReport {
+    CellCounts counts;
+    std::size_t reused = 0;
+    double seconds = 0;
+    std::vector<std::pair<std::string, std::string>>
+        failures;  ///< one line for each failed cell; the second: its status
+    bool interrupted = false;
+    bool workers_left_behind = false;          ///< the process must end without waiting for them
+    std::vector<std::filesystem::path> parts;  ///< samples of cells that were interrupted, this time or before
+    std::vector<std::string> notes;            ///< what is to be known of cells that are ok, one line each
+};
+
+/// "", or "I-of-N".
+std::string shard_name(const RunSettings& settings);
+
+/// Throws UsageError if the folder holds results and the settings neither resume nor overwrite.
+void check_output_folder(const std::filesystem::path& folder, const RunSettings& settings);
+
+/// Runs what is not there yet. Writes journal, manifest, results, trajectories and references. Throws FileError on
+/// input/output errors; what was journalled before stays valid.
+CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
+                            const RunSettings& settings, std::ostream& messages);
+
+}  // namespace kreisel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a run leaves beside its journal: results.jsonl, results.csv, and what manifest and terminal say of its cells.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "driver/campaign/campaign.hpp"
+#include "records/cell_line.hpp"
+#include "records/manifest.hpp"
+
+namespace kreisel {
+
+/// results.jsonl and results.csv of the cells that are there, in the order of the plan.
+void write_results(const Plan& plan, const std::map<std::string, FinishedCell>& finished,
+                   const std::filesystem::path& folder);
+
+/// Over the cells of the settings' shard.
+CellCounts count_cells(const Plan& plan, const std::map<std::string, FinishedCell>& finished,
+                       const RunSettings& settings);
+
+/// What the manifest says of a plan.
+ManifestSubject manifest_subject(const Plan& plan);
+
+/// What there is to say of a failed cell on one line.
+std::string failure_text(const PlannedCell& planned, const FinishedCell& finished);
+
+}  // namespace kreisel

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/campaign/work.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "support/errors.hpp"
+#include "support/hash.hpp"
+
+namespace kreisel {
+
+namespace {
+
+// What did not come from the numbers alone is tried again.
+bool is_repeatable(const FinishedCell& cell) {
+    return cell.status != "exception" && cell.status != "reference_failed" && cell.status != "interrupted";
+}
+
+Outcome thrown(const std::string& what) {
+    Outcome outcome;
+    outcome.status = "exception";
+    outcome.detail = what;
+    return outcome;
+}
+
+}  // namespace
+
+Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Reference* reference,
+                 const std::stop_token& stop, SampleSink* samples) {
+    try {
+        return engine.run(planned.cell, reference, stop, samples);
+    } catch (const FileError&) { throw; } catch (const std::exception& error) {
+        return thrown(error.what());
+    } catch (...) { return thrown("something that is no std::exception was thrown"); }
+}
+
+bool Campaign::trajectory_is_whole(const FinishedCell& cell) const {
+    std::error_code error;
+    const auto file = folder_ / trajectory_file(cell.hash);
+    return cell.trajectory_sum.empty() ||
+           (std::filesystem::is_regular_file(file, error) && hash_text(read_text(file)) == cell.trajectory_sum);
+}
+
+std::size_t Campaign::reuse(const JournalContents& earlier, const RunSettings& settings) {
+    std::size_t reused = 0;
+    for (std::size_t i = settings.shard - 1; i < plan_.cells.size(); i += settings.shards) {
+        const auto found = earlier.cells.find(plan_.cells[i].hash);
+        if (found != earlier.cells.end() && is_repeatable(found->second) && trajectory_is_whole(found->second)) {
+            finished_.insert(*found);
+            ++reused;
+        } else {
+            mine_.push_back(i);
+        }
+    }
+    return reused;
+}
+
+void Campaign::enqueue() {
+    std::stable_sort(mine_.begin(), mine_.end(),
+                     [this](std::size_t a, std::size_t b) { return plan_.cells[a].weight > plan_.cells[b].weight; });
+    total_ = finished_.size() + mine_.size();
+    std::set<std::string> needed;
+    for (const std::size_t index : mine_) {
+        const PlannedCell& planned = plan_.cells[index];
+        weight_total_ += planned.weight;
+        queue_.add_cell(index, planned.reference);
+        if (!planned.reference.empty() && needed.insert(planned.reference).second) {
+            queue_.add_reference(planned.reference);
+        }
+    }
+    references_total_ = needed.size();
+}
+
+void Campaign::work(const std::stop_token& token) {
+    while (const auto item = queue_.take(token)) {
+        if (item->reference.empty()) {
+            compute_cell(plan_.cells[item->cell], token);
+        } else {
+            compute_reference(item->reference, token);
+            queue_.reference_done(item->reference);
+        }
+    }
+}
+
+void Campaign::compute_reference(const std::string& hash, const std::stop_token& token) {
+    const PlannedReference& planned = plan_.references.at(hash);
+    auto stored = store_.find(planned);
+    if (!stored) {
+        try {
+            const Reference reference =
+                engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end, token);
+            if (reference.interrupted) { return; }
+            stored = store_.make(planned, reference);
+        } catch (const std::exception& error) {
+            const std::lock_guard lock(mutex_);
+            reference_errors_[hash] = error.what();
+            return;
+        }
+    }
+    const std::lock_guard lock(mutex_);
+    if (closed_) { return; }
+    const std::string complaint = store_.keep(planned, *stored);
+    if (cache_complaint_.empty()) { cache_complaint_ = complaint; }
+    references_.insert_or_assign(hash, std::move(stored->reference));
+}
+
+void Campaign::compute_cell(const PlannedCell& planned, const std::stop_token& token) {
+    const Reference* reference = nullptr;
+    std::string reference_error;
+    if (token.stop_requested()) { return; }  // its reference may have been given up
+    if (!planned.reference.empty()) {
+        const std::lock_guard lock(mutex_);
+        const auto found = references_.find(planned.reference);
+        reference = found == references_.end() ? nullptr : &found->second;
+        reference_error = reference == nullptr ? reference_errors_[planned.reference] : "";
+    }
+    Outcome outcome;
+    TrajectoryFile samples(folder_ / trajectory_file(planned.hash));
+    if (!planned.skip_reason.empty()) {
+        outcome.status = "skipped";
+        outcome.detail = planned.skip_reason;
+    } else if (reference == nullptr && !planned.reference.empty()) {
+        outcome.status = "reference_failed";
+        outcome.detail = reference_error;
+    } else {
+        outcome = run_cell(planned, engines_.of(planned.precision), reference, token, &samples);
+    }
+    if (outcome.status == "interrupted") { return samples.flush(); }
+    record(planned, outcome, reference, samples);
+}
+
+void Campaign::record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
+                      TrajectoryFile& samples) {
+    FinishedCell cell;
+    try {
+        cell = finished_cell(planned, outcome, reference, outcome.status == "exception" ? "" : samples.sum());
+    } catch (const std::logic_error& error) {
+        Outcome broken;
+        broken.status = "exception";
+        broken.detail = error.what();
+        cell = finished_cell(planned, broken, reference);
+    }
+    samples.flush();
+    const std::lock_guard lock(mutex_);
+    if (closed_) { return; }
+    cell.trajectory_sum.empty() ? samples.discard() : samples.keep();
+    journal_.append(journal_line(cell, build_));
+    weight_done_ += planned.weight;
+    finished_.insert_or_assign(cell.hash, std::move(cell));
+}
+
+void Campaign::fail(const std::exception_ptr& error) {
+    {
+        const std::lock_guard lock(mutex_);
+        error_ = error_ ? error_ : error;
+    }
+    stop.request_stop();
+}
+
+ProgressState Campaign::progress() const {
+    const std::lock_guard lock(mutex_);
+    const auto failed =
+        std::count_if(finished_.begin(), finished_.end(), [](const auto& one) { return one.second.failed(); });
+    return {finished_.size(),
+            total_,
+            static_cast<std::size_t>(failed),
+            references_.size() + reference_errors_.size(),
+            references_total_,
+            weight_done_,
+            weight_total_};
+}
+
+}  // namespace kreisel

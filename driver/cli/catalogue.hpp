@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// `kreisel list` and `kreisel info`: what there is, told from the registries.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "driver/config/registry.hpp"
+
+namespace kreisel {
+
+/// What can be listed: problems, methods, projections, formulations, metrics.
+const std::vector<std::string>& catalogue_topics();
+
+/// Prints one topic, or all if `topic` is empty.
+void list_topic(const Engine& engine, const std::string& topic, std::ostream& out);
+
+/// Prints all about one name. Throws UsageError, with the nearest name, if there is none.
+void describe(const Engine& engine, const std::string& name, std::ostream& out);
+
+}  // namespace kreisel

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/cli/commands.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <cstdlib>
+
+#include "driver/campaign/progress.hpp"
+#include "driver/plan/text.hpp"
+#include "records/json/strict.hpp"
+#include "records/reference_store.hpp"
+
+namespace kreisel {
+
+namespace {
+
+struct PlannedConfig {
+    Plan plan;
+    std::filesystem::path folder;
+};
+
+void print_warnings(const Plan& plan, const std::string& file, std::ostream& messages) {
+    for (const std::string& warning : plan.warnings) { fmt::print(messages, "{}: warning: {}\n", file, warning); }
+}
+
+// Everything is read before anything runs; the errors of all files are shown together.
+std::vector<Plan> read_all(const Paths& files, const Engines& engines, std::ostream& messages) {
+    std::vector<Plan> plans;
+    std::string errors;
+    for (const auto& file : files) {
+        try {
+            plans.push_back(plan_of(read_document(file), engines));
+            print_warnings(plans.back(), file.string(), messages);
+        } catch (const UsageError& error) { errors += (errors.empty() ? "" : "\n") + std::string(error.what()); }
+    }
+    if (!errors.empty()) { throw UsageError(errors); }
+    return plans;
+}
+
+std::vector<PlannedConfig> with_folders(std::vector<Plan> plans, const std::filesystem::path& output) {
+    std::vector<PlannedConfig> result;
+    const bool several = plans.size() > 1;
+    for (Plan& plan : plans) {
+        std::filesystem::path folder = output.empty() ? std::filesystem::path("results") / plan.config.name : output;
+        if (several && !output.empty()) { folder /= plan.config.name; }
+        for (const PlannedConfig& other : result) {
+            if (other.folder == folder) {
+                throw UsageError(
+                    fmt::format("expected configs with different names, got {} twice", in_quotes(plan.config.name)));
+            }
+        }
+        result.push_back({std::move(plan), std::move(folder)});
+    }
+    return result;
+}
+
+Exit report(const CampaignReport& report, const PlannedConfig& planned, const std::filesystem::path& config,
+            const RunSettings& settings, std::ostream& messages) {
+    const CellCounts& counts = report.counts;
+    for (const auto& [text, status] : report.failures) { fmt::print(messages, "failed: {}\n", text); }
+    for (const std::string& note : report.notes) { fmt::print(messages, "note: {}\n", note); }
+    std::string text = fmt::format("{}: {} ok, {} skipped, {} failed", planned.plan.config.name, counts.ok,
+                                   counts.skipped, counts.failed);
+    if (report.reused > 0) { text += fmt::format(" ({} taken over from before)", report.reused); }
+    fmt::print(messages, "{} in {}; results in {}\n", text, duration_text(report.seconds), planned.folder.string());
+    if (report.interrupted) {
+        const std::string shard =
+            settings.shards == 1 ? "" : fmt::format(" --shard {}/{}", settings.shard, settings.shards);
+        for (const auto& part : report.parts) {
+            fmt::print(messages, "samples of an unfinished cell: {}\n", part.string());
+        }
+        fmt::print(messages, "interrupted with {} cells to go; continue with: kreisel run {} -o {}{} --resume\n",
+                   counts.missing, config.string(), planned.folder.string(), shard);
+        return Exit::interrupted;
+    }
+    return counts.failed > 0 ? Exit::cells_failed : Exit::ok;
+}
+
+}  // namespace
+
+Exit check_command(const Paths& configs, const Engines& engines, const Terminal& terminal) {
+    const auto plans = read_all(configs, engines, terminal.messages);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        fmt::print(terminal.out, "{}: good; {}\n", configs[i].string(), plan_summary(plans[i]));
+    }
+    return Exit::ok;
+}
+
+Exit plan_command(const std::filesystem::path& config, bool json, const Engines& engines, const Terminal& terminal) {
+    const Plan plan = read_all({config}, engines, terminal.messages).front();
+    json ? print_plan_json(plan, terminal.out) : print_plan(plan, terminal.out);
+    return Exit::ok;
+}
+
+Exit run_command(const Paths& configs, const std::filesystem::path& output, const RunSettings& given,
+                 const Engines& engines, const Terminal& terminal) {
+    RunSettings settings = given;
+    if (settings.cache.empty()) { settings.cache = default_cache_folder(); }
+    const auto all = with_folders(read_all(configs, engines, terminal.messages), output);
+    for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, settings); }
+    Exit result = Exit::ok;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const CampaignReport outcome = run_campaign(all[i].plan, engines, all[i].folder, settings, terminal.messages);
+        const Exit one = report(outcome, all[i], configs[i], settings, terminal.messages);
+        if (outcome.workers_left_behind) {
+            terminal.out.flush();
+            terminal.messages.flush();
+            // Workers that do not listen still run: an orderly end would pull the objects they use from under them.
+            std::_Exit(static_cast<int>(Exit::interrupted));
+        }
+        if (one == Exit::interrupted) { return one; }
+        result = one == Exit::ok ? result : one;
+    }
+    return result;
+}
+
+}  // namespace kreisel

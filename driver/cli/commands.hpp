@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The commands of the program. Each prints and returns how it went; usage and file errors are thrown.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "driver/campaign/campaign.hpp"
+#include "driver/config/registry.hpp"
+#include "support/errors.hpp"
+
+namespace kreisel {
+
+struct Terminal {
+    std::ostream& out;
+    std::ostream& messages;
+};
+
+using Paths = std::vector<std::filesystem::path>;
+
+Exit check_command(const Paths& configs, const Engines& engines, const Terminal& terminal);
+Exit plan_command(const std::filesystem::path& config, bool json, const Engines& engines, const Terminal& terminal);
+
+/// Without `output`, each config goes to results/<its name>; with several configs, each to output/<its name>.
+Exit run_command(const Paths& configs, const std::filesystem::path& output, const RunSettings& settings,
+                 const Engines& engines, const Terminal& terminal);
+
+}  // namespace kreisel

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The command that puts shards together.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "driver/cli/commands.hpp"
+
+namespace kreisel {
+
+/// Puts the journals of several folders or shards together; the results go to `output`, by default the first folder.
+Exit merge_command(const Paths& folders, const std::filesystem::path& output, const std::string& build,
+                   const Engines& engines, const Terminal& terminal);
+
+}  // namespace kreisel

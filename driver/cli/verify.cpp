@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/cli/verify.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <random>
+#include <sstream>
+
+#include "driver/campaign/work.hpp"
+#include "records/json/writer.hpp"
+#include "records/reference_store.hpp"
+#include "records/trajectory_file.hpp"
+#include "support/files.hpp"
+
+namespace kreisel {
+
+namespace {
+
+std::map<std::string, std::string> stored_lines(const std::filesystem::path& folder) {
+    std::map<std::string, std::string> lines;
+    std::istringstream stream(read_text(folder / "results.jsonl"));
+    for (std::string line; std::getline(stream, line);) {
+        const auto value = nlohmann::json::parse(line, nullptr, false);
+        if (value.is_object() && value.contains("cell") && value["cell"].is_string()) { lines[value["cell"]] = line; }
+    }
+    return lines;
+}
+
+std::vector<std::size_t> chosen(const Plan& plan, std::size_t count, unsigned seed) {
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        if (plan.cells[i].skip_reason.empty()) { indices.push_back(i); }
+    }
+    std::mt19937 random(seed);
+    std::shuffle(indices.begin(), indices.end(), random);
+    indices.resize(std::min(count, indices.size()));
+    return indices;
+}
+
+std::string recomputed(const PlannedCell& planned, const Plan& plan, const std::filesystem::path& folder,
+                       const Engines& engines) {
+    std::optional<Reference> reference;
+    if (!planned.reference.empty()) {
+        const PlannedReference& wanted = plan.references.at(planned.reference);
+        const auto stored =
+            load_reference(reference_file(folder, planned.reference), wanted, engines.binary128.reference_digest());
+        reference = stored ? stored->reference
+                           : engines.binary128.reference(wanted.problem, wanted.parameters, wanted.t_end, {});
+    }
+    const Reference* known = reference ? &*reference : nullptr;
+    TrajectorySum samples;
+    const Outcome outcome = run_cell(planned, engines.of(planned.precision), known, {}, &samples);
+    return finished_cell(planned, outcome, known, outcome.status == "exception" ? "" : samples.sum()).line;
+}
+
+/// What is wrong with a reference: the first quantity further from the second route than its bound says. Other
+/// compilers and machines round differently, which a factor of ten allows for.
+std::string fault(const Reference& reference, const ReferenceCheck& check) {
+    constexpr double slack = 10;
+    for (const auto& [metric, bound] : reference.error) {
+        const auto found = check.difference.find(metric);
+        if (found == check.difference.end()) { return fmt::format("{} cannot be compared", metric); }
+        if (!(found->second.value <= slack * bound.value)) {
+            return fmt::format("{} is off by {:.1e}, its bound is {:.1e}", metric, found->second.value, bound.value);
+        }
+    }
+    return "";
+}
+
+/// All that a reference is, in full precision.
+std::string numbers_of(const Reference& reference) {
+    std::string text =
+        fmt::format("{} {} {}", reference.route, json_number(reference.horizon), json_value(reference.state, true));
+    for (const auto& [metric, bound] : reference.error) { text += fmt::format(" {} {}", metric, bound.text); }
+    return text;
+}
+
+/// What came of the references of a folder.
+struct ReferenceCounts {
+    std::size_t confirmed = 0, wrong = 0, again = 0, different = 0;
+};
+
+/// Counts one reference, and prints what there is to say of it.
+void verify_reference(const std::string& hash, const PlannedReference& planned, const std::filesystem::path& folder,
+                      const Engine& engine, std::ostream& out, ReferenceCounts& counts) {
+    const auto say = [&](const std::string& what) {
+        fmt::print(out, "reference {}: {} at t = {} s: {}\n", hash, planned.problem, planned.t_end, what);
+    };
+    const auto file = reference_file(folder, hash);
+    const auto stored = load_reference(file, planned, "");
+    if (!stored) { return ++counts.wrong, say("missing or damaged"); }
+    const ReferenceCheck check = engine.check_reference(planned.problem, planned.parameters, stored->reference);
+    if (!check.failure.empty()) {
+        say("not compared: " + check.failure);
+    } else if (const std::string what = fault(stored->reference, check); !what.empty()) {
+        return ++counts.wrong, say(what);
+    } else {
+        ++counts.confirmed;
+    }
+    if (!load_reference(file, planned, engine.reference_digest())) { return; }  // other code rounds differently
+    ++counts.again;
+    const Reference again = engine.reference(planned.problem, planned.parameters, planned.t_end, {});
+    if (numbers_of(again) != numbers_of(stored->reference)) { ++counts.different, say("comes out different"); }
+}
+
+/// Holds every stored reference against the second route, and computes again those that this code has made; answers how
+/// many are missing, damaged or wrong.
+std::size_t verify_references(const Plan& plan, const std::filesystem::path& folder, const Engines& engines,
+                              std::ostream& out) {
+    ReferenceCounts counts;
+    for (const auto& [hash, planned] : plan.references) {
+        verify_reference(hash, planned, folder, engines.binary128, out, counts);
+    }
+    fmt::print(out, "{} of {} references confirmed by the second route, {} wrong or missing\n", counts.confirmed,
+               plan.references.size(), counts.wrong);
+    fmt::print(out, "{} of {} references computed again, {} differ\n", counts.again, plan.references.size(),
+               counts.different);
+    return counts.wrong + counts.different;
+}
+
+}  // namespace
+
+Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsigned seed, const std::string& build,
+                    const Engines& engines, const Terminal& terminal) {
+    const ManifestContents manifest = read_manifest(manifest_file(folder, ""));
+    if (manifest.build != build) {
+        fmt::print(terminal.messages, "{}: note: written by build {}, verified by build {}\n", folder.string(),
+                   manifest.build, build);
+    }
+    const Plan plan = plan_of(manifest.config, engines);
+    const auto lines = stored_lines(folder);
+    std::size_t different = 0;
+    const auto indices = chosen(plan, count, seed);
+    for (const std::size_t index : indices) {
+        const PlannedCell& planned = plan.cells[index];
+        const auto stored = lines.find(planned.hash);
+        const std::string what = stored == lines.end()                                          ? "missing"
+                                 : stored->second == recomputed(planned, plan, folder, engines) ? ""
+                                                                                                : "different";
+        if (!what.empty()) {
+            ++different;
+            fmt::print(terminal.out, "{}: {} {} on {}, {} steps: {}\n", planned.hash, planned.cell.formulation,
+                       planned.cell.method, planned.label, planned.cell.steps, what);
+        }
+    }
+    fmt::print(terminal.out, "{} of {} cells computed again (seed {}), {} differ or are missing\n", indices.size(),
+               plan.cells.size(), seed, different);
+    const std::size_t wrong = plan.references.empty() ? 0 : verify_references(plan, folder, engines, terminal.out);
+    return different + wrong > 0 ? Exit::cells_failed : Exit::ok;
+}
+
+}  // namespace kreisel

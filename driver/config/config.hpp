@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A config as read and resolved: every name known, every default filled in, every option list multiplied out.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "driver/config/registry.hpp"
+#include "records/json/diagnostics.hpp"
+
+namespace kreisel {
+
+struct ProblemEntry {
+    std::string name;
+    std::string series;          ///< the label as written; entries that one list of values made share it
+    std::string label;           ///< of its own: the series, and the values of listed parameters
+    ParameterValues parameters;  ///< complete
+    std::string pointer;         ///< where it stands in the config
+};
+
+/// A method or a projection with one value for each of its options.
+struct OptionedEntry {
+    std::string name;
+    OptionValues options;  ///< complete
+    std::string pointer;
+};
+
+struct Config {
+    std::string name;
+    std::string description;
+    std::string kind;
+    std::vector<std::string> precisions;
+    std::vector<ProblemEntry> problems;
+    std::vector<std::string> formulations;
+    std::vector<OptionedEntry> methods;
+    std::vector<OptionedEntry> projections;
+    double t_end = 0;
+    std::vector<long> steps;
+    long samples = 0;
+    std::vector<std::string> metrics;
+    bool metrics_given = false;  ///< false: the defaults of the kind hold
+    nlohmann::json figure;       ///< as written; null where there is none
+    /// True if cells measure the time and memory of their steps: then they run one at a time.
+    bool is_timed() const { return kind == "scaling"; }
+};
+
+/// Reads a config. Throws UsageError with every error found; physical validity is checked when the plan is made.
+Config read_config(const Document& document, const Registry& registry);
+
+/// The keys a config may have.
+const std::vector<std::string>& config_keys();
+/// The kinds that can be run.
+const std::vector<std::string>& runnable_kinds();
+/// The kinds that are reserved for later versions.
+const std::vector<std::string>& reserved_kinds();
+
+}  // namespace kreisel

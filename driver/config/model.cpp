@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/config/model.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "driver/config/registry.hpp"
+#include "driver/config/values.hpp"
+#include "records/json/model_keys.hpp"
+
+namespace kreisel {
+
+namespace {
+
+constexpr std::size_t longest_name = 64;
+
+template <class Value>
+void assign(Value& target, const std::optional<Value>& value) {
+    if (value) { target = *value; }
+}
+
+// The value of a key, if it is there and fits.
+std::optional<Vector3> vector_at(const Node& entry, const std::string& key) {
+    const auto node = entry.find(key);
+    return node ? read_vector(*node, expectation(ValueKind::vector)) : std::nullopt;
+}
+
+std::optional<double> number_at(const Node& entry, const std::string& key) {
+    const auto node = entry.find(key);
+    return node ? node->number() : std::nullopt;
+}
+
+std::optional<double> positive_at(const Node& entry, const std::string& key, const std::string& unit) {
+    const auto node = entry.find(key);
+    return node ? node->positive(fmt::format("a {} greater than 0 ({})", key, unit)) : std::nullopt;
+}
+
+std::optional<double> not_negative_at(const Node& entry, const std::string& key) {
+    const auto node = entry.find(key);
+    if (!node) { return std::nullopt; }
+    const std::string expected = expectation(ValueKind::not_negative);
+    const auto value = node->number(expected);
+    if (value && !(*value >= 0)) {
+        node->mismatch(expected);
+        return std::nullopt;
+    }
+    return value;
+}
+
+std::optional<std::string> name_at(const Node& entry, const std::string& key) {
+    const auto node = entry.find(key);
+    return node ? node->text(expectation(ValueKind::name), longest_name) : std::nullopt;
+}
+
+// A list of two values, one for each body, read one by one.
+template <class Value, class Read>
+void read_pair(const Node& entry, const std::string& key, ValueKind kind, std::array<Value, 2>& target,
+               const Read& read) {
+    const auto node = entry.find(key);
+    if (!node) { return; }
+    if (!node->is_array() || node->json().size() != 2) { return node->mismatch(expectation(kind)); }
+    const auto values = node->elements_or_self();
+    for (std::size_t i = 0; i < 2; ++i) { assign(target[i], read(values[i])); }
+}
+
+void read_between(const Node& entry, std::array<std::string, 2>& between) {
+    read_pair(entry, "between", ValueKind::names, between,
+              [](const Node& node) { return node.text(expectation(ValueKind::name), longest_name); });
+}
+
+void read_vectors(const Node& entry, const std::string& one, const std::string& each, std::array<Vector3, 2>& values) {
+    if (const auto shared = vector_at(entry, one)) { values = {*shared, *shared}; }
+    read_pair(entry, each, ValueKind::vectors, values,
+              [](const Node& node) { return read_vector(node, expectation(ValueKind::vector)); });
+}
+
+// R of a unit quaternion; the norm is divided out.
+std::optional<Matrix3> read_quaternion(const Node& node) {
+    const std::string expected = expectation(ValueKind::quaternion);
+    if (!node.is_array() || node.json().size() != 4) {
+        node.mismatch(expected);
+        return std::nullopt;
+    }
+    std::array<double, 4> q{};
+    bool good = true;
+    const auto components = node.elements_or_self();
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto number = components[i].number();
+        good = good && number;
+        q[i] = number.value_or(0);
+    }
+    if (!good) { return std::nullopt; }
+    const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    if (!(std::abs(norm - 1) <= 1e-9)) {
+        node.error("a unit quaternion (norm 1 within 1e-9)", fmt::format("norm {}", norm));
+        return std::nullopt;
+    }
+    const double w = q[0] / norm, x = q[1] / norm, y = q[2] / norm, z = q[3] / norm;
+    return Matrix3{1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
+                   2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+                   2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
+}
+
+BodyData read_body(const Node& node, const ElementType& type, std::size_t) {
+    BodyData body;
+    body.point = type.name == "point";
+    assign(body.name, name_at(node, "name"));
+    assign(body.mass, positive_at(node, "mass", "kg"));
+    assign(body.x, vector_at(node, "x"));
+    body.v = vector_at(node, "v");
+    if (body.point) { return body; }
+    if (const auto inertia = node.find("inertia")) { assign(body.inertia, read_inertia(*inertia)); }
+    if (const auto R = node.find("R")) { assign(body.R, read_matrix(*R, expectation(ValueKind::matrix))); }
+    if (const auto quaternion = node.find("quaternion")) { assign(body.R, read_quaternion(*quaternion)); }
+    assign(body.omega, vector_at(node, "omega"));
+    return body;
+}
+
+JointData read_joint(const Node& node, const ElementType& type, std::size_t index) {
+    JointData joint;
+    joint.type = static_cast<JointType>(index);
+    if (const auto name = node.find("name")) { assign(joint.name, name->text(expectation(ValueKind::label), longest_name)); }
+    read_between(node, joint.between);
+    read_vectors(node, "point", "points", joint.points);
+    if (type.has("axes")) { read_vectors(node, "axis", "axes", joint.axes); }
+    joint.length = positive_at(node, type.has("radius") ? "radius" : "length", "m");
+    assign(joint.amplitude, number_at(node, "amplitude"));
+    assign(joint.frequency, number_at(node, "frequency"));
+    return joint;
+}
+
+ForceData read_force(const Node& node, const ElementType& type, std::size_t index) {
+    ForceData force;
+    force.type = static_cast<ForceData::Type>(index);
+    if (type.has("body")) {
+        assign(force.between[1], name_at(node, "body"));
+        assign(force.value, vector_at(node, "value"));
+        force.point = vector_at(node, "point");
+        if (const auto frame = node.find("frame")) {
+            force.body_axes = frame->name(expectation(ValueKind::frame), {"space", "body"}) == "body";
+        }
+    } else {
+        read_between(node, force.between);
+        assign(force.axis, vector_at(node, "axis"));
+        if (type.has("points")) { read_vectors(node, "point", "points", force.points); }
+    }
+    assign(force.stiffness, not_negative_at(node, "stiffness"));
+    assign(force.damping, not_negative_at(node, "damping"));
+    force.rest = type.has("angle") ? number_at(node, "angle") : not_negative_at(node, "length");
+    if (const auto turns = node.find("turns")) {
+        assign(force.turns, turns->count(-largest_whole, largest_whole, expectation(ValueKind::whole)));
+    }
+    assign(force.amplitude, number_at(node, "amplitude"));
+    assign(force.frequency, number_at(node, "frequency"));
+    return force;
+}
+
+// Unknown keys, missing ones, and two of which one would do.
+void check_keys(const Node& node, const ElementList& list, const ElementType& type) {
+    node.only_keys(keys_of(type), fmt::format(" of a {} of type {}", list.what, in_quotes(type.name)));
+    for (const ElementKey& key : type.keys) {
+        if (key.required) { node.require(key.name, expectation(key.kind)); }
+    }
+    for (const auto& [one, other, required] : type.alternatives) {
+        const bool both = node.find(one) && node.find(other), none = !node.find(one) && !node.find(other);
+        if (both) { node.error(fmt::format("either {} or {}", in_quotes(one), in_quotes(other)), "both"); }
+        if (none && required) {
+            node.error(fmt::format("the key {} or {}", in_quotes(one), in_quotes(other)), "nothing");
+        }
+    }
+}
+
+// Index among the types of a list; nothing after an error.
+std::optional<std::size_t> read_type(const Node& node, const ElementList& list) {
+    const std::string what = fmt::format("a type of {}", list.what);
+    std::optional<std::string> name = list.standard;
+    if (node.find("type")) {
+        name = node.find("type")->name(what, names_of(list.types));
+    } else if (name->empty()) {
+        name.reset();
+        node.require("type", fmt::format("{} ({})", what, listed(names_of(list.types))));
+    }
+    for (std::size_t i = 0; name && i < list.types.size(); ++i) {
+        if (list.types[i].name == *name) { return i; }
+    }
+    return std::nullopt;
+}
+
+template <class Data>
+std::optional<ParameterValue> read_list(const Node& node, ParameterKind kind, std::size_t least,
+                                        Data (*read)(const Node&, const ElementType&, std::size_t)) {
+    const ElementList& list = elements_of(kind);
+    if (!node.is_array() || node.json().size() < least) {
+        node.mismatch(expectation(kind));
+        return std::nullopt;
+    }
+    std::vector<Data> all;
+    for (const Node& entry : node.elements_or_self()) {
+        all.emplace_back();
+        if (!entry.require_object(fmt::format("a {}: an object", list.what))) { continue; }
+        const auto type = read_type(entry, list);
+        if (!type) { continue; }
+        check_keys(entry, list, list.types[*type]);
+        all.back() = read(entry, list.types[*type], *type);
+    }
+    return all;
+}
+
+template <class Data>
+void check_names(const Node& node, const std::vector<Data>& named, const std::string& what) {
+    std::set<std::string> names;
+    const auto entries = node.elements_or_self();
+    for (std::size_t i = 0; i < named.size(); ++i) {
+        if (!named[i].name.empty() && !names.insert(named[i].name).second) {
+            entries[i].error(what + " with different names", "a second " + in_quotes(named[i].name));
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<ParameterValue> read_bodies(const Node& node) {
+    auto bodies = read_list(node, ParameterKind::bodies, 1, read_body);
+    if (bodies) { check_names(node, std::get<std::vector<BodyData>>(*bodies), "bodies"); }
+    return bodies;
+}
+
+std::optional<ParameterValue> read_joints(const Node& node) {
+    auto joints = read_list(node, ParameterKind::joints, 0, read_joint);
+    if (joints) { check_names(node, std::get<std::vector<JointData>>(*joints), "joints"); }
+    return joints;
+}
+
+std::optional<ParameterValue> read_forces(const Node& node) {
+    return read_list(node, ParameterKind::forces, 0, read_force);
+}
+
+}  // namespace kreisel

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How the bodies, joints and forces of a mechanism are read. Internal to the reader.
+#pragma once
+
+#include <optional>
+
+#include "problems/description.hpp"
+#include "records/json/node.hpp"
+
+namespace kreisel {
+
+/// Lists of bodies, joints and forces; the types and keys are those of records/json/model_keys.hpp.
+std::optional<ParameterValue> read_bodies(const Node& node);
+std::optional<ParameterValue> read_joints(const Node& node);
+std::optional<ParameterValue> read_forces(const Node& node);
+
+}  // namespace kreisel

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/config/resolved.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "records/json/writer.hpp"
+
+namespace kreisel {
+
+namespace {
+
+template <class Entries, class Write>
+std::string list_of(const Entries& entries, const Write& write) {
+    std::string text;
+    for (const auto& entry : entries) { text += (text.empty() ? "" : ",") + write(entry); }
+    return "[" + text + "]";
+}
+
+// The values that a number takes among entries, in order of first appearance: one, or those of a list.
+std::string number_text(const std::vector<ProblemEntry>& entries, const std::string& name) {
+    std::vector<double> values;
+    for (const ProblemEntry& entry : entries) {
+        const double value = std::get<double>(entry.parameters.at(name));
+        if (std::find(values.begin(), values.end(), value) == values.end()) { values.push_back(value); }
+    }
+    return values.size() == 1 ? json_number(values.front()) : list_of(values, json_number);
+}
+
+// Entries that came from one, as one again.
+std::string problem_text(const std::vector<ProblemEntry>& entries) {
+    const ProblemEntry& first = entries.front();
+    ObjectWriter parameters;
+    for (const auto& [name, value] : first.parameters) {
+        const bool number = std::holds_alternative<double>(value);
+        parameters.member(name, number ? number_text(entries, name) : json_value(value));
+    }
+    return ObjectWriter()
+        .member("name", json_text(first.name))
+        .member("label", json_text(first.series))
+        .member("parameters", parameters.text())
+        .text();
+}
+
+std::vector<std::vector<ProblemEntry>> as_written(const std::vector<ProblemEntry>& problems) {
+    std::vector<std::vector<ProblemEntry>> entries;
+    for (const ProblemEntry& problem : problems) {
+        if (entries.empty() || entries.back().front().pointer != problem.pointer) { entries.emplace_back(); }
+        entries.back().push_back(problem);
+    }
+    return entries;
+}
+
+std::string optioned_text(const OptionedEntry& entry) {
+    ObjectWriter object;
+    object.member("name", json_text(entry.name));
+    for (const auto& [name, value] : entry.options) { object.member(name, json_value(value)); }
+    return object.text();
+}
+
+}  // namespace
+
+std::string resolved_config(const Config& config) {
+    ObjectWriter object;
+    object.member("name", json_text(config.name));
+    if (!config.description.empty()) { object.member("description", json_text(config.description)); }
+    object.member("kind", json_text(config.kind)).member("precision", json_value(config.precisions));
+    object.member("problems", list_of(as_written(config.problems), problem_text));
+    object.member("formulations", json_value(config.formulations));
+    object.member("methods", list_of(config.methods, optioned_text));
+    object.member("projections", list_of(config.projections, optioned_text));
+    const auto count = [](long value) { return fmt::format("{}", value); };
+    object.member(
+        "time",
+        ObjectWriter().member("end", json_number(config.t_end)).member("steps", list_of(config.steps, count)).text());
+    object.member("metrics", json_value(config.metrics));
+    object.member("output", ObjectWriter().member("samples", count(config.samples)).text());
+    if (!config.figure.is_null()) { object.member("figure", config.figure.dump()); }
+    return object.text();
+}
+
+}  // namespace kreisel

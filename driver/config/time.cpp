@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/config/time.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+
+namespace kreisel {
+
+namespace {
+
+constexpr double whole_tolerance = 1e-9;  // how far end/step may be from a whole number, relative to it
+
+void add_steps(const Node& node, long steps, Config& config) {
+    if (std::find(config.steps.begin(), config.steps.end(), steps) != config.steps.end()) {
+        node.error("each number of steps once", fmt::format("{} again", steps));
+        return;
+    }
+    config.steps.push_back(steps);
+}
+
+void read_geometric(const Node& node, Config& config) {
+    node.only_keys({"from", "levels", "factor"});
+    const auto from_node = node.require("from", "the smallest number of steps");
+    const auto levels_node = node.require("levels", "how many step counts there are");
+    const auto factor_node = node.find("factor");
+    const long from = from_node ? from_node->count(1, largest_count, "a number of steps").value_or(0) : 0;
+    const long levels = levels_node ? levels_node->count(1, 64, "a number of levels").value_or(0) : 0;
+    const long factor = factor_node ? factor_node->count(2, 1000, "a factor").value_or(0) : 2;
+    if (from == 0 || levels == 0 || factor == 0) { return; }
+    long steps = from;
+    for (long level = 0; level < levels; ++level) {
+        if (level > 0 && steps > largest_count / factor) {
+            node.error(fmt::format("at most {} steps at the finest level", largest_count),
+                       fmt::format("{} * {}^{}", from, factor, levels - 1));
+            return;
+        }
+        steps *= level > 0 ? factor : 1;
+        add_steps(node, steps, config);
+    }
+}
+
+void read_steps(const Node& node, Config& config) {
+    if (node.is_object()) {
+        read_geometric(node, config);
+        return;
+    }
+    const auto entries =
+        node.is_array() ? node.elements("a number of steps, or a list of them") : node.elements_or_self();
+    for (const Node& entry : entries.value_or(std::vector<Node>())) {
+        if (const auto steps = entry.count(1, largest_count, "a number of steps")) { add_steps(entry, *steps, config); }
+    }
+}
+
+void read_step_sizes(const Node& node, Config& config) {
+    const auto entries = node.is_array() ? node.elements("a step in s, or a list of them") : node.elements_or_self();
+    for (const Node& entry : entries.value_or(std::vector<Node>())) {
+        const auto step = entry.positive("a step greater than 0 (s)");
+        if (!step || !(config.t_end > 0)) { continue; }
+        const double ratio = config.t_end / *step;
+        const double steps = std::round(ratio);
+        if (!(ratio <= static_cast<double>(largest_count)) || steps < 1 ||
+            std::abs(ratio - steps) > whole_tolerance * steps) {
+            entry.error(fmt::format("a step that divides the end time {} into 1 to {} equal steps", config.t_end,
+                                    largest_count),
+                        fmt::format("{}, which gives {} steps", *step, ratio));
+            continue;
+        }
+        add_steps(entry, static_cast<long>(steps), config);
+    }
+}
+
+}  // namespace
+
+void read_time(const Node& time, Config& config) {
+    const std::string expected = "an object with \"end\" and \"steps\" or \"step\"";
+    if (!time.require_object(expected)) { return; }
+    if (const auto tolerance = time.find("tolerance")) {
+        tolerance->error("\"steps\" or \"step\"", "\"tolerance\", for which this version has no adaptive method");
+    }
+    time.only_keys({"end", "steps", "step", "tolerance"});
+    if (const auto end = time.require("end", "the end time, greater than 0 (s)")) {
+        config.t_end = end->positive("an end time greater than 0 (s)").value_or(0);
+    }
+    const auto steps = time.find("steps");
+    const auto step = time.find("step");
+    if (steps && step) {
+        step->error("either \"steps\" or \"step\"", "both");
+    } else if (steps) {
+        read_steps(*steps, config);
+    } else if (step) {
+        read_step_sizes(*step, config);
+    } else if (!time.find("tolerance")) {
+        time.error(expected, "neither \"steps\" nor \"step\"");
+    }
+}
+
+}  // namespace kreisel

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/plan/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plots/figures/spec.hpp"
+#include "plots/tables/scaling.hpp"
+#include "support/nearest.hpp"
+#include "support/pattern.hpp"
+
+namespace kreisel {
+
+namespace {
+
+bool in_list(const std::vector<std::string>& list, const std::string& value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+std::vector<std::string> entry_names(const std::vector<OptionedEntry>& entries) {
+    std::vector<std::string> names;
+    names.reserve(entries.size());
+    for (const OptionedEntry& entry : entries) { names.push_back(entry.name); }
+    return names;
+}
+
+// What `select` may name under a key; nothing where the values are not known before the run (names with options).
+std::vector<std::string> selectable(const std::string& key, const Config& config) {
+    std::vector<std::string> values;
+    if (key == "steps") {
+        for (const long steps : config.steps) { values.push_back(fmt::format("{}", steps)); }
+    }
+    if (key == "problem") {
+        for (const ProblemEntry& problem : config.problems) {
+            values.insert(values.end(), {problem.label, problem.series, problem.name});
+        }
+    }
+    if (key == "formulation") { values = config.formulations; }
+    if (key == "precision") { values = config.precisions; }
+    if (key == "method") { values = entry_names(config.methods); }
+    if (key == "projection") { values = entry_names(config.projections); }
+    return values;
+}
+
+class FigureCheck {
+  public:
+    FigureCheck(const Document& document, const Plan& plan, const std::vector<std::string>& metrics, Diagnostics& sink)
+        : document_(document), config_(plan.config), metrics_(metrics), sink_(sink) {}
+
+    void check(const FigureSpec& spec) {
+        if ((spec.kind == "scaling") != config_.is_timed()) {
+            sink_.add({spec.pointer + "/kind",
+                       config_.is_timed() ? "\"scaling\", the figure of an experiment of this kind"
+                                          : "a figure of states or errors (\"scaling\" draws experiments of that kind)",
+                       in_quotes(spec.kind)});
+            return;
+        }
+        if (draws_samples(spec.kind) && config_.samples == 0) {
+            sink_.add({spec.pointer + "/kind",
+                       "an experiment that stores samples (\"output\": {\"samples\": K}), since this figure draws them",
+                       fmt::format("{} and no samples", in_quotes(spec.kind))});
+        }
+        for (std::size_t i = 0; i < spec.metrics.size(); ++i) { check_metric(spec, i); }
+        for (const auto& [key, values] : spec.select) {
+            for (std::size_t i = 0; i < values.size(); ++i) { check_selection(spec, key, values[i], i); }
+        }
+    }
+
+  private:
+    // The place of entry i under a key that holds one value or a list, or is left out.
+    std::string place(const std::string& pointer, std::size_t i) const {
+        const nlohmann::json::json_pointer path(pointer);
+        if (!document_.value.contains(path)) { return pointer.substr(0, pointer.rfind('/')); }
+        return document_.value.at(path).is_array() ? fmt::format("{}/{}", pointer, i) : pointer;
+    }
+
+    void check_metric(const FigureSpec& spec, std::size_t i) {
+        const std::string& metric = spec.metrics[i];
+        const std::string pointer = place(spec.pointer + "/metric", i);
+        if (spec.kind == "scaling") { return check_cost(metric, pointer); }
+        if (!in_list(metrics_, metric)) {
+            sink_.add({pointer, "a metric of these problems (see kreisel list metrics)", in_quotes(metric),
+                       nearest_name(metric, metrics_)});
+        } else if (!matches_any(config_.metrics, metric)) {
+            sink_.add({pointer,
+                       "a metric that this experiment measures (key \"metrics\"; here " +
+                           (config_.metrics.empty() ? "none" : listed(config_.metrics)) + ")",
+                       in_quotes(metric)});
+        }
+    }
+
+    void check_cost(const std::string& metric, const std::string& pointer) {
+        const auto names = names_of(scaling_quantities());
+        if (!in_list(names, metric)) {
+            sink_.add({pointer, "one of " + listed(names), in_quotes(metric), nearest_name(metric, names)});
+        }
+    }
+
+    void check_selection(const FigureSpec& spec, const std::string& key, const std::string& value, std::size_t i) {
+        const auto values = selectable(key, config_);
+        const bool with_options = (key == "method" || key == "projection") && value.find(' ') != std::string::npos;
+        if (in_list(values, value) || with_options) { return; }
+        sink_.add({place(fmt::format("{}/select/{}", spec.pointer, key), i),
+                   fmt::format("a {} of this experiment", key), key == "steps" ? value : in_quotes(value),
+                   nearest_name(value, values)});
+    }
+
+    const Document& document_;
+    const Config& config_;
+    const std::vector<std::string>& metrics_;
+    Diagnostics& sink_;
+};
+
+}  // namespace
+
+void check_figures(const Document& document, const Plan& plan, const std::vector<std::string>& metrics,
+                   Diagnostics& sink) {
+    if (plan.config.figure.is_null()) { return; }
+    Diagnostics quiet(document);  // the shape was checked when the config was read
+    const auto specs = read_figures(Node(document.value.at("figure"), "/figure", quiet), plan.config.name);
+    FigureCheck check(document, plan, metrics, sink);
+    for (const FigureSpec& spec : specs) { check.check(spec); }
+}
+
+}  // namespace kreisel

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Whether the experiment holds what its figures are to show.
+#pragma once
+
+#include "driver/plan/plan.hpp"
+
+namespace kreisel {
+
+/// Reports to `sink` each figure of the config that could not be drawn whatever the cells come to: trajectories where no
+/// samples are stored, metrics that do not exist or are not measured, a selection that names no part of the experiment.
+/// `metrics` are the names of all metrics the problems of the plan have.
+void check_figures(const Document& document, const Plan& plan, const std::vector<std::string>& metrics,
+                   Diagnostics& sink);
+
+}  // namespace kreisel

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The cells of an experiment: the cross product of the axes of its config, in a fixed order.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "driver/config/config.hpp"
+#include "records/planned.hpp"
+
+namespace kreisel {
+
+struct Plan {
+    Config config;
+    std::vector<PlannedCell> cells;
+    std::map<std::string, PlannedReference> references;                    ///< by hash
+    std::map<std::pair<std::string, std::string>, SystemSummary> systems;  ///< by problem label and formulation
+    std::vector<std::string> warnings;
+    std::size_t skipped() const;
+};
+
+/// Crosses the axes and asks the engines what each combination comes to. The order is problems, formulations, methods,
+/// projections, precisions, steps, the last varying fastest. Throws UsageError where parameters describe no system, an
+/// option cannot be had, or a metric does not exist.
+Plan make_plan(const Document& document, const Config& config, const Engines& engines);
+
+/// read_config and make_plan.
+Plan plan_of(const Document& document, const Engines& engines);
+
+}  // namespace kreisel

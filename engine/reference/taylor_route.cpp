@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/reference/taylor_route.hpp"
+
+#include "mechanics/joint_rows.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+bool agree(const Distance& d, const MotionSize& sizes) {
+    const Real limit = Real(1) / 1000000000000;
+    return d.position <= limit * sizes.position && d.rotation <= limit && d.velocity <= limit * sizes.velocity &&
+           d.omega <= limit * sizes.omega;
+}
+
+/// The last of the first route's big steps up to which the second one agrees, and the distance there.
+struct Agreement {
+    Real horizon = 0;
+    Distance distance;
+    Status status = Status::ok;
+};
+
+Agreement follow(TaylorRoute& route, const ReferenceSolution& first, const std::stop_token& stop) {
+    Agreement agreement;
+    for (const ReferencePoint& point : first.path) {
+        agreement.status = route.advance(point.t, stop);
+        if (agreement.status != Status::ok || route.interrupted()) break;
+        const Distance d = distance(route.states(), point.states);
+        if (!agree(d, first.sizes)) break;
+        agreement.horizon = point.t, agreement.distance = d;
+    }
+    return agreement;
+}
+
+/// From there to the end: the largest distance of the routes on the way.
+void go_beyond(TaylorRoute& route, const ReferenceSolution& first, const std::stop_token& stop, Agreement& agreement) {
+    const auto meet = [&](const ReferencePoint& point) {
+        if (abs(point.t) <= abs(agreement.horizon) || agreement.status != Status::ok || route.interrupted()) return;
+        agreement.status = route.advance(point.t, stop);
+        const Distance d = distance(route.states(), point.states);
+        Distance& largest = agreement.distance;
+        largest = {max(largest.position, d.position), max(largest.rotation, d.rotation),
+                   max(largest.velocity, d.velocity), max(largest.omega, d.omega)};
+        if (!isfinite(d.rotation)) largest.rotation = d.rotation;
+    };
+    for (const ReferencePoint& point : first.path) meet(point);
+    for (const ReferencePoint& point : first.beyond) meet(point);
+}
+
+}  // namespace
+
+TaylorRoute::TaylorRoute(const Model& model) : series_(model, taylor_order) {
+    for (const Body& body : model.bodies) states_.push_back(body.start);
+}
+
+Status TaylorRoute::expand() {
+    if (steps_ > 0) series_.move_on(t_ - base_t_);
+    base_t_ = t_;
+    ++steps_;
+    return series_.expand(t_, states_);
+}
+
+Status TaylorRoute::advance(const Real& t, const std::stop_token& stop) {
+    const Real smallest = abs(t - t_) / 1099511627776;
+    while (t_ != t) {
+        if ((interrupted_ = stop.stop_requested())) return Status::ok;
+        if (!holds_) {
+            if (const Status s = expand(); s != Status::ok) return s;
+            reach_ = series_.reach(reach_ == 0 ? Real(t - t_) : Real(4 * reach_));
+            if (abs(reach_) <= smallest) return Status::singular_kkt;
+        }
+        holds_ = abs(t - base_t_) <= abs(reach_);
+        t_ = holds_ ? t : Real(base_t_ + reach_);
+        states_ = series_.states(t_ - base_t_);
+        if (series_.has_parted(t_ - base_t_)) return Status::turn_lost;
+    }
+    return Status::ok;
+}
+
+Status TaylorRoute::multipliers(std::vector<Real>& lambda) {
+    holds_ = false;
+    const Status status = expand();
+    if (status == Status::ok) lambda = series_.multipliers();
+    return status;
+}
+
+ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop) {
+    ReferenceSolution out = reference_solution(model, t_end, stop);
+    if (out.interrupted || !out.stopped.empty()) return out;
+    TaylorRoute route(model);
+    Agreement agreement = follow(route, out, stop);
+    if (route.interrupted()) return {.interrupted = true};
+    out.horizon = agreement.horizon;
+    if (agreement.status == Status::ok && out.horizon != t_end) {  // past the horizon: how far the routes are apart
+        go_beyond(route, out, stop, agreement);
+        if (route.interrupted()) return {.interrupted = true};
+    }
+    out.route += "; Taylor series of order " + std::to_string(taylor_order) + " in rotation matrices, " +
+                 std::to_string(route.steps()) + " steps";
+    if (agreement.status != Status::ok) out.route += std::string(", ended by ") + name(agreement.status);
+    out.compared = agreement.status == Status::ok && isfinite(agreement.distance.rotation);
+    if (!out.compared) return out;
+    allow_for(out, agreement.distance);
+    std::vector<Real> lambda;
+    if (route.multipliers(lambda) != Status::ok || lambda.size() != out.multipliers.size()) return out;
+    const MultiplierDistance apart = multiplier_distance(constraint_rows(model), lambda, out.multipliers);
+    out.multiplier_error = {max(out.multiplier_error.force, apart.force), max(out.multiplier_error.torque, apart.torque)};
+    return out;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

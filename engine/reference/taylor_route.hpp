@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The second route to a reference: integration by Taylor series in rotation matrices. It shares the model's data with
+// the first route (extrapolation on quaternions, mass and constraints through System) and nothing else.
+#pragma once
+
+#include <stop_token>
+
+#include "engine/reference/reference.hpp"
+#include "engine/reference/taylor_series.hpp"
+#include "engine/report/report.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+#if KREISEL_QUAD
+inline constexpr int taylor_order = 40;
+#else
+inline constexpr int taylor_order = 20;
+#endif
+
+/// The motion of a model from its start; time runs in one direction. Not thread-safe.
+class TaylorRoute {
+  public:
+    explicit TaylorRoute(const Model& model);
+
+    /// Moves on to time t. The answer is singular_kkt also where steps shrink below 2^-40 of the way: the motion has
+    /// met a singularity.
+    Status advance(const Real& t, const std::stop_token& stop);
+    bool interrupted() const { return interrupted_; }
+
+    const std::vector<BodyState>& states() const { return states_; }
+    /// Multipliers at the present time (N). Expands the series there.
+    Status multipliers(std::vector<Real>& lambda);
+    /// Expansions so far.
+    long steps() const { return steps_; }
+
+  private:
+    Status expand();
+
+    TaylorSeries series_;
+    std::vector<BodyState> states_;
+    Real t_ = 0, base_t_ = 0, reach_ = 0;  // the series stands at base_t_ and holds up to base_t_ + reach_
+    bool holds_ = false;                   // at t_ and beyond
+    bool interrupted_ = false;
+    long steps_ = 0;
+};
+
+/// reference_solution confirmed by the second route: each error is the larger one of the difference between two step
+/// sizes and that between the routes (past the horizon the largest since), and the horizon the last big step up to which these agree to 1e-12 as
+/// well. Where the second route fails, the horizon ends, the errors at t_end are not known, and `route` says so.
+ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop = {});
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What holds the bodies of a run at one instant, as it is reported: the multipliers, row by row, and the reaction of each
+// joint. Where rows are redundant, both are those of least norm, and it is said which of them are unique all the same.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/engine.hpp"
+#include "mechanics/system.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+class JointForces {
+  public:
+    JointForces(System& system, const Model& model);
+    /// At (t, y), from the multipliers of a method or, where these are null, of the index-1 form; false where that cannot
+    /// be solved.
+    bool find(const Real& t, const Real* y, const Real* own);
+    /// Of the last find that succeeded.
+    const std::vector<Real>& multipliers() const { return multipliers_; }
+    /// Columns of a trajectory and their values: multipliers where they are unique, and all reactions; where rows are
+    /// redundant, beside each reaction whether it is unique (1) or of least norm (0).
+    std::vector<Column> columns() const;
+    void append_values(bool found, std::vector<std::string>& row) const;
+    /// Names of the multipliers and the reactions.
+    void report(ReportedState& state) const;
+    long evaluations() const { return evaluations_; }
+
+  private:
+    bool is_unique(std::size_t row) const { return !redundant_ || system_.is_unique(static_cast<int>(row)); }
+    std::vector<bool> unique_joints() const;
+
+    System& system_;
+    std::vector<ConstraintRow> rows_;
+    std::vector<std::string> joints_;
+    bool redundant_;
+    std::vector<Real> multipliers_, dv_, scratch_;
+    std::vector<JointReaction> reactions_;
+    long evaluations_ = 0;
+};
+
+/// |a - b| of multipliers that are forces (N) and of those that are torques (N m), of the rows of a model.
+struct MultiplierDistance {
+    Real force = 0, torque = 0;
+};
+MultiplierDistance multiplier_distance(const std::vector<ConstraintRow>& rows, const std::vector<Real>& a,
+                                       const std::vector<Real>& b);
+/// Names the distances as metrics; a kind that no row is of has none.
+void add_multiplier_errors(const std::vector<ConstraintRow>& rows, const MultiplierDistance& distance,
+                           std::map<std::string, Number>& errors);
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

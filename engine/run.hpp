@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One cell: a problem, a formulation, a method and a projection meet, run, and are measured.
+#pragma once
+
+#include <stop_token>
+
+#include "engine/engine.hpp"
+#include "lie/real.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+std::string why_skipped(const Cell& cell);
+/// `reference` and `samples` may be null: no errors are measured, samples are dropped.
+Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop,
+                 SampleSink* samples = nullptr);
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which cells and samples a figure draws.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "plots/figures/spec.hpp"
+#include "records/results.hpp"
+
+namespace kreisel {
+
+/// A figure that cannot be drawn from these results, and why.
+struct FigureError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The rows that `spec.select` leaves, but for skipped ones; with `failed` also those that did not run to their end.
+/// Throws FigureError where none is left.
+std::vector<ResultRow> selected_rows(const FigureSpec& spec, const Results& results, bool failed = false);
+
+/// The one cell with samples that a figure of a trajectory draws. Throws FigureError unless there is exactly one.
+ResultRow selected_trajectory(const FigureSpec& spec, const Results& results);
+
+/// The rows of `rows` that hold samples. Throws FigureError where there are none.
+std::vector<ResultRow> with_samples(std::vector<ResultRow> rows, const FigureSpec& spec);
+
+/// The samples of the selected cell, up to `spec.until`.
+TrajectoryTable selected_samples(const FigureSpec& spec, const ResultRow& row, const std::filesystem::path& folder);
+
+/// The body that the figure draws: as asked for, or the first. Throws FigureError where there is no such body.
+std::string body_of(const FigureSpec& spec, const TrajectoryTable& trajectory);
+
+}  // namespace kreisel

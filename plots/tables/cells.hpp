@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tables whose rows begin with the identity of a cell.
+#pragma once
+
+#include "plots/tables/names.hpp"
+#include "plots/tables/text.hpp"
+
+namespace kreisel {
+
+/// The names of a cell in the columns problem, formulation, method, projection, precision.
+std::vector<std::string> identity(const CellNames& names, const ResultRow& row);
+
+/// An empty table: the columns of the identity, then `columns`.
+TextTable cell_table(std::string name, std::string title, const std::vector<std::string>& columns);
+
+/// Adds the row of a cell.
+void add_row(TextTable& table, const CellNames& names, const ResultRow& row, const std::vector<std::string>& cells);
+
+/// The value of a metric or of a cost; NaN where it is absent.
+double value_or_nan(const std::map<std::string, double>& values, const std::string& name);
+
+}  // namespace kreisel

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plots/tables/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace kreisel {
+
+namespace {
+
+using Options = std::map<std::string, std::string>;
+
+std::vector<std::string> varying(const std::vector<const Options*>& all) {
+    std::map<std::string, std::set<std::string>> values;
+    for (const Options* options : all) {
+        for (const auto& [name, value] : *options) { values[name].insert(value); }
+    }
+    std::vector<std::string> names;
+    for (const auto& [name, set] : values) {
+        if (set.size() > 1) { names.push_back(name); }
+    }
+    return names;
+}
+
+// The two coordinate maps are known by their names; any other option needs to be named.
+std::string option_text(const std::string& name, const std::string& value) {
+    return name == "coordinates" ? value : fmt::format("{}={}", name, value);
+}
+
+std::string with_options(const std::string& name, const Options& options, const std::vector<std::string>& shown) {
+    std::string text = name;
+    for (const std::string& option : shown) {
+        const auto value = options.find(option);
+        if (value != options.end()) { text += " " + option_text(option, value->second); }
+    }
+    return text;
+}
+
+}  // namespace
+
+CellNames::CellNames(const std::vector<ResultRow>& rows) : rows_(rows) {
+    std::map<std::string, std::vector<const Options*>> by_name;
+    for (const ResultRow& row : rows) {
+        by_name[row.method].push_back(&row.options);
+        by_name["projection " + row.projection].push_back(&row.projection_options);
+    }
+    for (const auto& [name, options] : by_name) { varying_options_[name] = varying(options); }
+}
+
+const std::vector<std::string>& CellNames::axes() {
+    static const std::vector<std::string> all = {"problem", "formulation", "method", "projection", "precision"};
+    return all;
+}
+
+std::string CellNames::axis(const ResultRow& row, const std::string& axis) const {
+    if (axis == "problem") { return row.label; }
+    if (axis == "formulation") { return row.formulation; }
+    if (axis == "method") { return with_options(row.method, row.options, varying_options_.at(row.method)); }
+    if (axis == "projection") {
+        return with_options(row.projection, row.projection_options,
+                            varying_options_.at("projection " + row.projection));
+    }
+    return row.precision;
+}
+
+std::vector<std::string> CellNames::varying_axes(const std::vector<std::string>& left_out) const {
+    std::vector<std::string> result;
+    for (const std::string& name : axes()) {
+        if (std::find(left_out.begin(), left_out.end(), name) != left_out.end()) { continue; }
+        std::set<std::string> values;
+        for (const ResultRow& row : rows_) { values.insert(axis(row, name)); }
+        if (values.size() > 1) { result.push_back(name); }
+    }
+    return result;
+}
+
+std::string CellNames::legend(const ResultRow& row, const std::vector<std::string>& axes) const {
+    std::string text;
+    for (const std::string& name : axes) {
+        const bool bare = name == "projection" && row.projection == "none";
+        text += (text.empty() ? "" : ", ") + (bare ? std::string("no projection") : axis(row, name));
+    }
+    return text.empty() ? axis(row, "method") : text;
+}
+
+std::vector<CellGroup> grouped(const std::vector<ResultRow>& rows, bool (*same)(const ResultRow&, const ResultRow&)) {
+    std::vector<CellGroup> groups;
+    for (const ResultRow& row : rows) {
+        const auto group = std::find_if(groups.begin(), groups.end(),
+                                        [&](const CellGroup& other) { return same(other.front(), row); });
+        if (group == groups.end()) {
+            groups.push_back({{&row}});
+        } else {
+            group->rows.push_back(&row);
+        }
+    }
+    return groups;
+}
+
+bool same_but_for_size(const ResultRow& a, const ResultRow& b) {
+    return a.problem == b.problem && a.label == b.label && a.formulation == b.formulation && a.method == b.method &&
+           a.options == b.options && a.projection == b.projection && a.projection_options == b.projection_options &&
+           a.precision == b.precision;
+}
+
+std::vector<CellGroup> group_by_method(const std::vector<ResultRow>& rows) {
+    return grouped(rows, [](const ResultRow& a, const ResultRow& b) {
+        return same_but_for_size(a, b) && a.parameters == b.parameters && a.t_end == b.t_end;
+    });
+}
+
+std::string metric_unit(const std::string& metric) {
+    static const std::map<std::string, std::string> units = {
+        {"error.position", "m"},
+        {"error.rotation", "rad"},
+        {"error.velocity", "m/s"},
+        {"error.omega", "rad/s"},
+        {"error.multipliers", "N"},
+        {"error.multipliers.torque", "N m"},
+        {"defect.position", "m"},
+        {"defect.direction", "1"},
+        {"defect.velocity", "m/s"},
+        {"defect.direction.velocity", "1/s"},
+        {"defect.acceleration", "m/s^2"},
+        {"defect.direction.acceleration", "1/s^2"},
+        {"defect.orthogonality", "1"}};
+    std::string base = metric;
+    for (const char* suffix : {".final", ".max"}) {
+        if (base.ends_with(suffix)) { base.resize(base.size() - std::string(suffix).size()); }
+    }
+    if (const auto known = units.find(base); known != units.end()) { return known->second; }
+    if (base.ends_with(".relative")) { return "1"; }
+    const std::string per = base.ends_with(".slope") || base.ends_with(".slope_error") ? "/s" : "";
+    if (base.starts_with("invariant.energy")) { return per.empty() ? "J" : "W"; }
+    if (base.starts_with("invariant.momentum")) { return per.empty() ? "N s" : "N"; }
+    return base.find("momentum") != std::string::npos ? (per.empty() ? "N m s" : "N m") : "";
+}
+
+}  // namespace kreisel

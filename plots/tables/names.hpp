@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How tables and figures name cells and quantities.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "records/results.hpp"
+
+namespace kreisel {
+
+/// Names of cells relative to the cells beside them: a method is shown with those of its options that vary.
+class CellNames {
+  public:
+    explicit CellNames(const std::vector<ResultRow>& rows);
+
+    /// "problem" (the label), "formulation", "method" (with varying options), "projection", "precision".
+    std::string axis(const ResultRow& row, const std::string& axis) const;
+    /// The axes that vary among the rows, without `left_out`.
+    std::vector<std::string> varying_axes(const std::vector<std::string>& left_out) const;
+    /// The values of `axes`, separated by commas; the method alone where nothing varies.
+    std::string legend(const ResultRow& row, const std::vector<std::string>& axes) const;
+
+    static const std::vector<std::string>& axes();
+
+  private:
+    const std::vector<ResultRow>& rows_;
+    std::map<std::string, std::vector<std::string>> varying_options_;  ///< by method, and by projection
+};
+
+/// Rows that differ in their number of steps only, in the order of first appearance.
+struct CellGroup {
+    std::vector<const ResultRow*> rows;
+    const ResultRow& front() const { return *rows.front(); }
+};
+std::vector<CellGroup> group_by_method(const std::vector<ResultRow>& rows);
+
+/// Rows in groups of those that are `same` as the first of their group, in the order of first appearance.
+std::vector<CellGroup> grouped(const std::vector<ResultRow>& rows, bool (*same)(const ResultRow&, const ResultRow&));
+
+/// Whether two rows agree in all but parameters, steps and end time.
+bool same_but_for_size(const ResultRow& a, const ResultRow& b);
+
+/// Unit of a metric such as "error.position" or "invariant.energy.slope"; empty where it is not known.
+std::string metric_unit(const std::string& metric);
+
+}  // namespace kreisel

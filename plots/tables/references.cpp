@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plots/tables/references.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace kreisel {
+
+namespace {
+
+std::vector<std::string> metrics_of(const Results& results) {
+    std::vector<std::string> metrics = {"error.position", "error.rotation", "error.velocity", "error.omega",
+                                        "error.multipliers"};
+    const std::string torque = "error.multipliers.torque";
+    const bool occurs = std::any_of(results.rows.begin(), results.rows.end(),
+                                    [&](const ResultRow& row) { return row.reference_error.contains(torque); });
+    if (occurs) { metrics.push_back(torque); }
+    return metrics;
+}
+
+std::string digits(const ResultRow& row, const std::string& metric) {
+    const auto bound = row.reference_error.find(metric);
+    const auto scale = row.scale.find(metric);
+    if (bound == row.reference_error.end() || scale == row.scale.end()) { return "-"; }
+    if (bound->second == 0) { return "exact"; }
+    return fmt::format("{:.1f}", -std::log10(bound->second / scale->second));
+}
+
+}  // namespace
+
+TextTable references_table(const Results& results) {
+    const std::vector<std::string> metrics = metrics_of(results);
+    TextTable table{"references", "References: " + results.name, {"problem", "t [s]", "horizon [s]"}, {}};
+    table.notes = {
+        "Digits up to which two step sizes and two independent routes agree at the end, relative to the size of the "
+        "final state; \"exact\" where they are equal. An asterisk marks a horizon that ends before t."};
+    for (const std::string& metric : metrics) { table.columns.push_back(metric.substr(metric.find('.') + 1)); }
+    std::map<std::pair<std::string, double>, std::size_t> lines;
+    for (const ResultRow& row : results.rows) {
+        if (!row.ok() || row.reference_error.empty()) { continue; }
+        const auto [line, fresh] = lines.insert({{row.label, row.t_end}, table.rows.size()});
+        if (fresh) {
+            table.rows.push_back({row.label, fmt::format("{}", row.t_end),
+                                  fmt::format("{:.4g}{}", row.reference_horizon, row.past_horizon ? "*" : "")});
+            table.rows.back().resize(table.columns.size(), "-");
+        }
+        auto& cells = table.rows[line->second];
+        for (std::size_t i = 0; i < metrics.size(); ++i) {  // a formulation without constraints knows no multipliers
+            std::string& cell = cells[cells.size() - metrics.size() + i];
+            cell = cell == "-" ? digits(row, metrics[i]) : cell;
+        }
+    }
+    return table;
+}
+
+}  // namespace kreisel

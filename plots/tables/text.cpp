@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plots/tables/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+#include "records/csv.hpp"
+#include "support/files.hpp"
+
+namespace kreisel {
+
+namespace {
+
+// Bytes of UTF-8 that start a character: what a terminal counts.
+std::size_t width(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
+
+std::string printable(const std::string& text) {
+    std::string result = text;
+    std::replace_if(result.begin(), result.end(), is_control, '?');
+    return result;
+}
+
+std::string markdown_escaped(const std::string& text) {
+    std::string result;
+    for (const char c : printable(text)) {
+        if (std::string_view("\\`*_{}[]<>#|&!~$").find(c) != std::string_view::npos) { result += '\\'; }
+        result += c;
+    }
+    return result;
+}
+
+bool is_number(const std::string& text) {
+    static const std::regex pattern(R"([-+]?\d+(\.\d+)?(e[-+]?\d+)?)");
+    return std::regex_match(text, pattern);
+}
+
+std::string csv_safe(const std::string& text) {
+    const bool formula = !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
+    const bool harmless = text == "-" || is_number(text);
+    return csv_field(formula && !harmless ? "'" + text : text);
+}
+
+std::string latex_cell(const std::string& text) {
+    static const std::regex power(R"((-?\d(?:\.\d+)?)e([-+])0*(\d+)(\*?))");  // an asterisk refers to a note
+    std::smatch match;
+    if (std::regex_match(text, match, power)) {
+        const std::string sign = match[2] == "-" ? "-" : "";
+        const std::string exponent = match[3].length() == 0 ? "0" : match[3].str();
+        return fmt::format("${}\\cdot10^{{{}{}}}${}", match[1].str(), sign, exponent, match[4].str());
+    }
+    return text == "-" ? "--" : latex_escaped(text);
+}
+
+std::string joined(const std::vector<std::string>& parts, const std::string& separator) {
+    std::string text;
+    for (const std::string& part : parts) { text += (text.empty() ? "" : separator) + part; }
+    return text;
+}
+
+template <class Escape>
+std::vector<std::string> mapped(const std::vector<std::string>& cells, const Escape& escape) {
+    std::vector<std::string> result;
+    std::transform(cells.begin(), cells.end(), std::back_inserter(result), escape);
+    return result;
+}
+
+}  // namespace
+
+std::string short_number(double value) {
+    if (std::isnan(value)) { return "-"; }
+    return value == 0 ? "0" : fmt::format("{:.2e}", value);
+}
+
+std::string exact_number(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+TextTable without_constant_columns(const TextTable& table, const std::vector<std::string>& candidates) {
+    TextTable brief{table.name, table.title, {}, std::vector<std::vector<std::string>>(table.rows.size()), table.notes};
+    std::vector<std::string> constants;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        const bool candidate = std::find(candidates.begin(), candidates.end(), table.columns[c]) != candidates.end();
+        const bool constant =
+            !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(),
+                                               [&](const auto& row) { return row[c] == table.rows.front()[c]; });
+        if (candidate && constant) {
+            constants.push_back(fmt::format("{}: {}", table.columns[c], table.rows.front()[c]));
+            continue;
+        }
+        brief.columns.push_back(table.columns[c]);
+        for (std::size_t r = 0; r < table.rows.size(); ++r) { brief.rows[r].push_back(table.rows[r][c]); }
+    }
+    if (!constants.empty()) { brief.notes.insert(brief.notes.begin(), joined(constants, "; ") + "."); }
+    return brief;
+}
+
+std::string terminal_text(const TextTable& table) {
+    std::vector<std::size_t> widths;
+    for (const std::string& column : table.columns) { widths.push_back(width(column)); }
+    for (const auto& row : table.rows) {
+        for (std::size_t c = 0; c < row.size(); ++c) { widths[c] = std::max(widths[c], width(row[c])); }
+    }
+    const auto line = [&](const std::vector<std::string>& cells) {
+        std::string text = " ";
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            text += " " + printable(cells[c]) + std::string(widths[c] - width(cells[c]) + 1, ' ');
+        }
+        return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+    };
+    std::string text = printable(table.title) + "\n";
+    for (const std::string& note : table.notes) { text += "  " + printable(note) + "\n"; }
+    text += line(table.columns);
+    for (const auto& row : table.rows) { text += line(row); }
+    return text;
+}
+
+std::string markdown_text(const TextTable& table) {
+    const auto line = [](const std::vector<std::string>& cells) {
+        return "| " + joined(mapped(cells, markdown_escaped), " | ") + " |\n";
+    };
+    std::string text = "# " + markdown_escaped(table.title) + "\n\n";
+    for (const std::string& note : table.notes) { text += markdown_escaped(note) + "\n\n"; }
+    text += line(table.columns) + "|";
+    for (std::size_t c = 0; c < table.columns.size(); ++c) { text += " --- |"; }
+    text += "\n";
+    for (const auto& row : table.rows) { text += line(row); }
+    return text;
+}
+
+std::string csv_text(const TextTable& table) {
+    std::string text = joined(mapped(table.columns, csv_safe), ",") + "\n";
+    for (const auto& row : table.rows) {
+        std::string line;
+        for (std::size_t c = 0; c < row.size(); ++c) { line += (c == 0 ? "" : ",") + csv_safe(row[c]); }
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::string latex_escaped(const std::string& text) {
+    static const std::pair<std::string_view, std::string_view> words[] = {{"\\", "\\textbackslash{}"},
+                                                                          {"{", "\\{"},
+                                                                          {"}", "\\}"},
+                                                                          {"$", "\\$"},
+                                                                          {"&", "\\&"},
+                                                                          {"#", "\\#"},
+                                                                          {"%", "\\%"},
+                                                                          {"_", "\\_"},
+                                                                          {"^", "\\textasciicircum{}"},
+                                                                          {"~", "\\textasciitilde{}"},
+                                                                          {"<", "\\textless{}"},
+                                                                          {">", "\\textgreater{}"},
+                                                                          {"|", "\\textbar{}"},
+                                                                          {"±", "$\\pm$"},
+                                                                          {"–", "--"}};
+    std::string result;
+    const std::string safe = printable(text);
+    for (std::size_t i = 0; i < safe.size();) {
+        const auto word = std::find_if(std::begin(words), std::end(words), [&](const auto& entry) {
+            return safe.compare(i, entry.first.size(), entry.first) == 0;
+        });
+        if (word != std::end(words)) {
+            result += word->second;
+            i += word->first.size();
+            continue;
+        }
+        // pdfTeX stops at characters it has no glyph for: whatever is not ASCII and not in the list is shown as "?".
+        const auto byte = static_cast<unsigned char>(safe[i++]);
+        if (byte < 0x80) {
+            result += static_cast<char>(byte);
+        } else if (byte >= 0xC0) {
+            result += '?';
+        }
+    }
+    return result;
+}
+
+std::string latex_text(const TextTable& table) {
+    std::string text = "% " + printable(table.title) + "\n";
+    for (const std::string& note : table.notes) { text += "% " + printable(note) + "\n"; }
+    text += fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", std::string(table.columns.size(), 'l'));
+    text += joined(mapped(table.columns, latex_escaped), " & ") + " \\\\\n\\midrule\n";
+    for (const auto& row : table.rows) { text += joined(mapped(row, latex_cell), " & ") + " \\\\\n"; }
+    return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+void write_table(const std::filesystem::path& folder, const TextTable& full, const TextTable& brief) {
+    make_folder(folder);
+    write_atomically(folder / (full.name + ".csv"), csv_text(full));
+    write_atomically(folder / (brief.name + ".md"), markdown_text(brief));
+    write_atomically(folder / (brief.name + ".tex"), latex_text(brief));
+}
+
+}  // namespace kreisel

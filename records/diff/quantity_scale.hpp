@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How large the quantities of a cell are, so that the distance of two numbers can be judged.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "records/diff/recorded_cell.hpp"
+
+namespace kreisel {
+
+/// Scales of two records of one cell; each is the larger one of both.
+///
+/// A number of the final state has that of its family: the largest component of all positions of the cell, of all
+/// velocities, of all multipliers that are forces, and so on.
+///
+/// A metric is a difference, and rounds like the numbers that are subtracted: near round-off its own size says nothing.
+/// So it has the scale of these numbers, or its own size where that is larger. With x, v, w the scales of positions,
+/// velocities and omega, and T = t_end:
+///   error.*                   the scale of that part of the state; 1 rad for rotations
+///   defect.position, .velocity, .acceleration              x, v, v (w + 1/T)
+///   defect.direction, .velocity, .acceleration of it       1, w, w (w + 1/T)
+///   defect.orthogonality, invariant.NAME.relative          1
+///   invariant.NAME, .final, .slope, .slope_error           |I0|, over T for slopes; known by .relative
+/// Any other metric, and one whose scale the cell does not tell, has its own size.
+class QuantityScales {
+  public:
+    QuantityScales(const RecordedCell& a, const RecordedCell& b);
+
+    /// Of a number of the final state of `family`; 0 where all of the family are zero.
+    double of_state(const std::string& family) const;
+    /// Of the metric `name`, whose larger size is `own`.
+    double of_metric(const std::string& name, double own) const;
+
+  private:
+    void add(const RecordedCell& cell);
+    double of_invariant(const std::string& name) const;
+
+    std::map<std::string, double> of_family_;  ///< largest component of the final state
+    std::map<std::string, double> initial_;    ///< |I0| by integral
+    double rate_ = 0;                          ///< 1/T
+};
+
+}  // namespace kreisel

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The journals of an output folder: what has been computed so far, in the order it was finished.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "records/cell_line.hpp"
+
+namespace kreisel {
+
+struct JournalContents {
+    std::map<std::string, FinishedCell> cells;  ///< by hash; of several lines of one cell the last
+    std::set<std::string> foreign;              ///< hashes of cells of which there are only lines of other builds
+    std::vector<std::string> complaints;        ///< torn and damaged lines
+};
+
+/// `journal.jsonl`, or `journal.<shard>.jsonl`.
+std::filesystem::path journal_file(const std::filesystem::path& folder, const std::string& shard);
+
+/// Reads all journals of a folder. Torn and damaged lines, and those of other builds, are reported, never trusted.
+/// Throws FileError if a journal cannot be read.
+JournalContents read_journals(const std::filesystem::path& folder, const std::string& build);
+
+/// Removes a torn last line, so that the next one starts on a line of its own.
+void mend_journal(const std::filesystem::path& journal);
+
+/// Leaves only intact lines of this build. Nothing may be appending to the journal.
+void prune_journal(const std::filesystem::path& journal, const std::string& build);
+
+/// True if the folder holds any journal line.
+bool holds_journal(const std::filesystem::path& folder);
+
+/// Files of the folder whose name is `stem*.<extension>`, sorted.
+std::vector<std::filesystem::path> files_like(const std::filesystem::path& folder, const std::string& stem,
+                                              const std::string& extension);
+
+}  // namespace kreisel

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "records/json/diagnostics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "records/json/node.hpp"
+#include "support/errors.hpp"
+
+namespace kreisel {
+
+namespace {
+
+constexpr std::size_t longest_quote = 60;
+constexpr std::size_t most_messages = 20;
+
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+
+std::string cut(std::string_view text) {
+    if (text.size() <= longest_quote) { return std::string(text); }
+    std::size_t end = longest_quote;
+    while (end > 0 && continues_character(text[end])) { --end; }
+    return std::string(text.substr(0, end)) + "...";
+}
+
+// Control characters beyond ASCII, which a terminal may obey, make all that is not ASCII appear as \\u....
+std::string escaped(std::string_view text) {
+    const std::string dumped =
+        nlohmann::json(std::string(text))
+            .dump(-1, ' ', has_control_character(text), nlohmann::json::error_handler_t::replace);
+    return dumped.substr(1, dumped.size() - 2);
+}
+
+// What the pointer says where the message is printed: a key may hold anything, also a newline.
+std::string shown_pointer(const std::string& pointer) {
+    return pointer.empty() ? "/" : escaped(pointer.size() > 400 ? pointer.substr(0, 400) + "..." : pointer);
+}
+
+std::string number_text(const Document& document, const std::string& pointer) {
+    const std::size_t start = locate(document.text, pointer);
+    const std::size_t end = document.text.find_first_of(",]} \t\r\n", start);
+    return cut(std::string_view(document.text).substr(start, end == std::string::npos ? end : end - start));
+}
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) { return "\"" + escaped(cut(text)) + "\""; }
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) { text += (text.empty() ? "" : ", ") + in_quotes(name); }
+    return text;
+}
+
+std::string shown(const Document& document, const nlohmann::json& value, const std::string& pointer) {
+    switch (value.type()) {
+        case nlohmann::json::value_t::string:
+            return in_quotes(value.get_ref<const std::string&>());
+        case nlohmann::json::value_t::array:
+            return value.empty() ? "an empty list" : fmt::format("a list of {}", value.size());
+        case nlohmann::json::value_t::object:
+            return value.empty() ? "an empty object" : "an object";
+        case nlohmann::json::value_t::null:
+            return "null";
+        case nlohmann::json::value_t::boolean:
+            return value.get<bool>() ? "true" : "false";
+        default:
+            return number_text(document, pointer);
+    }
+}
+
+std::string message_at(const Document& document, std::size_t byte, const std::string& pointer,
+                       const std::string& text) {
+    const Position position = position_of_byte(document.text, byte);
+    return fmt::format("{}:{}:{}: {}: {}", document.file, position.line, position.column, shown_pointer(pointer), text);
+}
+
+std::string message(const Document& document, const Issue& issue) {
+    std::string text = issue.sentence.empty() ? "expected " + issue.expected : issue.sentence;
+    if (!issue.got.empty()) { text += ", got " + issue.got; }
+    if (!issue.suggestion.empty()) { text += "; did you mean " + in_quotes(issue.suggestion) + "?"; }
+    return message_at(document, locate(document.text, issue.pointer, issue.target, issue.occurrence), issue.pointer,
+                      text);
+}
+
+void Diagnostics::mismatch(const std::string& pointer, const nlohmann::json& value, const std::string& expected,
+                           const std::string& suggestion) {
+    add({pointer, expected, shown(document_, value, pointer), suggestion});
+}
+
+void Diagnostics::raise() const {
+    if (issues_.empty()) { return; }
+    std::vector<std::pair<std::size_t, std::string>> messages;
+    for (const Issue& issue : issues_) {
+        messages.emplace_back(locate(document_.text, issue.pointer, issue.target), message(document_, issue));
+    }
+    std::stable_sort(messages.begin(), messages.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::string text;
+    for (std::size_t i = 0; i < std::min(messages.size(), most_messages); ++i) {
+        text += (i == 0 ? "" : "\n") + messages[i].second;
+    }
+    if (messages.size() > most_messages) {
+        text += fmt::format("\n{}: {} more errors", document_.file, messages.size() - most_messages);
+    }
+    throw UsageError(text);
+}
+
+}  // namespace kreisel

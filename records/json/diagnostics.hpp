@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A JSON text with its values, and the errors found in it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/json/locator.hpp"
+
+namespace kreisel {
+
+/// A parsed file that still knows its text.
+struct Document {
+    std::string file;
+    std::string text;
+    nlohmann::json value;
+};
+
+/// One error at a JSON pointer: `expected ..., got ...; did you mean "..."?`, of which empty parts are left out, or a
+/// `sentence` of the engine as it is.
+struct Issue {
+    std::string pointer;
+    std::string expected = {};
+    std::string got = {};
+    std::string suggestion = {};
+    Target target = Target::value;
+    int occurrence = 1;
+    std::string sentence = {};
+};
+
+/// `file:line:column: /pointer: expected ..., got ...; did you mean "..."?`, on one line whatever the file holds.
+std::string message(const Document& document, const Issue& issue);
+std::string message_at(const Document& document, std::size_t byte, const std::string& pointer, const std::string& text);
+
+/// `value` as a message shows it: numbers as they stand in the file, long texts cut, containers by their size.
+std::string shown(const Document& document, const nlohmann::json& value, const std::string& pointer);
+
+/// `text` in double quotes, control characters escaped, cut after 60 characters.
+std::string in_quotes(std::string_view text);
+
+/// Names in quotes, separated by commas.
+std::string listed(const std::vector<std::string>& names);
+
+/// Collects the errors of one document.
+class Diagnostics {
+  public:
+    explicit Diagnostics(const Document& document) : document_(document) {}
+
+    void add(Issue issue) { issues_.push_back(std::move(issue)); }
+    /// The same with "got" taken from the file.
+    void mismatch(const std::string& pointer, const nlohmann::json& value, const std::string& expected,
+                  const std::string& suggestion = "");
+    /// What the engine found, in its own words.
+    void add_sentence(const std::string& pointer, const std::string& sentence) {
+        issues_.push_back({.pointer = pointer, .sentence = sentence});
+    }
+    bool empty() const { return issues_.empty(); }
+    const std::vector<Issue>& issues() const { return issues_; }
+    /// Throws UsageError with all messages in the order of the text; does nothing if there are none.
+    void raise() const;
+
+  private:
+    const Document& document_;
+    std::vector<Issue> issues_;
+};
+
+}  // namespace kreisel

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "records/json/model.hpp"
+
+#include "records/json/lists.hpp"
+#include "records/json/model_keys.hpp"
+#include "records/json/writer.hpp"
+
+namespace kreisel {
+
+namespace {
+
+std::string json_vector(const Vector3& v) { return json_list(v, json_number); }
+
+// The type at the place of its enumerator.
+template <class Enumerator>
+const ElementType& type_of(ParameterKind kind, Enumerator type) {
+    return elements_of(kind).types.at(static_cast<std::size_t>(type));
+}
+
+}  // namespace
+
+std::string json_element(const BodyData& body) {
+    ObjectWriter object;
+    if (body.point) { object.member("type", json_text("point")); }
+    object.member("name", json_text(body.name)).member("mass", json_number(body.mass));
+    if (!body.point) { object.member("inertia", json_rows(body.inertia, json_number)); }
+    object.member("x", json_vector(body.x));
+    if (!body.point) { object.member("R", json_rows(body.R, json_number)); }
+    if (body.v) { object.member("v", json_vector(*body.v)); }
+    if (!body.point) { object.member("omega", json_vector(body.omega)); }
+    return object.text();
+}
+
+std::string json_element(const JointData& joint) {
+    const ElementType& type = type_of(ParameterKind::joints, joint.type);
+    ObjectWriter object;
+    object.member("type", json_text(type.name));
+    if (!joint.name.empty()) { object.member("name", json_text(joint.name)); }
+    object.member("between", json_list(joint.between, json_text));
+    object.member("points", json_list(joint.points, json_vector));
+    if (type.has("axes")) { object.member("axes", json_list(joint.axes, json_vector)); }
+    if (joint.length) { object.member(type.has("radius") ? "radius" : "length", json_number(*joint.length)); }
+    if (type.has("amplitude")) {
+        object.member("amplitude", json_number(joint.amplitude)).member("frequency", json_number(joint.frequency));
+    }
+    return object.text();
+}
+
+std::string json_element(const ForceData& force) {
+    const ElementType& type = type_of(ParameterKind::forces, force.type);
+    ObjectWriter object;
+    object.member("type", json_text(type.name));
+    if (type.has("body")) {
+        object.member("body", json_text(force.between[1])).member("value", json_vector(force.value));
+        object.member("frame", json_text(force.body_axes ? "body" : "space"));
+        if (force.point) { object.member("point", json_vector(*force.point)); }
+        object.member("amplitude", json_number(force.amplitude)).member("frequency", json_number(force.frequency));
+        return object.text();
+    }
+    object.member("between", json_list(force.between, json_text));
+    if (type.has("points")) { object.member("points", json_list(force.points, json_vector)); }
+    if (type.has("axis")) { object.member("axis", json_vector(force.axis)); }
+    object.member("stiffness", json_number(force.stiffness)).member("damping", json_number(force.damping));
+    if (force.rest) { object.member(type.has("angle") ? "angle" : "length", json_number(*force.rest)); }
+    if (type.has("turns")) { object.member("turns", std::to_string(force.turns)); }
+    return object.text();
+}
+
+}  // namespace kreisel

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "records/json/model_keys.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+namespace kreisel {
+
+namespace {
+
+using Kind = ValueKind;
+
+const ElementKey between = {"between", Kind::names, true};
+
+ElementList bodies() {
+    const ElementKey name = {"name", Kind::name, true}, mass = {"mass", Kind::positive, true},
+                     x = {"x", Kind::vector, true}, v = {"v", Kind::vector, false};
+    return {"body",
+            "rigid",
+            {{"rigid",
+              "rigid body",
+              {name,
+               mass,
+               {"inertia", Kind::inertia, true},
+               x,
+               {"R", Kind::matrix, false},
+               {"quaternion", Kind::quaternion, false},
+               v,
+               {"omega", Kind::vector, false}},
+              {{"R", "quaternion", false}}},
+             {"point", "point mass, held by spherical and distance joints alone", {name, mass, x, v}}}};
+}
+
+// A joint at a point of each body, with further keys.
+ElementType at_point(const std::string& name, const std::string& summary) {
+    return {name,
+            summary,
+            {between, {"point", Kind::vector, false}, {"points", Kind::vectors, false}},
+            {{"point", "points", true}}};
+}
+
+ElementType about_axis(const std::string& name, const std::string& summary) {
+    ElementType type = at_point(name, summary);
+    type.keys.push_back({"axis", Kind::vector, false});
+    type.keys.push_back({"axes", Kind::vectors, false});
+    type.alternatives.push_back({"axis", "axes", true});
+    return type;
+}
+
+ElementList joints() {
+    const ElementKey points = {"points", Kind::vectors, true}, axes = {"axes", Kind::vectors, true},
+                     amplitude = {"amplitude", Kind::number, false}, frequency = {"frequency", Kind::number, false};
+    ElementType universal = at_point("universal", "the points coincide, the two axes stay perpendicular");
+    universal.keys.push_back(axes);
+    ElementList list = {
+        "joint",
+        "",
+        {at_point("spherical", "the points coincide"),
+         about_axis("revolute", "turns about the axis"),
+         universal,
+         about_axis("prismatic", "slides along the axis"),
+         about_axis("cylindrical", "turns about the axis and slides along it"),
+         about_axis("planar", "moves in the plane through the points, normal to the axis"),
+         at_point("fixed", "nothing moves"),
+         {"distance",
+          "the points keep a distance of length (1 + amplitude sin(frequency t))",
+          {between, points, {"length", Kind::positive, false}, amplitude, frequency}},
+         {"rolling",
+          "a disk rolls without slip on a plane: between ground and disk, a point of the plane and the disk's centre, "
+          "the normal and the disk's axis",
+          {between, points, axes, {"radius", Kind::positive, true}}}}};
+    for (ElementType& type : list.types) { type.keys.push_back({"name", Kind::label, false}); }
+    return list;
+}
+
+ElementList forces() {
+    const ElementKey stiffness = {"stiffness", Kind::not_negative, true},
+                     damping = {"damping", Kind::not_negative, false}, body = {"body", Kind::name, true},
+                     value = {"value", Kind::vector, true}, frame = {"frame", Kind::frame, false},
+                     amplitude = {"amplitude", Kind::number, false}, frequency = {"frequency", Kind::number, false};
+    return {"force",
+            "",
+            {{"spring",
+              "stiffness (l - length) + damping l' along the line of two points at distance l",
+              {between, {"points", Kind::vectors, true}, stiffness, damping, {"length", Kind::not_negative, false}}},
+             {"torsion_spring",
+              "torque -stiffness (theta - angle) - damping theta' on the second body about an axis both share; theta "
+              "counts full turns, and starts at 2 pi turns",
+              {between,
+               {"axis", Kind::vector, true},
+               stiffness,
+               damping,
+               {"angle", Kind::number, false},
+               {"turns", Kind::whole, false}}},
+             {"force",
+              "value (1 + amplitude sin(frequency t)) at a point",
+              {body, value, frame, {"point", Kind::vector, false}, amplitude, frequency}},
+             {"torque", "value (1 + amplitude sin(frequency t))", {body, value, frame, amplitude, frequency}}}};
+}
+
+}  // namespace
+
+bool ElementType::has(const std::string& key) const {
+    return std::any_of(keys.begin(), keys.end(), [&](const ElementKey& one) { return one.name == key; });
+}
+
+bool has_elements(ParameterKind kind) {
+    return kind == ParameterKind::bodies || kind == ParameterKind::joints || kind == ParameterKind::forces;
+}
+
+const ElementList& elements_of(ParameterKind kind) {
+    static const ElementList all_bodies = bodies(), all_joints = joints(), all_forces = forces();
+    switch (kind) {
+        case ParameterKind::bodies:
+            return all_bodies;
+        case ParameterKind::joints:
+            return all_joints;
+        case ParameterKind::forces:
+            return all_forces;
+        default:
+            throw std::logic_error("a parameter of this kind has no entries");
+    }
+}
+
+std::string meaning_of_key(const std::string& key) {
+    static const std::map<std::string, std::string> all = {
+        {"name",
+         "letters, digits, _ and -; joints and forces call a body by it, results a joint (default: its bodies)"},
+        {"mass", "kg"},
+        {"inertia", "about the mass centre, body axes, kg m^2; three numbers or a symmetric matrix"},
+        {"x", "initial mass centre, space axes, m"},
+        {"R", "initial rotation, body to space (default: none)"},
+        {"quaternion", "[w, x, y, z] of norm 1, in place of R"},
+        {"v", "initial velocity, space axes, m/s (default: from the joints)"},
+        {"omega", "initial angular velocity, body axes, rad/s (default: 0)"},
+        {"between", "the names of two bodies, or \"ground\" and one"},
+        {"point", "space coordinates of the initial configuration, m; of a force by default the mass centre"},
+        {"points", "one for each body, where they differ or the start is to be projected"},
+        {"axis", "direction in space coordinates of the initial configuration; of a planar joint the normal"},
+        {"axes", "one for each body"},
+        {"length", "m (default: the initial one)"},
+        {"radius", "m"},
+        {"angle", "at which the spring is free, rad: any number, since full turns count (default: 0)"},
+        {"turns", "full turns that the spring has made at the start, a whole number (default: 0)"},
+        {"amplitude", "default: 0"},
+        {"frequency", "rad/s (default: 0)"},
+        {"stiffness", "N/m, of a torsion spring N m/rad"},
+        {"damping", "N s/m, of a torsion spring N m s/rad (default: 0)"},
+        {"body", "the name of a body"},
+        {"value", "three components, N or N m"},
+        {"frame", "axes of the value: \"space\" (default) or \"body\", which turn with the body"}};
+    return all.at(key);
+}
+
+std::string expectation(ValueKind kind) {
+    switch (kind) {
+        case Kind::name:
+            return "the name of a body";
+        case Kind::label:
+            return "a name of letters, digits, _ and -";
+        case Kind::names:
+            return "a list of two bodies: names, or \"ground\" and a name";
+        case Kind::number:
+            return "a number";
+        case Kind::whole:
+            return "full turns";
+        case Kind::positive:
+            return "a number greater than 0";
+        case Kind::not_negative:
+            return "a number of at least 0";
+        case Kind::vector:
+            return "three numbers";
+        case Kind::vectors:
+            return "a list of two, one for each body: three numbers each";
+        case Kind::matrix:
+            return "a rotation matrix: three rows of three numbers";
+        case Kind::quaternion:
+            return "a unit quaternion: four numbers w, x, y, z";
+        case Kind::inertia:
+            return "an inertia: three numbers, or a symmetric matrix of three rows of three numbers";
+        case Kind::frame:
+            return "the axes of the value";
+    }
+    return "";
+}
+
+std::vector<std::string> keys_of(const ElementType& type) {
+    std::vector<std::string> keys = {"type"};
+    for (const ElementKey& key : type.keys) { keys.push_back(key.name); }
+    return keys;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "records/json/node.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/nearest.hpp"
+
+namespace kreisel {
+
+bool Node::require_object(const std::string& expected) const {
+    if (!is_object()) { mismatch(expected); }
+    return is_object();
+}
+
+void Node::only_keys(const std::vector<std::string>& known, const std::string& of) const {
+    for (const auto& [key, value] : value_->items()) {
+        if (std::find(known.begin(), known.end(), key) == known.end()) {
+            sink_->add({pointer_below(pointer_, key), "one of the keys" + of + " " + listed(known), "the key " + in_quotes(key),
+                        nearest_name(key, known), Target::key});
+        }
+    }
+}
+
+std::optional<Node> Node::find(const std::string& key) const {
+    const auto found = value_->find(key);
+    if (found == value_->end()) { return std::nullopt; }
+    return Node(*found, pointer_below(pointer_, key), *sink_);
+}
+
+std::optional<Node> Node::require(const std::string& key, const std::string& expected) const {
+    auto found = find(key);
+    if (!found) { error("the key " + in_quotes(key) + ": " + expected, "nothing"); }
+    return found;
+}
+
+std::optional<std::vector<Node>> Node::elements(const std::string& expected) const {
+    if (!is_array() || value_->empty()) {
+        mismatch(expected);
+        return std::nullopt;
+    }
+    return elements_or_self();
+}
+
+std::vector<Node> Node::elements_or_self() const {
+    if (!is_array()) { return {*this}; }
+    std::vector<Node> nodes;
+    for (std::size_t i = 0; i < value_->size(); ++i) {
+        nodes.emplace_back((*value_)[i], pointer_below(pointer_, std::to_string(i)), *sink_);
+    }
+    return nodes;
+}
+
+std::optional<double> Node::number(const std::string& expected) const {
+    if (!value_->is_number()) {
+        mismatch(expected);
+        return std::nullopt;
+    }
+    return value_->get<double>();
+}
+
+std::optional<double> Node::positive(const std::string& expected) const {
+    const auto value = number(expected);
+    if (value && !(*value > 0)) {
+        mismatch(expected);
+        return std::nullopt;
+    }
+    return value;
+}
+
+std::optional<long> Node::count(long least, long most, const std::string& what) const {
+    const std::string expected = fmt::format("{} (a whole number from {} to {})", what, least, most);
+    if (value_->is_number_float()) {
+        mismatch(expected + " written without fraction or exponent");
+        return std::nullopt;
+    }
+    // nlohmann holds what is not negative as unsigned, also beyond the range of long.
+    const bool in_range =
+        value_->is_number_unsigned()
+            ? value_->get<unsigned long>() <= static_cast<unsigned long>(most) &&
+                  static_cast<long>(value_->get<unsigned long>()) >= least
+            : value_->is_number_integer() && value_->get<long>() >= least && value_->get<long>() <= most;
+    if (!in_range) {
+        mismatch(expected);
+        return std::nullopt;
+    }
+    return value_->get<long>();
+}
+
+std::optional<bool> Node::flag() const {
+    if (!value_->is_boolean()) {
+        mismatch("true or false");
+        return std::nullopt;
+    }
+    return value_->get<bool>();
+}
+
+std::optional<std::string> Node::text(const std::string& expected, std::size_t longest) const {
+    if (!is_string()) {
+        mismatch(expected);
+        return std::nullopt;
+    }
+    const auto& text = value_->get_ref<const std::string&>();
+    if (has_control_character(text)) {
+        mismatch(expected + " without control characters");
+        return std::nullopt;
+    }
+    if (text.empty() || text.size() > longest) {
+        error(fmt::format("{} of 1 to {} bytes", expected, longest), fmt::format("{} bytes", text.size()));
+        return std::nullopt;
+    }
+    return text;
+}
+
+std::optional<std::string> Node::name(const std::string& what, const std::vector<std::string>& names) const {
+    const std::string expected = what + " (" + listed(names) + ")";
+    if (!is_string()) {
+        mismatch(expected);
+        return std::nullopt;
+    }
+    const auto& text = value_->get_ref<const std::string&>();
+    if (std::find(names.begin(), names.end(), text) == names.end()) {
+        mismatch(expected, nearest_name(text, names));
+        return std::nullopt;
+    }
+    return text;
+}
+
+bool has_control_character(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : '\0');
+        if (byte < 0x20 || byte == 0x7F || (byte == 0xC2 && next >= 0x80 && next <= 0x9F)) { return true; }
+    }
+    // U+2028 and U+2029, the line and paragraph separators
+    return text.find("\xE2\x80\xA8") != std::string_view::npos || text.find("\xE2\x80\xA9") != std::string_view::npos;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Typed reading of a JSON value. Each function answers nothing where the value does not fit, after it has told the
+// diagnostics what was expected and what came.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "records/json/diagnostics.hpp"
+
+namespace kreisel {
+
+/// Largest count a config may write.
+inline constexpr long largest_count = 1'000'000'000;
+
+class Node {
+  public:
+    Node(const nlohmann::json& value, std::string pointer, Diagnostics& sink)
+        : value_(&value), pointer_(std::move(pointer)), sink_(&sink) {}
+
+    const nlohmann::json& json() const { return *value_; }
+    const std::string& pointer() const { return pointer_; }
+    Diagnostics& sink() const { return *sink_; }
+
+    bool is_object() const { return value_->is_object(); }
+    bool is_array() const { return value_->is_array(); }
+    bool is_string() const { return value_->is_string(); }
+
+    /// False, with an error, if this is no object.
+    bool require_object(const std::string& expected) const;
+    /// Reports each key that is not among `known`, the keys `of` something.
+    void only_keys(const std::vector<std::string>& known, const std::string& of = "") const;
+    std::optional<Node> find(const std::string& key) const;
+    /// As find; a missing key is an error.
+    std::optional<Node> require(const std::string& key, const std::string& expected) const;
+
+    /// The elements of a list that is not empty.
+    std::optional<std::vector<Node>> elements(const std::string& expected) const;
+    /// The elements of a list, or the value itself.
+    std::vector<Node> elements_or_self() const;
+
+    std::optional<double> number(const std::string& expected = "a number") const;
+    std::optional<double> positive(const std::string& expected = "a number greater than 0") const;
+    /// A whole number in [least, most], written without a fraction.
+    std::optional<long> count(long least, long most, const std::string& what) const;
+    std::optional<bool> flag() const;
+    /// Text without control characters, at most `longest` bytes.
+    std::optional<std::string> text(const std::string& expected, std::size_t longest = 200) const;
+    /// One of `names`, otherwise an error with the nearest one.
+    std::optional<std::string> name(const std::string& what, const std::vector<std::string>& names) const;
+
+    void mismatch(const std::string& expected, const std::string& suggestion = "") const {
+        sink_->mismatch(pointer_, *value_, expected, suggestion);
+    }
+    void error(const std::string& expected, const std::string& got, const std::string& suggestion = "") const {
+        sink_->add({pointer_, expected, got, suggestion});
+    }
+
+  private:
+    const nlohmann::json* value_;
+    std::string pointer_;
+    Diagnostics* sink_;
+};
+
+/// True if `text` holds a control character (C0, DEL, C1) or a Unicode line separator.
+bool has_control_character(std::string_view text);
+
+}  // namespace kreisel

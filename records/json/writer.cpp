@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "records/json/writer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "records/json/lists.hpp"
+#include "records/json/model.hpp"
+
+namespace kreisel {
+
+namespace {
+
+template <class Values>
+std::string json_map(const Values& values) {
+    ObjectWriter object;
+    for (const auto& [name, value] : values) { object.member(name, json_value(value)); }
+    return object.text();
+}
+
+}  // namespace
+
+std::string json_text(std::string_view text) {
+    return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string json_number(double value) {
+    if (!std::isfinite(value)) { throw std::logic_error("a number to be written is not finite"); }
+    return fmt::format("{}", value);
+}
+
+std::string json_value(const OptionValue& value) {
+    return std::visit(
+        [](const auto& held) -> std::string {
+            using Held = std::decay_t<decltype(held)>;
+            if constexpr (std::is_same_v<Held, std::string>) {
+                return json_text(held);
+            } else if constexpr (std::is_same_v<Held, double>) {
+                return json_number(held);
+            } else {
+                return fmt::format("{}", held);
+            }
+        },
+        value);
+}
+
+std::string json_value(const ParameterValue& value) {
+    return std::visit(
+        [](const auto& held) -> std::string {
+            using Held = std::decay_t<decltype(held)>;
+            if constexpr (std::is_same_v<Held, double>) {
+                return json_number(held);
+            } else if constexpr (std::is_same_v<Held, bool>) {
+                return held ? "true" : "false";
+            } else if constexpr (std::is_same_v<Held, Vector3>) {
+                return json_list(held, json_number);
+            } else if constexpr (std::is_same_v<Held, Matrix3>) {
+                return json_rows(held, json_number);
+            } else {
+                return json_list(held, [](const auto& entry) { return json_element(entry); });
+            }
+        },
+        value);
+}
+
+std::string json_value(const OptionValues& values) { return json_map(values); }
+
+std::string json_value(const ParameterValues& values) { return json_map(values); }
+
+std::string json_value(const std::vector<std::string>& texts) { return json_list(texts, json_text); }
+
+std::string json_value(const Number& number, bool quad) {
+    if (!std::isfinite(number.value)) { throw std::logic_error("the engine reported a number that is not finite"); }
+    return quad ? json_text(number.text) : number.text;
+}
+
+std::string json_value(const ReportedState& state, bool quad) {
+    const auto write = [quad](const Number& number) { return json_value(number, quad); };
+    const auto write_body = [&](const ReportedBody& body) {
+        ObjectWriter object;
+        object.member("name", json_text(body.name)).member("x", json_list(body.x, write));
+        object.member("R", json_rows(body.R, write)).member("v", json_list(body.v, write));
+        return object.member("omega", json_list(body.omega, write)).text();
+    };
+    ObjectWriter object;
+    object.member("t", write(state.t)).member("bodies", json_list(state.bodies, write_body));
+    if (!state.multipliers.empty()) { object.member("multipliers", json_list(state.multipliers, write)); }
+    if (!state.multiplier_names.empty()) { object.member("multiplier_names", json_value(state.multiplier_names)); }
+    const auto write_reaction = [&](const ReportedReaction& reaction) {
+        ObjectWriter one;
+        one.member("joint", json_text(reaction.joint)).member("force", json_list(reaction.force, write));
+        one.member("torque", json_list(reaction.torque, write));
+        return one.member("unique", reaction.unique ? "true" : "false").text();
+    };
+    if (!state.reactions.empty()) { object.member("reactions", json_list(state.reactions, write_reaction)); }
+    if (!state.turns.empty()) {
+        object.member("theta", json_list(state.theta, write));
+        object.member("turns", json_list(state.turns, [](long turns) { return std::to_string(turns); }));
+    }
+    return object.text();
+}
+
+}  // namespace kreisel

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a record is about: one cell of an experiment, and the reference solution that cells are compared with.
+#pragma once
+
+#include <string>
+
+#include "engine/engine.hpp"
+
+namespace kreisel {
+
+struct PlannedCell {
+    Cell cell;
+    std::string series;
+    std::string label;
+    std::string precision;
+    std::string hash;         ///< 16 hexadecimal digits over all that decides the numbers
+    std::string identity;     ///< the members that begin a result line, up to "t_end", without the closing brace
+    std::string skip_reason;  ///< not empty: the cell does not apply, and why
+    std::string reference;    ///< name of the reference solution it is compared with; empty: none
+    double weight = 0;        ///< relative cost, to start long cells first
+    bool quad() const { return precision == "quad"; }
+};
+
+/// A reference solution that cells are compared with.
+struct PlannedReference {
+    std::string problem;
+    ParameterValues parameters;
+    double t_end = 0;
+    std::string content;  ///< all that decides its numbers, as JSON
+};
+
+}  // namespace kreisel

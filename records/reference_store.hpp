@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Reference solutions kept as files: a copy in the result folder, whole by itself, and one in a cache folder that all
+// results share. A file says of what, by what code and when it was computed, carries the error bound, and ends with
+// a check sum. What does not fit is no reference: it is computed again and written over.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "records/planned.hpp"
+
+namespace kreisel {
+
+/// A reference and the text of its file.
+struct StoredReference {
+    Reference reference;
+    std::string text;
+};
+
+/// `references/<hash>.json`.
+std::filesystem::path reference_file(const std::filesystem::path& folder, const std::string& hash);
+
+/// The text of the file that keeps a reference computed at this moment by the code of that digest.
+StoredReference stored_reference(const PlannedReference& planned, const Reference& reference,
+                                 const std::string& digest);
+
+/// Reads such a text; nothing if it is damaged, or not of this content. `digest`: of this code only; empty: of any.
+std::optional<StoredReference> read_reference(const std::string& text, const PlannedReference& planned,
+                                              const std::string& digest);
+
+/// The same from a file; nothing if it is not there or cannot be read.
+std::optional<StoredReference> load_reference(const std::filesystem::path& file, const PlannedReference& planned,
+                                              const std::string& digest);
+
+/// $KREISEL_CACHE (empty: no cache), else $XDG_CACHE_HOME/kreisel, else $HOME/.cache/kreisel, else empty: no cache.
+std::filesystem::path default_cache_folder();
+
+class ReferenceStore {
+  public:
+    /// `cache` may be empty. `digest` identifies the code that computes references (Engine::reference_digest).
+    ReferenceStore(std::filesystem::path results, std::filesystem::path cache, std::string digest)
+        : results_(std::move(results)), cache_(std::move(cache)), digest_(std::move(digest)) {}
+
+    /// From the result folder, else from the cache.
+    std::optional<StoredReference> find(const PlannedReference& planned) const;
+    StoredReference make(const PlannedReference& planned, const Reference& reference) const {
+        return stored_reference(planned, reference, digest_);
+    }
+    /// Writes it to both places, where it is not there yet. Throws FileError where the result folder cannot be written;
+    /// a cache that cannot be written is answered by the reason, for a note, and otherwise left alone.
+    std::string keep(const PlannedReference& planned, const StoredReference& stored) const;
+
+  private:
+    std::filesystem::path in_results(const PlannedReference& planned) const;
+    /// Named by content and code, so that references of several versions live side by side.
+    std::filesystem::path in_cache(const PlannedReference& planned) const;
+
+    std::filesystem::path results_, cache_;
+    std::string digest_;
+};
+
+}  // namespace kreisel

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "records/remarks/past_horizon.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace kreisel {
+
+namespace {
+
+// Of places and turning, as far as they have any: the other quantities are their rates.
+std::string uncertainties(const std::map<std::string, double>& errors) {
+    std::string text;
+    for (const auto& [metric, unit] : {std::pair("error.position", "m"), std::pair("error.rotation", "rad")}) {
+        const auto found = errors.find(metric);
+        if (found == errors.end() || found->second == 0) { continue; }
+        text += fmt::format("{}{:.1e} {}", text.empty() ? "" : ", ", found->second, unit);
+    }
+    return text;
+}
+
+std::string note_of(const ResultRow& row, std::size_t cells) {
+    const std::string head = fmt::format("{}: {} {} at {} s, past the horizon T* = {:.4g} s of {} reference", row.label,
+                                         cells, cells == 1 ? "cell ends" : "cells end", row.t_end,
+                                         row.reference_horizon, cells == 1 ? "its" : "their");
+    const std::string known = uncertainties(row.reference_error);
+    if (known.empty()) { return head + ", whose uncertainty there is not known: no error is measured"; }
+    return fmt::format("{}, which is uncertain by {} there: only errors above 100 times its uncertainty are measured",
+                       head, known);
+}
+
+}  // namespace
+
+std::vector<std::string> past_horizon_notes(const std::vector<ResultRow>& rows) {
+    std::map<std::pair<std::string, double>, std::pair<const ResultRow*, std::size_t>> groups;
+    for (const ResultRow& row : rows) {
+        if (!row.ok() || !row.past_horizon) { continue; }
+        auto& [first, cells] = groups[{row.label, row.t_end}];
+        first = first == nullptr ? &row : first;
+        ++cells;
+    }
+    std::vector<std::string> notes;
+    for (const auto& [key, group] : groups) { notes.push_back(note_of(*group.first, group.second)); }
+    return notes;
+}
+
+}  // namespace kreisel

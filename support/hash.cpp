@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/hash.hpp"
+
+#include <fmt/format.h>
+
+namespace kreisel {
+
+std::uint64_t hash64(std::string_view text, std::uint64_t start) {
+    std::uint64_t hash = start;
+    for (const char c : text) { hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U; }
+    return hash;
+}
+
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+std::string hash_text(std::string_view text) { return hash_text(hash64(text)); }
+
+}  // namespace kreisel

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/architecture/rooms.hpp"
+
+#include <algorithm>
+
+namespace architecture {
+
+namespace {
+
+constexpr bool talks = true;
+
+const std::string interface = "engine/engine.hpp";
+
+// From the bottom up; CONTRIBUTING.md draws the same.
+const std::vector<Room>& rooms() {
+    static const Names numbers = {"Eigen/", "boost/multiprecision/"};
+    static const std::vector<Room> all = {
+        {"support", {}, {"fmt/"}, talks},
+        {"lie", {}, numbers},
+        {"mechanics", {"lie"}, numbers},
+        {"problems", {"mechanics", "lie"}, {"Eigen/", "boost/multiprecision/", "boost/math/"}},
+        {"methods", {"mechanics", "lie"}, numbers},
+        {interface, {"mechanics/data.hpp", "methods/description.hpp", "problems/description.hpp"}, {}},
+        {"engine/report", {interface, "mechanics", "lie"}, numbers},
+        {"engine/metrics", {interface, "engine/report", "mechanics", "lie", "support/pattern.hpp"}, numbers},
+        {"engine/reference", {interface, "engine/report", "mechanics", "lie"}, numbers},
+        {"engine", {"engine", "methods", "problems", "mechanics", "lie", "support/pattern.hpp"}, numbers, talks},
+        {"records/fits", {"support"}, {"fmt/", "gsl/"}, talks},
+        {"records/json",
+         {interface, "mechanics/data.hpp", "problems/description.hpp", "support"},
+         {"fmt/", "nlohmann/"},
+         talks},
+        {"records/diff", {"records", "support"}, {"fmt/", "nlohmann/"}, talks},
+        {"records/remarks", {"records", "support"}, {"fmt/"}, talks},
+        {"records", {"records", interface, "support"}, {"fmt/", "nlohmann/"}, talks},
+        {"plots/tables", {"records", "support"}, {"fmt/"}, talks},
+        {"plots/diff", {"plots/tables", "records", "support"}, {"fmt/"}, talks},
+        {"plots/figures/kinds", {"plots/figures", "plots/tables", "records", "support"}, {"fmt/"}, talks},
+        {"plots/figures", {"plots/tables", "records", "support"}, {"fmt/"}, talks},
+        {"plots", {"plots", "records", "support"}, {"fmt/"}, talks},
+        {"driver/config",
+         {"plots/figures/spec.hpp", "records", interface, "methods/description.hpp", "problems/description.hpp",
+          "support"},
+         {"fmt/", "nlohmann/"},
+         talks},
+        {"driver/plan", {"driver/config", "plots", "records", interface, "support"}, {"fmt/", "nlohmann/"}, talks},
+        {"driver/campaign",
+         {"driver/plan", "driver/config", "records", interface, "support"},
+         {"fmt/", "nlohmann/"},
+         talks},
+        {"driver/cli", {"driver", "plots", "records", interface, "support"}, {"CLI/", "fmt/", "nlohmann/"}, talks},
+        {"driver", {"driver", interface}, {}, talks},
+    };
+    return all;
+}
+
+}  // namespace
+
+bool lies_in(const std::string& path, const std::string& place) {
+    return path == place || path.starts_with(place + "/");
+}
+
+const Room* room_of(const std::string& path) {
+    const Room* best = nullptr;
+    for (const Room& room : rooms()) {
+        if (lies_in(path, room.name) && (best == nullptr || room.name.size() > best->name.size())) { best = &room; }
+    }
+    return best;
+}
+
+const Names& outbuildings() {
+    static const Names folders = {"tests", "benchmarks", "tools"};
+    return folders;
+}
+
+}  // namespace architecture
