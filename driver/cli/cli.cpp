@@ -30,7 +30,12 @@ namespace {
 constexpr const char* description =
     "kreisel: a testbed for Lie-group integrators of constrained multibody systems.\n"
     "An experiment is one JSON file that crosses problems, formulations, methods, projections and step sizes.\n"
-    "Start with: kreisel list, then kreisel info heavy_top, then kreisel run experiments/orders/orders_heavy_top.json";
+    "Start with: kreisel list, then kreisel info heavy_top, then kreisel run orders_heavy_top";
+
+constexpr const char* config_help =
+    "JSON files, or names of configs that come with kreisel: NAME is NAME.json\n"
+    "in or below $KREISEL_EXPERIMENTS, by default experiments/ of the sources\n"
+    "kreisel was built from. A file of that path comes first.";
 
 constexpr const char* exit_codes =
     "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed, a figure could not be drawn, or results\n"
@@ -111,11 +116,11 @@ class CommandLine {
     void add_planning() {
         CLI::App* check = command("check", "Checks configs and their physics without running anything",
                                   [this] { return check_command(arguments_.configs, engines_, terminal_); });
-        check->add_option("config", arguments_.configs, "JSON files")->required();
+        check->add_option("config", arguments_.configs, config_help)->required();
         CLI::App* plan = command("plan", "Shows the cells a config leads to, and why some are skipped", [this] {
             return plan_command(arguments_.configs.front(), arguments_.json, engines_, terminal_);
         });
-        plan->add_option("config", arguments_.configs, "A JSON file")->required()->expected(1);
+        plan->add_option("config", arguments_.configs, config_help)->required()->expected(1);
         plan->add_flag("--json", arguments_.json, "Print JSON instead of a table");
     }
 
@@ -129,7 +134,7 @@ class CommandLine {
             });
         RunSettings& settings = arguments_.settings;
         settings.workers = std::max(1U, std::thread::hardware_concurrency());
-        run->add_option("config", arguments_.configs, "JSON files")->required();
+        run->add_option("config", arguments_.configs, config_help)->required();
         run->add_option(
             "-o,--output", arguments_.output,
             "Folder for the results (default: results/<name>); with several configs, one folder in it for each");

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "driver/campaign/progress.hpp"
+#include "driver/config/shipped.hpp"
 #include "driver/plan/text.hpp"
 #include "records/json/strict.hpp"
 #include "records/reference_store.hpp"
@@ -22,6 +23,19 @@ struct PlannedConfig {
 
 void print_warnings(const Plan& plan, const std::string& file, std::ostream& messages) {
     for (const std::string& warning : plan.warnings) { fmt::print(messages, "{}: warning: {}\n", file, warning); }
+}
+
+// What the command line names, as files; the errors of all are shown together.
+Paths config_files(const Paths& written) {
+    Paths files;
+    std::string errors;
+    for (const auto& one : written) {
+        try {
+            files.push_back(config_file(one));
+        } catch (const UsageError& error) { errors += (errors.empty() ? "" : "\n") + std::string(error.what()); }
+    }
+    if (!errors.empty()) { throw UsageError(errors); }
+    return files;
 }
 
 // Everything is read before anything runs; the errors of all files are shown together.
@@ -79,7 +93,8 @@ Exit report(const CampaignReport& report, const PlannedConfig& planned, const st
 
 }  // namespace
 
-Exit check_command(const Paths& configs, const Engines& engines, const Terminal& terminal) {
+Exit check_command(const Paths& written, const Engines& engines, const Terminal& terminal) {
+    const Paths configs = config_files(written);
     const auto plans = read_all(configs, engines, terminal.messages);
     for (std::size_t i = 0; i < plans.size(); ++i) {
         fmt::print(terminal.out, "{}: good; {}\n", configs[i].string(), plan_summary(plans[i]));
@@ -88,14 +103,15 @@ Exit check_command(const Paths& configs, const Engines& engines, const Terminal&
 }
 
 Exit plan_command(const std::filesystem::path& config, bool json, const Engines& engines, const Terminal& terminal) {
-    const Plan plan = read_all({config}, engines, terminal.messages).front();
+    const Plan plan = read_all(config_files({config}), engines, terminal.messages).front();
     json ? print_plan_json(plan, terminal.out) : print_plan(plan, terminal.out);
     return Exit::ok;
 }
 
-Exit run_command(const Paths& configs, const std::filesystem::path& output, const RunSettings& given,
+Exit run_command(const Paths& written, const std::filesystem::path& output, const RunSettings& given,
                  const Engines& engines, const Terminal& terminal) {
     RunSettings settings = given;
+    const Paths configs = config_files(written);
     if (settings.cache.empty()) { settings.cache = default_cache_folder(); }
     const auto all = with_folders(read_all(configs, engines, terminal.messages), output);
     for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, settings); }

@@ -21,6 +21,7 @@ struct Terminal {
 
 using Paths = std::vector<std::filesystem::path>;
 
+/// Configs are files, or names of shipped configs (driver/config/shipped.hpp).
 Exit check_command(const Paths& configs, const Engines& engines, const Terminal& terminal);
 Exit plan_command(const std::filesystem::path& config, bool json, const Engines& engines, const Terminal& terminal);
 

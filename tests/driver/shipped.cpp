@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Configs that come with kreisel: what they are called, and that they are found by name.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "driver/config/shipped.hpp"
+#include "kreisel_build.hpp"
+#include "support/errors.hpp"
+#include "tests/driver/command_line.hpp"
+
+using namespace kreisel;
+
+namespace {
+
+/// Lets a folder stand for the shipped configs for as long as it lives.
+class ShippedFrom {
+  public:
+    explicit ShippedFrom(const std::filesystem::path& folder) { ::setenv("KREISEL_EXPERIMENTS", folder.c_str(), 1); }
+    ~ShippedFrom() { ::unsetenv("KREISEL_EXPERIMENTS"); }
+    ShippedFrom(const ShippedFrom&) = delete;
+    ShippedFrom& operator=(const ShippedFrom&) = delete;
+};
+
+/// A folder of configs with folders in it.
+struct Experiments {
+    ScratchFolder scratch;
+    Experiments() {
+        for (const auto* folder : {"orders", "drift"}) { std::filesystem::create_directory(scratch / folder); }
+        scratch.file("orders/good.json", good_config());
+    }
+};
+
+}  // namespace
+
+TEST_CASE("every shipped config is called as its file and says what it shows") {
+    const auto shipped = configs_below(std::filesystem::path(build::source_dir) / "experiments");
+    CHECK(shipped.size() > 10);
+    for (const auto& [name, file] : shipped) {
+        INFO(file);
+        const auto config = nlohmann::json::parse(contents(file));
+        CHECK(config.at("name") == name);
+        CHECK(config.value("description", "").size() > 20);
+    }
+}
+
+TEST_CASE("two shipped configs of one name are refused") {
+    const Experiments experiments;
+    CHECK(configs_below(experiments.scratch / "").size() == 1);
+    experiments.scratch.file("drift/good.json", good_config());
+    CHECK_THROWS_WITH(configs_below(experiments.scratch / ""), Catch::Contains("expected one config of each name") &&
+                                                                   Catch::Contains("orders/good.json") &&
+                                                                   Catch::Contains("drift/good.json"));
+}
+
+TEST_CASE("a config is found by its name, and a file comes first") {
+    const Experiments experiments;
+    const ShippedFrom folder(experiments.scratch / "");
+    CHECK(config_file("good") == experiments.scratch / "orders/good.json");
+    CHECK(run_program({"check", "good"}).out.find("orders/good.json: good; ") != std::string::npos);
+    CHECK(run_program({"plan", "good"}).code == 0);
+    const auto own = experiments.scratch.file("own.json", good_config());
+    CHECK(config_file(own) == own);
+    const auto out = (experiments.scratch / "out").string();
+    CHECK(run_program({"run", "good", "-o", out}).code == 0);
+    CHECK(std::filesystem::exists(experiments.scratch / "out/results.csv"));
+}
+
+TEST_CASE("a name that no config has is told with the nearest one") {
+    const Experiments experiments;
+    const ShippedFrom folder(experiments.scratch / "");
+    const ProgramResult name = run_program({"run", "goood", "gud"});
+    CHECK(name.code == static_cast<int>(Exit::usage));
+    CHECK_THAT(name.messages, Catch::Contains("got \"goood\"; did you mean \"good\"?") &&
+                                  Catch::Contains("the name of a config in " + (experiments.scratch / "").string()) &&
+                                  Catch::Contains("\"gud\""));
+    const ProgramResult path = run_program({"check", "experiments/good.json"});
+    CHECK(path.code == static_cast<int>(Exit::io));
+    CHECK_THAT(path.messages, Catch::Contains("experiments/good.json: there is no such file; did you mean \"good\"?"));
+}
