@@ -14,9 +14,9 @@
 #include "benchmarks/chain_table.hpp"
 #include "lie/so3.hpp"
 #include "mechanics/formulation.hpp"
-#include "methods/integrator.hpp"
+#include "methods/contract/integrator.hpp"
 #include "problems/problem.hpp"
-#include "tests/outside/translate.hpp"
+#include "tests/peers/simbody/translate.hpp"
 
 using namespace kreisel;
 

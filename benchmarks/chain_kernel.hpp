@@ -15,7 +15,7 @@
 
 #include <vector>
 
-#include "mechanics/model.hpp"
+#include "mechanics/model/model.hpp"
 
 namespace bench {
 

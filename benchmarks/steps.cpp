@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "mechanics/formulation.hpp"
-#include "methods/integrator.hpp"
+#include "methods/contract/integrator.hpp"
 #include "problems/problem.hpp"
 
 using namespace kreisel;

@@ -7,20 +7,34 @@ function(kreisel_compile_quickly target)
 endfunction()
 
 find_package(Catch2 2.13 REQUIRED)
-add_library(kreisel_test_main OBJECT ${CMAKE_SOURCE_DIR}/tests/main.cpp)
+add_library(kreisel_test_main OBJECT ${CMAKE_SOURCE_DIR}/tests/support/main.cpp)
 target_link_libraries(kreisel_test_main PUBLIC Catch2::Catch2)
 kreisel_compile_quickly(kreisel_test_main)
 
 # rapidcheck's headers are heavy: one translation unit, and no suite sees them.
 find_package(rapidcheck REQUIRED)
-add_library(kreisel_rapid OBJECT ${CMAKE_SOURCE_DIR}/tests/rapid/rapid.cpp)
+add_library(kreisel_rapid OBJECT ${CMAKE_SOURCE_DIR}/tests/support/rapid.cpp)
 target_include_directories(kreisel_rapid PRIVATE ${CMAKE_SOURCE_DIR})
 target_link_libraries(kreisel_rapid PUBLIC rapidcheck)
 
-# kreisel_suite(name variant LIBRARIES ... SOURCES ...): tests/<name>/*.cpp and further sources or objects.
+# Folders of a suite below tests/, where they are not the one of its name.
+set(KREISEL_FOLDERS_driver driver driver/config driver/diff)
+set(KREISEL_FOLDERS_metamorphic metamorphic metamorphic/descriptions metamorphic/models)
+set(KREISEL_FOLDERS_orders orders judges/conditions judges/steps)
+set(KREISEL_FOLDERS_outside peers/simbody)
+set(KREISEL_FOLDERS_problems problems judges/problems)
+set(KREISEL_FOLDERS_reference engine peers)
+set(KREISEL_FOLDERS_tables plots records)
+
+# kreisel_suite(name variant LIBRARIES ... SOURCES ...): the *.cpp of its folders, and further sources or objects.
 function(kreisel_suite suite variant)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "LIBRARIES;SOURCES")
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${suite}/*.cpp)
+  set(folders ${suite})
+  if(KREISEL_FOLDERS_${suite})
+    set(folders ${KREISEL_FOLDERS_${suite}})
+  endif()
+  list(TRANSFORM folders REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/tests/\\1/*.cpp")
+  file(GLOB sources CONFIGURE_DEPENDS ${folders})
   if(NOT sources)
     return()
   endif()
@@ -41,7 +55,8 @@ target_link_libraries(kreisel_order PUBLIC fmt::fmt GSL::gsl)
 
 # The methods broken on purpose and the judgements, which two suites share.
 function(kreisel_controls precision)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/controls/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/controls/*.cpp
+       ${CMAKE_SOURCE_DIR}/tests/judges/methods/*.cpp)
   add_library(kreisel_controls_${precision} OBJECT ${sources})
   kreisel_unite(kreisel_controls_${precision})
   kreisel_compile_quickly(kreisel_controls_${precision})
@@ -75,8 +90,8 @@ endif()
 if(KREISEL_BINARY128)
   kreisel_growth(binary128)
   kreisel_suite(metamorphic binary128 LIBRARIES kreisel_binary128 kreisel_growth_binary128)
-  add_library(kreisel_growth_runs OBJECT ${CMAKE_SOURCE_DIR}/tests/metamorphic/motion.cpp
-                                         ${CMAKE_SOURCE_DIR}/tests/metamorphic/named_models.cpp)
+  add_library(kreisel_growth_runs OBJECT ${CMAKE_SOURCE_DIR}/tests/metamorphic/models/motion.cpp
+                                         ${CMAKE_SOURCE_DIR}/tests/metamorphic/models/named_models.cpp)
   kreisel_compile_quickly(kreisel_growth_runs)
   target_link_libraries(kreisel_growth_runs PRIVATE kreisel_flags_binary128 Catch2::Catch2)
   kreisel_suite(metamorphic binary64 LIBRARIES kreisel_binary64 kreisel_growth_binary128 kreisel_growth_runs quadmath
@@ -118,7 +133,7 @@ foreach(precision binary64 binary128)
 endforeach()
 
 # The other precision, in a suite of this one.
-set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/reference/closed_form_double.cpp PROPERTIES
+set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/engine/closed_form_double.cpp PROPERTIES
                             SKIP_UNITY_BUILD_INCLUSION ON)
 
 # Boost's support of Eigen must come before the first use of a matrix of its numbers.

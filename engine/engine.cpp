@@ -7,9 +7,11 @@
 #include "engine/report/report.hpp"
 #include "engine/run.hpp"
 #include "mechanics/formulation.hpp"
-#include "mechanics/joint_rows.hpp"
-#include "methods/method.hpp"
-#include "methods/projection.hpp"
+#include "mechanics/joints/joint_rows.hpp"
+#include "mechanics/start.hpp"
+#include "mechanics/start_warnings.hpp"
+#include "methods/contract/method.hpp"
+#include "methods/contract/projection.hpp"
 #include "problems/problem.hpp"
 
 namespace kreisel {

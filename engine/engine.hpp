@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/data.hpp"
-#include "methods/description.hpp"
+#include "mechanics/model/data.hpp"
+#include "methods/contract/description.hpp"
 #include "problems/description.hpp"
 
 namespace kreisel {
@@ -33,8 +33,8 @@ struct ReportedBody {
     std::array<Number, 9> R;
 };
 
-/// What a joint exerts on its second-named body (mechanics/reaction.hpp), N and N m in space axes; of least norm where it is
-/// not unique.
+/// What a joint exerts on its second-named body (mechanics/joints/reaction.hpp), N and N m in space axes; of least norm
+/// where it is not unique.
 struct ReportedReaction {
     std::string joint;
     std::array<Number, 3> force, torque;

@@ -12,8 +12,9 @@
 #include "engine/report/joint_forces.hpp"
 #include "engine/report/report.hpp"
 #include "mechanics/formulation.hpp"
-#include "methods/integrator.hpp"
-#include "methods/projection.hpp"
+#include "mechanics/start.hpp"
+#include "methods/contract/integrator.hpp"
+#include "methods/contract/projection.hpp"
 #include "problems/problem.hpp"
 #include "support/pattern.hpp"
 

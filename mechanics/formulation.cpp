@@ -3,9 +3,10 @@
 
 #include <stdexcept>
 
-#include "mechanics/jointed_bodies.hpp"
-#include "mechanics/pivoted_bodies.hpp"
-#include "mechanics/spherical_bodies.hpp"
+#include "mechanics/formulations/jointed_bodies.hpp"
+#include "mechanics/formulations/pivoted_bodies.hpp"
+#include "mechanics/formulations/spherical_bodies.hpp"
+#include "mechanics/integrals.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

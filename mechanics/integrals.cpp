@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // First integrals found from the structure of a model. Each is declared only where its reason holds.
+#include "mechanics/integrals.hpp"
+
 #include <algorithm>
 
-#include "mechanics/forces.hpp"
+#include "mechanics/forces/forces.hpp"
 #include "mechanics/formulation.hpp"
-#include "mechanics/symmetries.hpp"
+#include "mechanics/model/symmetries.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mechanics/start.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <sstream>
 
 #include "lie/so3.hpp"
 #include "mechanics/formulation.hpp"
-#include "mechanics/joint_rows.hpp"
-#include "mechanics/scales.hpp"
+#include "mechanics/joints/joint_rows.hpp"
+#include "mechanics/model/scales.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -2,11 +2,14 @@
 //
 // What is said of a start that is allowed: that it is a singular position, that the solves keep few digits, or that axes of a
 // torsion spring may part.
+#include "mechanics/start_warnings.hpp"
+
 #include <sstream>
 
 #include "mechanics/formulation.hpp"
-#include "mechanics/joint_solver.hpp"
-#include "mechanics/scales.hpp"
+#include "mechanics/model/scales.hpp"
+#include "mechanics/solve/joint_solver.hpp"
+#include "mechanics/start.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

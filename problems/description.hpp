@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/data.hpp"
+#include "mechanics/model/data.hpp"
 
 namespace kreisel {
 

@@ -3,7 +3,7 @@
 // Two rigid links: "upper" on a spherical joint at the origin, "lower" on a spherical joint at (1, 0, 0) between the
 // two, in constant gravity. The default start is not planar; the velocities follow from the joints. The data are our own.
 #include "problems/problem.hpp"
-#include "problems/read_model.hpp"
+#include "problems/reading/bodies.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

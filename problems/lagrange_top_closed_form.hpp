@@ -4,7 +4,7 @@
 // elliptic integrals of the third kind for precession and spin [goldstein2002, Sec. 5.7]; and its steady precession.
 #pragma once
 
-#include "mechanics/model.hpp"
+#include "mechanics/model/model.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Any mechanism: rigid bodies and point masses, joints of every kind (mechanics/joint_rows.hpp), springs and loads
-// (mechanics/model.hpp), gravity g (1 + A sin(W t)). Bodies without v get it from the joints. The model holds what the
-// config says and nothing else. The demonstration is a crank that turns about the y axis, with a rod on a spherical joint
-// at its end, which a spring holds; the data are our own.
+// Any mechanism: rigid bodies and point masses, joints of every kind (mechanics/joints/joint_rows.hpp), springs and
+// loads (mechanics/model/model.hpp), gravity g (1 + A sin(W t)). Bodies without v get it from the joints. The model
+// holds what the config says and nothing else. The demonstration is a crank that turns about the y axis, with a rod on
+// a spherical joint at its end, which a spring holds; the data are our own.
 #include "mechanics/formulation.hpp"
+#include "mechanics/start.hpp"
 #include "problems/problem.hpp"
-#include "problems/read_model.hpp"
+#include "problems/reading/bodies.hpp"
+#include "problems/reading/forces.hpp"
+#include "problems/reading/joints.hpp"
+#include "problems/reading/parts.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/model.hpp"
+#include "mechanics/model/model.hpp"
 #include "problems/description.hpp"
 
 namespace kreisel {

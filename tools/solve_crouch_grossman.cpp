@@ -7,8 +7,8 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "tests/orders/crouch_grossman_system.hpp"
-#include "tests/orders/published_cg4a.hpp"
+#include "tests/judges/conditions/crouch_grossman_system.hpp"
+#include "tests/judges/conditions/published_cg4a.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "methods/description.hpp"
+#include "methods/contract/description.hpp"
 #include "records/json/node.hpp"
 
 namespace kreisel {

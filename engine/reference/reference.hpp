@@ -10,8 +10,8 @@
 
 #include "engine/report/joint_forces.hpp"
 #include "engine/report/report.hpp"
-#include "mechanics/model.hpp"
-#include "mechanics/turns.hpp"
+#include "mechanics/forces/turns.hpp"
+#include "mechanics/model/model.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

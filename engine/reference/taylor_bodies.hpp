@@ -6,7 +6,7 @@
 #pragma once
 
 #include "engine/reference/power_series.hpp"
-#include "mechanics/model.hpp"
+#include "mechanics/model/model.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Forces and moments of gravity, loads and springs as power series in time, all in space axes; their laws are those of
-// mechanics/model.hpp.
+// mechanics/model/model.hpp.
 #pragma once
 
 #include "engine/reference/taylor_bodies.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The rows of a joint and what they exert as power series in time. The rows are those that mechanics/joint_rows.hpp
-// documents, written down a second time: a row says that its residual vanishes (a length, a cosine, or for two rows of
-// a rolling joint a velocity), and its multiplier lambda exerts on the first body
+// The rows of a joint and what they exert as power series in time. The rows are those that
+// mechanics/joints/joint_rows.hpp documents, written down a second time: a row says that its residual vanishes (a
+// length, a cosine, or for two rows of a rolling joint a velocity), and its multiplier lambda exerts on the first body
 //   -lambda n at the joint's point and the couple -lambda t,
 // the opposite on the second, where n and t are the gradients of the residual. Accelerations enter through coefficients
 // of x and R alone: nothing is differentiated by hand.

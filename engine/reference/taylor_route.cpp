@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/reference/taylor_route.hpp"
 
-#include "mechanics/joint_rows.hpp"
+#include "mechanics/joints/joint_rows.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -4,7 +4,7 @@
 // spin axis of the heavy top, so a fast spin is harmless; the angles are singular at theta = +-pi/2, body y vertical.
 // A stage within 1/1000 of the singularity, past it, or so near that body y could reach it within the step, ends the step
 // with the status chart_singularity: a long step would jump over it unnoticed, and be wrong from there on.
-#include "methods/global_coordinates.hpp"
+#include "methods/baseline/global_coordinates.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -3,7 +3,7 @@
 // Baseline: the classical fourth-order method on the nine entries of R, R' = R hat(omega): R leaves SO(3).
 #include <algorithm>
 
-#include "methods/global_coordinates.hpp"
+#include "methods/baseline/global_coordinates.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

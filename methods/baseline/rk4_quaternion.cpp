@@ -2,7 +2,7 @@
 //
 // Baseline: the classical fourth-order method on quaternions, q' = 1/2 q (0, omega). R = R(q) is the quadratic form,
 // which is |q|^2 times a rotation when the norm drifts; option `renormalise` divides q by its norm after each step.
-#include "methods/global_coordinates.hpp"
+#include "methods/baseline/global_coordinates.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -6,7 +6,7 @@
 //   --+----------
 //     | 1/2  1/2
 // Source: [crouchgrossman1993].
-#include "methods/crouch_grossman.hpp"
+#include "methods/crouch_grossman/crouch_grossman.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

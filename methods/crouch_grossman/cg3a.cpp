@@ -7,7 +7,7 @@
 //   ------+------------------------
 //         |  13/51    -2/3   24/17
 // Source: [crouchgrossman1993], [hairer2006, Sec. IV.8.1].
-#include "methods/crouch_grossman.hpp"
+#include "methods/crouch_grossman/crouch_grossman.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

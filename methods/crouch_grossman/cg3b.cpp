@@ -7,7 +7,7 @@
 //   ------+------------------------
 //         |    1     -2/3    2/3
 // Source: [crouchgrossman1993].
-#include "methods/crouch_grossman.hpp"
+#include "methods/crouch_grossman/crouch_grossman.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

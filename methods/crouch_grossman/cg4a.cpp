@@ -11,7 +11,7 @@
 // Source: [jackiewicz2000], printed there with 16 decimals. The decimals beyond the 16th are ours: the 13 conditions of
 // order 4 for the 15 coefficients, solved again from the printed table to a residual below 1e-40 with corrections of
 // least norm (none above 4e-17); tools/solve-crouch-grossman prints them.
-#include "methods/crouch_grossman.hpp"
+#include "methods/crouch_grossman/crouch_grossman.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -12,8 +12,8 @@
 // start costs an order in the first steps [arnold2016]. v'' is the central difference of the index-1 v' along the flow
 // over h/8: its error is O(h^2), its round-off in a stays some eps v'. A change of h starts the method afresh.
 #include "mechanics/system.hpp"
-#include "methods/integrator.hpp"
-#include "methods/stabilised_step.hpp"
+#include "methods/contract/integrator.hpp"
+#include "methods/implicit/stabilised_step.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

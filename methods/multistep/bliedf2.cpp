@@ -8,8 +8,8 @@
 // Own start: one step of rkmk/rk4 from (t, y) by -h gives v_previous and, by D_previous = log(q_previous^-1 q) / h, the
 // increment that led to q; the index-1 form keeps both on the constraints up to O(h^5). A change of h starts afresh.
 #include "mechanics/system.hpp"
-#include "methods/integrator.hpp"
-#include "methods/stabilised_step.hpp"
+#include "methods/contract/integrator.hpp"
+#include "methods/implicit/stabilised_step.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "methods/projection.hpp"
+#include "methods/contract/projection.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -11,7 +11,7 @@
 #include <Eigen/LU>
 
 #include "mechanics/system.hpp"
-#include "methods/projection.hpp"
+#include "methods/contract/projection.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "methods/gauss_newton.hpp"
+#include "methods/projection/gauss_newton.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

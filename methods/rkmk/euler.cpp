@@ -5,7 +5,7 @@
 //   --+--
 //     | 1
 // Sources: [euler1768], lift [munthekaas1998].
-#include "methods/rkmk.hpp"
+#include "methods/rkmk/rkmk.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

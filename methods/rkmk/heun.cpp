@@ -6,7 +6,7 @@
 //   --+----------
 //     | 1/2  1/2
 // Sources: [heun1900], lift [munthekaas1998].
-#include "methods/rkmk.hpp"
+#include "methods/rkmk/rkmk.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

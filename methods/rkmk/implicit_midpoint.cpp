@@ -9,13 +9,14 @@
 //    1/2 | 1/2
 //   -----+----
 //        |  1
-// The unknown of the iteration w = h f (methods/newton.hpp) is w = v+ - v, and its last f makes the step: what is linear in
-// the constraints then holds to the round-off of one solve. Sources: midpoint rule [hairer2006], lift [munthekaas1998].
+// The unknown of the iteration w = h f (methods/implicit/newton.hpp) is w = v+ - v, and its last f makes the step: what
+// is linear in the constraints then holds to the round-off of one solve. Sources: midpoint rule [hairer2006], lift
+// [munthekaas1998].
 #include "mechanics/system.hpp"
-#include "methods/predictor.hpp"
-#include "methods/integrator.hpp"
-#include "methods/motion_scale.hpp"
-#include "methods/newton.hpp"
+#include "methods/contract/integrator.hpp"
+#include "methods/implicit/motion_scale.hpp"
+#include "methods/implicit/newton.hpp"
+#include "methods/implicit/predictor.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -7,7 +7,7 @@
 //   ----+---------------
 //       | 1/6  2/3  1/6
 // Sources: [kutta1901], lift [munthekaas1998].
-#include "methods/rkmk.hpp"
+#include "methods/rkmk/rkmk.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -6,7 +6,7 @@
 //   ----+--------
 //       |  0   1
 // Sources: [runge1895], lift [munthekaas1998].
-#include "methods/rkmk.hpp"
+#include "methods/rkmk/rkmk.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -8,7 +8,7 @@
 //   ----+--------------------
 //       | 1/6  1/3  1/3  1/6
 // Sources: [kutta1901], lift [munthekaas1998].
-#include "methods/rkmk.hpp"
+#include "methods/rkmk/rkmk.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

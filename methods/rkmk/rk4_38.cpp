@@ -8,7 +8,7 @@
 //   ----+---------------------
 //       |  1/8  3/8  3/8  1/8
 // Sources: [kutta1901], lift [munthekaas1998].
-#include "methods/rkmk.hpp"
+#include "methods/rkmk/rkmk.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

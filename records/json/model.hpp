@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "mechanics/data.hpp"
+#include "mechanics/model/data.hpp"
 
 namespace kreisel {
 

@@ -52,7 +52,7 @@ struct ElementType {
     bool has(const std::string& key) const;
 };
 
-/// The entries of one list. The types stand in the order of their enumeration (mechanics/data.hpp).
+/// The entries of one list. The types stand in the order of their enumeration (mechanics/model/data.hpp).
 struct ElementList {
     std::string what;      ///< "body"
     std::string standard;  ///< the type of an entry that says none; empty: it must say one

@@ -21,7 +21,7 @@ bool is_numerical(const Source& source) {
 
 /// Plain data of the boundary between driver and numerics: double by design, read as decimals on the other side.
 bool is_data_header(const Source& source) {
-    return source.path == "mechanics/data.hpp" || source.path.ends_with("/description.hpp");
+    return source.path == "mechanics/model/data.hpp" || source.path.ends_with("/description.hpp");
 }
 
 /// What stands between the last semicolon and `end`: the statement so far.

@@ -10,6 +10,7 @@ namespace {
 constexpr bool talks = true;
 
 const std::string interface = "engine/engine.hpp";
+const std::string equations = "mechanics/system.hpp";
 
 // From the bottom up; CONTRIBUTING.md draws the same.
 const std::vector<Room>& rooms() {
@@ -17,17 +18,29 @@ const std::vector<Room>& rooms() {
     static const std::vector<Room> all = {
         {"support", {}, {"fmt/"}, talks},
         {"lie", {}, numbers},
-        {"mechanics", {"lie"}, numbers},
-        {"problems", {"mechanics", "lie"}, {"Eigen/", "boost/multiprecision/", "boost/math/"}},
-        {"methods", {"mechanics", "lie"}, numbers},
-        {interface, {"mechanics/data.hpp", "methods/description.hpp", "problems/description.hpp"}, {}},
+        {"mechanics/model", {"lie"}, numbers},
+        {"mechanics/joints", {"mechanics/model", "lie"}, numbers},
+        {"mechanics/forces", {"mechanics/model", "lie"}, numbers},
+        {equations, {"mechanics/model", "mechanics/joints", "mechanics/forces", "lie"}, numbers},
+        {"mechanics/solve", {equations, "mechanics/model", "mechanics/joints", "mechanics/forces", "lie"}, numbers},
+        {"mechanics/formulations",
+         {equations, "mechanics/model", "mechanics/joints", "mechanics/forces", "mechanics/solve", "lie"},
+         numbers},
+        {"mechanics", {"mechanics", "lie"}, numbers},
+        {"problems/reading", {"mechanics", "lie"}, numbers},
+        {"problems", {"problems", "mechanics", "lie"}, {"Eigen/", "boost/multiprecision/", "boost/math/"}},
+        {"methods/tableaus", {"lie"}, numbers},
+        {"methods/contract", {"methods/tableaus", "mechanics", "lie"}, numbers},
+        {"methods/implicit", {"mechanics", "lie"}, numbers},
+        {"methods", {"methods/contract", "methods/tableaus", "methods/implicit", "mechanics", "lie"}, numbers},
+        {interface, {"mechanics/model/data.hpp", "methods/contract/description.hpp", "problems/description.hpp"}, {}},
         {"engine/report", {interface, "mechanics", "lie"}, numbers},
         {"engine/metrics", {interface, "engine/report", "mechanics", "lie", "support/pattern.hpp"}, numbers},
         {"engine/reference", {interface, "engine/report", "mechanics", "lie"}, numbers},
         {"engine", {"engine", "methods", "problems", "mechanics", "lie", "support/pattern.hpp"}, numbers, talks},
         {"records/fits", {"support"}, {"fmt/", "gsl/"}, talks},
         {"records/json",
-         {interface, "mechanics/data.hpp", "problems/description.hpp", "support"},
+         {interface, "mechanics/model/data.hpp", "problems/description.hpp", "support"},
          {"fmt/", "nlohmann/"},
          talks},
         {"records/diff", {"records", "support"}, {"fmt/", "nlohmann/"}, talks},
@@ -39,8 +52,8 @@ const std::vector<Room>& rooms() {
         {"plots/figures", {"plots/tables", "records", "support"}, {"fmt/"}, talks},
         {"plots", {"plots", "records", "support"}, {"fmt/"}, talks},
         {"driver/config",
-         {"plots/figures/spec.hpp", "records", interface, "methods/description.hpp", "problems/description.hpp",
-          "support"},
+         {"plots/figures/spec.hpp", "records", interface, "methods/contract/description.hpp",
+          "problems/description.hpp", "support"},
          {"fmt/", "nlohmann/"},
          talks},
         {"driver/plan", {"driver/config", "plots", "records", interface, "support"}, {"fmt/", "nlohmann/"}, talks},
@@ -66,6 +79,11 @@ const Room* room_of(const std::string& path) {
         if (lies_in(path, room.name) && (best == nullptr || room.name.size() > best->name.size())) { best = &room; }
     }
     return best;
+}
+
+std::size_t capacity_of(const std::string& folder) {
+    const bool registry = folder == "problems" || folder.starts_with("methods/");
+    return registry ? 40 : 20;
 }
 
 const Names& outbuildings() {

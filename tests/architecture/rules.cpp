@@ -4,6 +4,7 @@
 #include "tests/architecture/rules.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "tests/architecture/matching.hpp"
@@ -23,9 +24,7 @@ const Names third_parties = {"Eigen/", "boost/", "nlohmann/", "CLI/", "fmt/", "g
 const Names generated = {"kreisel_build.hpp"};
 
 /// The methods in global coordinates, which are lent by Boost.Odeint.
-bool is_baseline(const std::string& path) {
-    return path.starts_with("methods/baseline/") || path == "methods/global_coordinates.cpp";
-}
+bool is_baseline(const std::string& path) { return path.starts_with("methods/baseline/"); }
 
 bool contains(const Names& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -121,6 +120,21 @@ std::vector<Finding> check_rooms(const std::vector<Source>& tree) {
     return findings;
 }
 
+std::vector<Finding> check_capacities(const std::vector<Source>& tree) {
+    std::map<std::string, std::size_t> counts;
+    for (const auto& source : tree) {
+        if (source.is_cpp()) { ++counts[source.path.substr(0, source.path.rfind('/'))]; }
+    }
+    std::vector<Finding> findings;
+    for (const auto& [folder, count] : counts) {
+        if (count <= capacity_of(folder)) { continue; }
+        findings.push_back({folder, 1, "full",
+                            std::to_string(count) + " sources in one folder; at most " +
+                                std::to_string(capacity_of(folder)) + " are found again"});
+    }
+    return findings;
+}
+
 std::vector<Finding> check_licences(const std::vector<Source>& tree) {
     std::vector<Finding> findings;
     for (const auto& source : tree) {
@@ -166,8 +180,8 @@ std::set<std::string> bibliography_keys(const std::string& bibtex) {
 
 std::vector<Finding> check_all(const std::vector<Source>& tree, const std::set<std::string>& bibliography) {
     std::vector<Finding> all = check_citations(tree, bibliography);
-    for (auto* rule : {&check_includes, &check_rooms, &check_licences, &check_literals, &check_math_calls,
-                       &check_precision_namespace}) {
+    for (auto* rule : {&check_includes, &check_rooms, &check_capacities, &check_licences, &check_literals,
+                       &check_math_calls, &check_precision_namespace}) {
         const auto found = (*rule)(tree);
         all.insert(all.end(), found.begin(), found.end());
     }

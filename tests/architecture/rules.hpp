@@ -27,6 +27,9 @@ std::vector<Finding> check_includes(const std::vector<Source>& tree);
 /// `room`: every source is in a room of the table or in a folder that sees everything; experiments/ holds none.
 std::vector<Finding> check_rooms(const std::vector<Source>& tree);
 
+/// `full`: no folder holds more sources than it may (capacity_of).
+std::vector<Finding> check_capacities(const std::vector<Source>& tree);
+
 /// `licence`: an SPDX line among the first two lines of every source file and script; GPL-3.0-or-later where GSL is
 /// included.
 std::vector<Finding> check_licences(const std::vector<Source>& tree);

@@ -11,10 +11,10 @@ shared=(
     Cell Column ConstraintSummary Cost Engine Number Outcome Reference ReferenceCheck ReportedBody ReportedReaction        # engine.hpp
     ReportedState SystemSummary Trajectory
     matches matches_any                                         # support/pattern.hpp: texts
-    BodyData ForceData JointData JointType ParameterError                                                                    # mechanics/data.hpp
-    Elimination eliminate                                       # mechanics/elimination.hpp: the joint graph, integers
-    MethodDescription OptionDescription OptionError Order ProjectionDescription             # methods/description.hpp
-    Coefficient Tableau                                                                           # methods/tableau.hpp
+    BodyData ForceData JointData JointType ParameterError                                                                    # mechanics/model/data.hpp
+    Elimination eliminate                                       # mechanics/solve/elimination.hpp: the joint graph, integers
+    MethodDescription OptionDescription OptionError Order ProjectionDescription             # methods/contract/description.hpp
+    Coefficient Tableau                                                                           # methods/tableaus/tableau.hpp
     FormulationDescription IntegralDescription ParameterDescription ParameterKind ProblemDescription # problems/description.hpp
 )
 

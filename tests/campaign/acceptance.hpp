@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/engine.hpp"
-#include "tests/order_rule.hpp"
+#include "tests/support/order_rule.hpp"
 
 namespace kreisel::acceptance {
 

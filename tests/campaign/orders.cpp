@@ -44,7 +44,7 @@ Curves measure(const std::string& problem, const std::string& formulation, const
     return curves;
 }
 
-/// The rule of tests/order_rule.hpp, for every method, every variant and every formulation that takes them.
+/// The rule of tests/support/order_rule.hpp, for every method, every variant and every formulation that takes them.
 void certify(const std::string& problem, bool sharp, long from) {
     for (const MethodDescription& method : engine().methods())
         for (const OptionValues& options : variants(method))

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "mechanics/system.hpp"
-#include "methods/bound_tableau.hpp"
-#include "methods/integrator.hpp"
+#include "methods/contract/integrator.hpp"
+#include "methods/tableaus/bound_tableau.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

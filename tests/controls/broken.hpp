@@ -3,7 +3,7 @@
 // The two families with their faults as switches; with every switch off they are the correct methods.
 #pragma once
 
-#include "methods/method.hpp"
+#include "methods/contract/method.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "tests/controls/checks.hpp"
+#include "tests/judges/methods/checks.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

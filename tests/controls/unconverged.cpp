@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mechanics/system.hpp"
-#include "methods/integrator.hpp"
+#include "methods/contract/integrator.hpp"
 #include "tests/controls/broken.hpp"
 
 namespace kreisel {

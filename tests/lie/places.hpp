@@ -13,7 +13,7 @@
 #include "lie/group.hpp"
 #include "lie/power.hpp"
 #include "tests/lie/dense.hpp"
-#include "tests/rapid/rapid.hpp"
+#include "tests/support/rapid.hpp"
 
 namespace places {
 

@@ -4,7 +4,8 @@
 // misses one that is not declared.
 #include <set>
 
-#include "tests/mechanics/models.hpp"
+#include "mechanics/integrals.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

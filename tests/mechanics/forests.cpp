@@ -5,10 +5,10 @@
 #include <numeric>
 #include <random>
 
-#include "mechanics/forest.hpp"
-#include "mechanics/jointed_bodies.hpp"
-#include "mechanics/spherical_bodies.hpp"
-#include "tests/mechanics/models.hpp"
+#include "mechanics/formulations/jointed_bodies.hpp"
+#include "mechanics/formulations/spherical_bodies.hpp"
+#include "mechanics/solve/forest.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

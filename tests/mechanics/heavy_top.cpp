@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The literature's heavy top: numbers that follow from its data by hand.
-#include "tests/mechanics/models.hpp"
+#include "mechanics/integrals.hpp"
+#include "mechanics/start.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

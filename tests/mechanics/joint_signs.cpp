@@ -3,8 +3,8 @@
 // The signs of NOTATION.md: each row is what the first-named body has minus what the second has, so that a unit multiplier
 // of a row along e is the force e on the second body, that of a_i.b_k the torque a_i x b_k, that of a distance a tension.
 // Written here a second time, for the two bodies in either order and either of them the ground.
-#include "mechanics/joint_rows.hpp"
-#include "tests/mechanics/models.hpp"
+#include "mechanics/joints/joint_rows.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

@@ -2,7 +2,8 @@
 //
 // Loads against the balances of momentum in space axes, which know nothing of formulations, and where they end a law of
 // conservation or a formulation.
-#include "tests/mechanics/models.hpp"
+#include "mechanics/integrals.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

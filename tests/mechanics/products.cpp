@@ -4,7 +4,7 @@
 // of the same system.
 #include <Eigen/Cholesky>
 
-#include "tests/mechanics/models.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

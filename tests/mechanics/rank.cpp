@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Which rows are independent, for few of them and for so many that sparse factors find it.
-#include "mechanics/rank.hpp"
+#include "mechanics/solve/rank.hpp"
 
 #include <algorithm>
 
-#include "tests/mechanics/models.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

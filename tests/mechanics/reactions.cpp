@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What joints exert: by hand where bodies rest, and by Newton's and Euler's laws for each body wherever they move.
-#include "mechanics/jointed_bodies.hpp"
-#include "mechanics/spherical_bodies.hpp"
-#include "tests/mechanics/models.hpp"
+#include "mechanics/formulations/jointed_bodies.hpp"
+#include "mechanics/formulations/spherical_bodies.hpp"
+#include "mechanics/start.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

@@ -7,8 +7,9 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
-#include "mechanics/joint_rows.hpp"
-#include "tests/mechanics/models.hpp"
+#include "mechanics/joints/joint_rows.hpp"
+#include "mechanics/start.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

@@ -4,8 +4,10 @@
 // as if it were sound. Either the start is refused with the joints named, or the first solve that meets it says so.
 #include <algorithm>
 
-#include "mechanics/joint_rows.hpp"
-#include "tests/mechanics/models.hpp"
+#include "mechanics/joints/joint_rows.hpp"
+#include "mechanics/start.hpp"
+#include "mechanics/start_warnings.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

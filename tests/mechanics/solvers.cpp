@@ -2,9 +2,9 @@
 //
 // The three ways to solve with C M^{-1} C^T give the same accelerations and multipliers, and the general path gives those of
 // the one for spherical joints.
-#include "mechanics/jointed_bodies.hpp"
-#include "mechanics/spherical_bodies.hpp"
-#include "tests/mechanics/models.hpp"
+#include "mechanics/formulations/jointed_bodies.hpp"
+#include "mechanics/formulations/spherical_bodies.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

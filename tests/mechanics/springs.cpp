@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "lie/so3.hpp"
-#include "mechanics/forces.hpp"
-#include "tests/mechanics/models.hpp"
+#include "mechanics/forces/forces.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

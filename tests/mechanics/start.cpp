@@ -4,8 +4,9 @@
 #include <Eigen/QR>
 
 #include "lie/so3.hpp"
-#include "mechanics/joint_rows.hpp"
-#include "tests/mechanics/models.hpp"
+#include "mechanics/joints/joint_rows.hpp"
+#include "mechanics/start.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

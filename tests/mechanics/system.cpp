@@ -7,7 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "tests/mechanics/models.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
 using namespace models;

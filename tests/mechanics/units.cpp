@@ -2,10 +2,11 @@
 //
 // A mechanism in other units is the same mechanism: lengths, masses and times multiplied by powers of two leave every bit of
 // a solve, a rank, a multiplier and a start where it was, and what is refused in metres is refused in micrometres.
-#include "mechanics/joint_rows.hpp"
-#include "mechanics/scales.hpp"
-#include "tests/mechanics/models.hpp"
-#include "tests/mechanics/scaled.hpp"
+#include "mechanics/joints/joint_rows.hpp"
+#include "mechanics/model/scales.hpp"
+#include "mechanics/start.hpp"
+#include "tests/mechanics/models/models.hpp"
+#include "tests/mechanics/models/scaled.hpp"
 
 using namespace kreisel;
 using namespace models;

@@ -3,8 +3,8 @@
 // Faults that the suite must find, each beside the same comparison without it.
 #include <catch2/catch.hpp>
 
+#include "tests/metamorphic/descriptions/freed.hpp"
 #include "tests/metamorphic/doubles.hpp"
-#include "tests/metamorphic/freed.hpp"
 #include "tests/metamorphic/suite.hpp"
 
 using namespace kreisel;

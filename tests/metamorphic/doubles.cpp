@@ -2,7 +2,7 @@
 #include "tests/metamorphic/doubles.hpp"
 
 #include "mechanics/formulation.hpp"
-#include "mechanics/joint_rows.hpp"
+#include "mechanics/joints/joint_rows.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -3,7 +3,7 @@
 // Parts with one fault each, of the kinds that the suite is there to find.
 #pragma once
 
-#include "tests/metamorphic/motion.hpp"
+#include "tests/metamorphic/models/motion.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -4,9 +4,9 @@
 #include <Eigen/QR>
 
 #include "mechanics/formulation.hpp"
-#include "mechanics/joint_rows.hpp"
-#include "mechanics/rank.hpp"
-#include "mechanics/scales.hpp"
+#include "mechanics/joints/joint_rows.hpp"
+#include "mechanics/model/scales.hpp"
+#include "mechanics/solve/rank.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -3,9 +3,9 @@
 // Whether two descriptions of a motion have given the same result.
 #pragma once
 
+#include "tests/metamorphic/descriptions/transformation.hpp"
 #include "tests/metamorphic/growth/growth.hpp"
-#include "tests/metamorphic/named_models.hpp"
-#include "tests/metamorphic/transformation.hpp"
+#include "tests/metamorphic/models/named_models.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
-#include "methods/method.hpp"
+#include "methods/contract/method.hpp"
 #include "tests/metamorphic/suite.hpp"
 
 using namespace kreisel;

@@ -5,9 +5,9 @@
 #include <iostream>
 
 #include "mechanics/formulation.hpp"
-#include "tests/metamorphic/freed.hpp"
-#include "tests/metamorphic/named_models.hpp"
-#include "tests/metamorphic/written.hpp"
+#include "tests/metamorphic/descriptions/freed.hpp"
+#include "tests/metamorphic/descriptions/written.hpp"
+#include "tests/metamorphic/models/named_models.hpp"
 
 using namespace kreisel;
 using namespace kreisel::metamorphic;

@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "engine/reference/taylor_route.hpp"
-#include "mechanics/scales.hpp"
+#include "mechanics/model/scales.hpp"
 #include "tests/metamorphic/judge.hpp"
 
 using namespace kreisel;

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "mechanics/formulation.hpp"
-#include "methods/method.hpp"
+#include "methods/contract/method.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -3,8 +3,8 @@
 // Which comparisons are made: all, or so few that every two choices still meet somewhere.
 #pragma once
 
-#include "tests/metamorphic/named_models.hpp"
-#include "tests/metamorphic/transformation.hpp"
+#include "tests/metamorphic/descriptions/transformation.hpp"
+#include "tests/metamorphic/models/named_models.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

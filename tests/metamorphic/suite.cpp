@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "methods/method.hpp"
+#include "methods/contract/method.hpp"
 #include "tests/metamorphic/truncation.hpp"
 
 namespace kreisel {

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "methods/method.hpp"
+#include "methods/contract/method.hpp"
 #include "tests/metamorphic/judge.hpp"
 
 namespace kreisel {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Every method and projection cites keys that the bibliography has.
-#include "tests/bibliography.hpp"
+#include "tests/support/bibliography.hpp"
 
-#include "methods/method.hpp"
-#include "methods/projection.hpp"
+#include "methods/contract/method.hpp"
+#include "methods/contract/projection.hpp"
 
 using namespace kreisel;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Every registered method and projection passes the judgements that turn the controls down. Conditions and steps of
-// declared schemes are judged in tests/orders.
+// declared schemes are judged in tests/judges/steps.
 #include <catch2/catch.hpp>
 
 #include "tests/controls/controls.hpp"

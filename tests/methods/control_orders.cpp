@@ -4,8 +4,8 @@
 // have, not by some accident of the run.
 #include <catch2/catch.hpp>
 
-#include "tests/controls/acceptance_curves.hpp"
 #include "tests/controls/controls.hpp"
+#include "tests/judges/methods/acceptance_curves.hpp"
 
 using namespace kreisel;
 

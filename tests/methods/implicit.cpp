@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Implicit methods on R, where they are classical ones, and the ways in which a step fails. Their equations on groups are
-// checked in tests/orders/step_checks.hpp.
+// checked in tests/judges/steps/step_checks.hpp.
 #include <array>
 #include <cmath>
 

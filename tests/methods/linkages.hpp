@@ -3,6 +3,7 @@
 // Mechanisms with more constraint rows than they need, as people simulate them, and the same mechanism in other units.
 #pragma once
 
+#include "mechanics/start.hpp"
 #include "tests/methods/stepping.hpp"
 
 namespace linkages {

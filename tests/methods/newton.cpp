@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The Newton iteration by itself: where it ends, and how it fails.
-#include "methods/newton.hpp"
+#include "methods/implicit/newton.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "engine/report/report.hpp"
-#include "methods/integrator.hpp"
-#include "methods/projection.hpp"
-#include "tests/mechanics/models.hpp"
+#include "methods/contract/integrator.hpp"
+#include "methods/contract/projection.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 namespace stepping {
 

@@ -2,7 +2,8 @@
 //
 // Torsion springs through several turns, by every method in every formulation, against closed forms; and steps that cannot
 // know how often a spring has turned, which must say so.
-#include "tests/mechanics/turning.hpp"
+#include "mechanics/start.hpp"
+#include "tests/mechanics/models/turning.hpp"
 #include "tests/methods/stepping.hpp"
 
 using namespace kreisel;

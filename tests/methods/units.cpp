@@ -2,8 +2,8 @@
 //
 // Projections know no metre, kilogram and second: other units leave their bits, and a parallelogram of micrometres passes
 // its flat poses like one of kilometres.
-#include "mechanics/joint_rows.hpp"
-#include "tests/mechanics/scaled.hpp"
+#include "mechanics/joints/joint_rows.hpp"
+#include "tests/mechanics/models/scaled.hpp"
 #include "tests/methods/stepping.hpp"
 
 using namespace kreisel;

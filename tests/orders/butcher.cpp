@@ -4,10 +4,10 @@
 // the next order, and notices every single coefficient.
 #include <catch2/catch.hpp>
 
-#include "methods/method.hpp"
-#include "tests/orders/registered.hpp"
-#include "tests/orders/rooted_trees.hpp"
-#include "tests/orders/scheme_checks.hpp"
+#include "methods/contract/method.hpp"
+#include "tests/judges/conditions/registered.hpp"
+#include "tests/judges/conditions/rooted_trees.hpp"
+#include "tests/judges/steps/scheme_checks.hpp"
 
 using namespace kreisel;
 using namespace kreisel::orders;

@@ -3,10 +3,10 @@
 // CG4a, solved again to 44 decimals, is the printed method, and satisfies its conditions as the running code reads it.
 #include <catch2/catch.hpp>
 
-#include "methods/bound_tableau.hpp"
-#include "tests/orders/crouch_grossman_conditions.hpp"
-#include "tests/orders/published_cg4a.hpp"
-#include "tests/orders/registered.hpp"
+#include "methods/tableaus/bound_tableau.hpp"
+#include "tests/judges/conditions/crouch_grossman_conditions.hpp"
+#include "tests/judges/conditions/published_cg4a.hpp"
+#include "tests/judges/conditions/registered.hpp"
 
 using namespace kreisel;
 using namespace kreisel::orders;

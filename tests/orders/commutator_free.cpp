@@ -4,8 +4,8 @@
 // the published schemes at their order, and see factors that are swapped.
 #include <catch2/catch.hpp>
 
-#include "tests/orders/commutator_free_series.hpp"
-#include "tests/orders/registered.hpp"
+#include "tests/judges/conditions/commutator_free_series.hpp"
+#include "tests/judges/conditions/registered.hpp"
 
 using namespace kreisel;
 using namespace kreisel::orders;

@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "tests/controls/controls.hpp"
-#include "tests/orders/scheme_checks.hpp"
+#include "tests/judges/steps/scheme_checks.hpp"
 
 using namespace kreisel;
 

@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "tests/orders/crouch_grossman_system.hpp"
-#include "tests/orders/registered.hpp"
-#include "tests/orders/scheme_checks.hpp"
+#include "tests/judges/conditions/crouch_grossman_system.hpp"
+#include "tests/judges/conditions/registered.hpp"
+#include "tests/judges/steps/scheme_checks.hpp"
 
 using namespace kreisel;
 using namespace kreisel::orders;

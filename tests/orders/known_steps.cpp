@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "tests/orders/step_checks.hpp"
+#include "tests/judges/steps/step_checks.hpp"
 
 using namespace kreisel;
 

@@ -15,10 +15,10 @@
 #include "lie/power.hpp"
 #include "lie/so3.hpp"
 #include "mechanics/system.hpp"
-#include "methods/integrator.hpp"
+#include "methods/contract/integrator.hpp"
 #include "tests/controls/controls.hpp"
-#include "tests/orders/crouch_grossman_conditions.hpp"
-#include "tests/orders/registered.hpp"
+#include "tests/judges/conditions/crouch_grossman_conditions.hpp"
+#include "tests/judges/conditions/registered.hpp"
 
 using namespace kreisel;
 using namespace kreisel::orders;

@@ -4,7 +4,7 @@
 // sees what no order can: a missing dexpinv at order 2, the order of stage factors.
 #include <catch2/catch.hpp>
 
-#include "tests/orders/scheme_checks.hpp"
+#include "tests/judges/steps/scheme_checks.hpp"
 
 using namespace kreisel;
 

@@ -8,9 +8,9 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <catch2/catch.hpp>
 
-#include "methods/bound_tableau.hpp"
-#include "methods/integrator.hpp"
-#include "tests/orders/scripted_system.hpp"
+#include "methods/contract/integrator.hpp"
+#include "methods/tableaus/bound_tableau.hpp"
+#include "tests/judges/steps/scripted_system.hpp"
 
 using namespace kreisel;
 

@@ -3,6 +3,7 @@
 // Systems with one fault each: every check has a case that it must reject.
 #include <memory>
 
+#include "mechanics/start.hpp"
 #include "tests/problems/states.hpp"
 
 using namespace kreisel;

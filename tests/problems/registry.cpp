@@ -6,8 +6,9 @@
 #include <sstream>
 
 #include "kreisel_build.hpp"
-#include "tests/bibliography.hpp"
+#include "mechanics/start.hpp"
 #include "tests/problems/states.hpp"
+#include "tests/support/bibliography.hpp"
 
 using namespace kreisel;
 using namespace checks;

@@ -7,8 +7,8 @@
 #include <catch2/catch.hpp>
 
 #include "problems/problem.hpp"
-#include "tests/mechanics/models.hpp"
-#include "tests/problems/checks.hpp"
+#include "tests/judges/problems/checks.hpp"
+#include "tests/mechanics/models/models.hpp"
 
 namespace states {
 

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "lie/so3.hpp"
-#include "tests/metamorphic/motion.hpp"
-#include "tests/metamorphic/named_models.hpp"
+#include "tests/metamorphic/models/motion.hpp"
+#include "tests/metamorphic/models/named_models.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

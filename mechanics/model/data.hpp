@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A mechanical model as plain data, in SI units, as a user writes it down. Numbers are double here and are read as the
+// decimals they print as (`decimal` in lie/real.hpp), so that double and quad integrate the same problem.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace kreisel {
+
+using Vector3 = std::array<double, 3>;
+using Matrix3 = std::array<double, 9>;  ///< row by row
+
+inline constexpr Matrix3 identity3 = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+/// A rigid body: inertia about its mass centre in body axes (kg m^2), x and v in space axes (m, m/s), R body to
+/// space, omega in body axes (rad/s). Without v, the velocity follows from the joints. A point mass has no inertia, and
+/// neither R nor omega of it means anything.
+struct BodyData {
+    std::string name;
+    double mass = 1;
+    Matrix3 inertia = identity3;
+    Vector3 x = {0, 0, 0};
+    Matrix3 R = identity3;
+    std::optional<Vector3> v = {};
+    Vector3 omega = {0, 0, 0};
+    bool point = false;
+    bool operator==(const BodyData&) const = default;
+};
+
+/// How two bodies are joined; mechanics/joints/joint_rows.hpp has the rows of each.
+enum class JointType { spherical, revolute, universal, prismatic, cylindrical, planar, fixed, distance, rolling };
+
+/// A joint between two named bodies, or a body and "ground". Points (m) and axes in space coordinates of the initial
+/// configuration, one for each body. `length` (m): of a distance joint, by default the initial one; of a rolling joint,
+/// the radius. The length of a distance joint is length (1 + amplitude sin(frequency t)), frequency in rad/s.
+struct JointData {
+    JointType type = JointType::spherical;
+    std::array<std::string, 2> between = {};
+    std::array<Vector3, 2> points = {};
+    std::array<Vector3, 2> axes = {};
+    std::optional<double> length = {};
+    double amplitude = 0, frequency = 0;
+    std::string name = {};  ///< empty: results name it by its bodies
+    bool operator==(const JointData&) const = default;
+};
+
+/// What acts on bodies besides gravity; mechanics/model/model.hpp has the equations. Points (m) and the axis in space
+/// coordinates of the initial configuration. Springs: stiffness (N/m or N m/rad), damping (N s/m or N m s/rad), free
+/// length (m, by default the initial one) or angle (rad, by default 0), full turns of a torsion spring at the start.
+/// Loads: force (N) at a point (by default the mass centre), or torque (N m), times 1 + amplitude sin(frequency t).
+struct ForceData {
+    enum class Type { spring, torsion_spring, force, torque };
+    Type type = Type::spring;
+    std::array<std::string, 2> between = {};  ///< a load acts on the second
+    std::array<Vector3, 2> points = {};
+    Vector3 axis = {0, 0, 1};
+    double stiffness = 0, damping = 0;
+    std::optional<double> rest = {};  ///< free length or angle
+    long turns = 0;
+    Vector3 value = {0, 0, 0};
+    std::optional<Vector3> point = {};  ///< where a force acts
+    bool body_axes = false;             ///< whether the value turns with the body
+    double amplitude = 0, frequency = 0;
+    bool operator==(const ForceData&) const = default;
+};
+
+using ParameterValue =
+    std::variant<double, Vector3, Matrix3, std::vector<BodyData>, bool, std::vector<JointData>, std::vector<ForceData>>;
+using ParameterValues = std::map<std::string, ParameterValue>;
+
+/// A parameter that describes no system. `path` is a JSON pointer below the parameters, such as "/inertia/2". Where it is a
+/// name that does not exist, `written` is that name and `known` those that do.
+struct ParameterError : std::invalid_argument {
+    std::string path;
+    std::string written;
+    std::vector<std::string> known;
+    ParameterError(std::string where, const std::string& what, std::string name = {}, std::vector<std::string> names = {})
+        : std::invalid_argument(what), path(std::move(where)), written(std::move(name)), known(std::move(names)) {}
+};
+
+}  // namespace kreisel

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A mechanical model: rigid bodies, joints, gravity, springs and loads, with the initial state. SI units.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "lie/linear.hpp"
+#include "mechanics/model/data.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// Pose and velocity of a body: x, v of the mass centre in space axes, omega in body axes, R body to space.
+struct BodyState {
+    Vec3 x = Vec3::Zero();
+    Mat3 R = Mat3::Identity();
+    Vec3 v = Vec3::Zero();
+    Vec3 omega = Vec3::Zero();
+};
+
+/// Rigid body; J is the inertia about the mass centre in body axes.
+struct Body {
+    std::string name;
+    Real mass = 1;
+    Mat3 J = Mat3::Identity();
+    BodyState start;
+    bool point = false;  ///< a point mass: J is the identity and no moment ever acts, so that it keeps its rotation
+};
+
+/// Inertia about a point, J + m (|c|^2 I - c c^T), with c from the point to the mass centre.
+inline Mat3 inertia_about(const Body& body, const Vec3& c) {
+    return body.J + body.mass * (c.squaredNorm() * Mat3::Identity() - c * c.transpose());
+}
+
+/// 1/m; no number where m is infinite, whose limit 1/m = 0 would be a motion of its own.
+inline Real inverse_mass(const Body& body) {
+    return isfinite(body.mass) ? Real(1 / body.mass) : std::numeric_limits<Real>::quiet_NaN();
+}
+
+inline constexpr int ground = -1;
+
+/// A joint between two bodies, either of which may be `ground`, but not both. Its rows and their signs are those of
+/// mechanics/joints/joint_rows.hpp: Phi = (what the first body has) - (what the second has). Points are in the body
+/// axes of their body, from the mass centre; for `ground` in space coordinates. So are the axes, the columns of a
+/// rotation: the third is the axis of the joint (of a universal joint, one for each body).
+struct Joint {
+    int first = ground, second = 0;
+    Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
+    JointType type = JointType::spherical;
+    Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();
+    Real length = 0;                   ///< of a distance joint; of a rolling joint the radius (m)
+    Real amplitude = 0, frequency = 0; ///< of a distance joint: length (1 + amplitude sin(frequency t)), rad/s
+    std::string name = {};             ///< empty: that of its bodies
+};
+
+/// g(t) = g (1 + amplitude sin(frequency t)); frequency in rad/s.
+struct Gravity {
+    Vec3 g = Vec3::Zero();
+    Real amplitude = 0, frequency = 0;
+    bool is_constant() const { return amplitude == 0; }
+    Vec3 at(const Real& t) const { return is_constant() ? g : Vec3(g * (1 + amplitude * sin(frequency * t))); }
+};
+
+/// A force and a torque about the mass centre, in body axes.
+struct Wrench {
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+};
+
+/// A force (N) and a torque (N m), both times 1 + amplitude sin(frequency t), given in space axes or in axes that turn
+/// with the body; the force acts at `point` (body axes, from the mass centre), frequency in rad/s.
+struct Load {
+    enum class Axes { space, body };
+    int body = 0;
+    Axes axes = Axes::space;
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+    Real amplitude = 0, frequency = 0;
+    Vec3 point = Vec3::Zero();
+    /// At time t; R is the body's rotation.
+    template <class Rotation>
+    Wrench in_body_axes(const Real& t, const Rotation& R) const {
+        const Real factor = 1 + amplitude * sin(frequency * t);
+        Wrench wrench{factor * force, factor * torque};
+        if (axes == Axes::space) wrench = {R.transpose() * wrench.force, R.transpose() * wrench.torque};
+        wrench.torque += point.cross(wrench.force);
+        return wrench;
+    }
+};
+
+/// Along the line of two points, of length l: tension stiffness (l - length) + damping l'. With length = 0 the points may
+/// meet, unless there is damping.
+struct Spring {
+    int first = ground, second = 0;
+    Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
+    Real stiffness = 0, damping = 0, length = 0;
+};
+
+/// About the third axis that two frames share: torque -stiffness (theta - angle) - damping theta' on the second body and its
+/// opposite on the first. theta is the angle from the first frame's first axis to the second's, full turns included: at the
+/// start it is the one in (-pi, pi] and 2 pi turns more, from there on it is continuous (mechanics/forces/turns.hpp).
+/// Frames may part (the second axis is then projected, and the torque is the gradient of the energy), as long as the
+/// projection is not shorter than 1/2.
+struct TorsionSpring {
+    int first = ground, second = 0;
+    Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();
+    Real stiffness = 0, damping = 0, angle = 0;
+    long turns = 0;  ///< full turns at the start
+};
+
+struct Model {
+    std::vector<Body> bodies;
+    std::vector<Joint> joints;
+    Gravity gravity;
+    std::vector<Load> loads;
+    std::vector<Spring> springs;
+    std::vector<TorsionSpring> torsion_springs;
+    std::vector<std::string> warnings;
+
+    /// A point and axes in space coordinates of the initial configuration, as a body (or the ground) carries them.
+    Vec3 point_of(int body, const Vec3& point) const;
+    Mat3 axes_of(int body, const Mat3& axes) const;
+    /// Joint at a point, about an axis of any length (space coordinates of the initial configuration), the same for both
+    /// bodies. Not for universal joints, which have two axes, nor for distance joints, which have two points.
+    void join(int first, int second, const Vec3& point, JointType type = JointType::spherical,
+              const Vec3& axis = Vec3::UnitZ());
+    std::string name_of(int body) const;
+    /// "joint 2 (crank - rod, revolute)".
+    std::string name_of_joint(std::size_t joint) const;
+    /// What results call the joints, no two alike: a joint's own name, or "crank-rod"; where that is taken, "crank-rod-2".
+    std::vector<std::string> joint_names() const;
+    /// "torsion spring 0 (ground - wheel)", counted without other forces.
+    std::string name_of_torsion_spring(std::size_t spring) const;
+};
+
+const char* name(JointType type);
+/// A rotation whose third column is the direction of `axis`, which is not zero.
+Mat3 axes_about(const Vec3& axis);
+
+/// What an inertia must satisfy beyond being positive definite. The triangle inequality J1 + J2 >= J3 of the principal
+/// moments (relative slack 1e-12; equality is a flat body) holds for every mass distribution; published test data
+/// sometimes violate it, so a problem may ask for a warning only.
+enum class TriangleInequality { required, warned };
+
+Vec3 to_vec3(const Vector3& v);
+/// Reads a rotation; one that is orthonormal to 1e-9 is orthonormalised to the last bit of Real.
+/// Throws ParameterError at `path`.
+Mat3 to_rotation(const Matrix3& R, const std::string& path);
+/// Checks symmetry, definiteness and the triangle inequality. Throws ParameterError at `path`.
+Mat3 to_inertia(const Matrix3& J, const std::string& path, TriangleInequality, std::vector<std::string>& warnings);
+/// Checks a body's name: letters, digits, `_` and `-`, and not "ground". Throws ParameterError at `path`.
+const std::string& to_name(const std::string& name, const std::string& path);
+/// Checks that a mass is positive. Throws ParameterError at `path`.
+Real to_mass(double mass, const std::string& path);
+
+/// Velocities of the bodies not marked in `given`, from the joints: least norm among those that satisfy them
+/// (mechanics/start.cpp).
+void complete_velocities(Model& model, const std::vector<bool>& given);
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mechanics/model/symmetries.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "mechanics/model/scales.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+/// Data written as decimals meet such conditions to round-off, or do not mean to.
+const Real slack = 64 * epsilon;
+
+bool parallel(const Vec3& a, const Vec3& e) { return a.cross(e).norm() <= slack * a.norm() * e.norm(); }
+bool orthogonal(const Vec3& a, const Vec3& e) { return abs(a.dot(e)) <= slack * a.norm() * e.norm(); }
+bool meets(const Line& line, const Vec3& point) {
+    const Vec3 d = point - line.P;
+    return d.cross(line.e).norm() <= slack * max(Real(point.norm()), Real(line.P.norm()));
+}
+
+/// What a joint to the ground has there.
+struct Anchor {
+    JointType type;
+    Vec3 point, axis;
+};
+
+std::vector<Anchor> anchors(const Model& model) {
+    std::vector<Anchor> all;
+    for (const Joint& joint : model.joints) {
+        if (joint.first == ground) all.push_back({joint.type, joint.r_first, joint.axes_first.col(2)});
+        if (joint.second == ground) all.push_back({joint.type, joint.r_second, joint.axes_second.col(2)});
+    }
+    return all;
+}
+
+bool turns_freely(const Anchor& anchor, const Line& axis) {
+    switch (anchor.type) {
+        case JointType::spherical:
+        case JointType::distance: return meets(axis, anchor.point);
+        case JointType::revolute:
+        case JointType::universal:
+        case JointType::cylindrical: return meets(axis, anchor.point) && parallel(anchor.axis, axis.e);
+        case JointType::planar: return parallel(anchor.axis, axis.e);
+        case JointType::prismatic:
+        case JointType::fixed:
+        case JointType::rolling: return false;  // the momentum of a symmetry that lets the disk slip is not constant
+    }
+    return false;
+}
+
+bool shifts_freely(const Anchor& anchor, const Vec3& e) {
+    switch (anchor.type) {
+        case JointType::prismatic:
+        case JointType::cylindrical: return parallel(anchor.axis, e);
+        case JointType::planar: return orthogonal(anchor.axis, e);
+        default: return false;
+    }
+}
+
+template <class Element>
+bool touches(const Element& element, int body) {
+    return element.first == body || element.second == body;
+}
+
+/// Unit axis e such that J = a e e^T + b (I - e e^T) to working precision, or nothing.
+std::optional<Vec3> symmetry_axis(const Mat3& J) {
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(J);
+    const Vec3& moments = principal.eigenvalues();
+    const Real equal = 16 * epsilon * moments[2];
+    std::optional<Vec3> axis;
+    if (moments[1] - moments[0] <= equal)
+        axis = principal.eigenvectors().col(2);
+    else if (moments[2] - moments[1] <= equal)
+        axis = principal.eigenvectors().col(0);
+    if (axis && axis->sum() < 0) axis = -*axis;
+    return axis;
+}
+
+/// The point and the axis of a joint or spring on one of its bodies, in body axes.
+template <class Element>
+const Vec3& end(const Element& element, int body) {
+    return element.first == body ? element.r_first : element.r_second;
+}
+
+/// Whether the point of a joint or spring lies on the axis e through the mass centre of its body, to round-off of the size
+/// of the body.
+template <class Element>
+bool is_central(const Model& model, const Element& element, int body, const Vec3& e) {
+    const Vec3& r = end(element, body);
+    return r.cross(e).norm() <= 16 * epsilon * (r.norm() + radius_of_gyration(model.bodies[static_cast<std::size_t>(body)]));
+}
+
+/// Whether the joint exerts no moment about the axis e through the mass centre of the body.
+bool leaves_spin(const Model& model, const Joint& joint, int body, const Vec3& e) {
+    const bool central = is_central(model, joint, body, e);
+    const Mat3& axes = joint.first == body ? joint.axes_first : joint.axes_second;
+    switch (joint.type) {
+        case JointType::spherical:
+        case JointType::distance: return central;
+        // Forces act on the axis, couples turn about normals of it.
+        case JointType::revolute:
+        case JointType::cylindrical: return central && parallel(axes.col(2), e);
+        default: return false;
+    }
+}
+
+}  // namespace
+
+bool is_invariant_under_rotation(const Model& model, const Line& axis) {
+    if (!model.loads.empty() || !(model.gravity.g.isZero(0) || parallel(model.gravity.g, axis.e))) return false;
+    const auto all = anchors(model);
+    return std::all_of(all.begin(), all.end(), [&](const Anchor& a) { return turns_freely(a, axis); }) &&
+           std::all_of(model.springs.begin(), model.springs.end(),
+                       [&](const Spring& s) { return !touches(s, ground) || meets(axis, end(s, ground)); }) &&
+           std::none_of(model.torsion_springs.begin(), model.torsion_springs.end(),
+                        [](const TorsionSpring& s) { return touches(s, ground); });
+}
+
+bool is_invariant_under_translation(const Model& model, const Vec3& e) {
+    if (!model.loads.empty() || !orthogonal(model.gravity.g, e)) return false;
+    const auto all = anchors(model);
+    const auto on_ground = [](const auto& spring) { return touches(spring, ground); };
+    return std::all_of(all.begin(), all.end(), [&](const Anchor& a) { return shifts_freely(a, e); }) &&
+           std::none_of(model.springs.begin(), model.springs.end(), on_ground) &&
+           std::none_of(model.torsion_springs.begin(), model.torsion_springs.end(), on_ground);
+}
+
+Vec3 pivot(const Model& model) {
+    for (const Anchor& anchor : anchors(model))
+        if (anchor.type != JointType::planar) return anchor.point;
+    for (const Spring& spring : model.springs)
+        if (touches(spring, ground)) return end(spring, ground);
+    return Vec3::Zero();
+}
+
+std::optional<Vec3> free_spin_axis(const Model& model, int body) {
+    const Body& mine = model.bodies[static_cast<std::size_t>(body)];
+    if (mine.point) return std::nullopt;
+    const auto axis = symmetry_axis(mine.J);
+    if (!axis) return std::nullopt;
+    const auto spins = [&](const Joint& joint) { return !touches(joint, body) || leaves_spin(model, joint, body, *axis); };
+    const auto central = [&](const Spring& spring) {
+        return !touches(spring, body) || is_central(model, spring, body, *axis);
+    };
+    const bool free = std::all_of(model.joints.begin(), model.joints.end(), spins) &&
+                      std::all_of(model.springs.begin(), model.springs.end(), central) &&
+                      std::none_of(model.torsion_springs.begin(), model.torsion_springs.end(),
+                                   [&](const TorsionSpring& spring) { return touches(spring, body); }) &&
+                      std::none_of(model.loads.begin(), model.loads.end(), [&](const Load& load) { return load.body == body; });
+    return free ? axis : std::nullopt;
+}
+
+std::optional<KovalevskayaTop> kovalevskaya_top(const Model& model, int body) {
+    const Body& mine = model.bodies[static_cast<std::size_t>(body)];
+    const Joint* only = nullptr;
+    for (const Joint& joint : model.joints) {
+        if (!touches(joint, body)) continue;
+        if (only || joint.type != JointType::spherical || !touches(joint, ground)) return std::nullopt;
+        only = &joint;
+    }
+    const auto acts = [&](const auto& element) { return touches(element, body); };
+    if (!only || mine.point || !model.gravity.is_constant() || model.gravity.g.isZero(0) ||
+        std::any_of(model.springs.begin(), model.springs.end(), acts) ||
+        std::any_of(model.torsion_springs.begin(), model.torsion_springs.end(), acts) ||
+        std::any_of(model.loads.begin(), model.loads.end(), [&](const Load& load) { return load.body == body; }))
+        return std::nullopt;
+    const Vec3 lever = -end(*only, body);
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia_about(mine, lever));
+    const Vec3& moments = principal.eigenvalues();  // in increasing order: C, A, B
+    const Real equal = slack * moments[2];
+    if (abs(moments[2] - moments[1]) > equal || abs(moments[1] - 2 * moments[0]) > equal) return std::nullopt;
+    const Vec3 e3 = principal.eigenvectors().col(0);  // of either sign: q and gamma_2 change theirs with it
+    const Real l = lever.norm(), g = model.gravity.g.norm();
+    if (l == 0 || !orthogonal(lever, e3)) return std::nullopt;
+    const Vec3 e1 = (lever - lever.dot(e3) * e3).normalized();
+    KovalevskayaTop top;
+    top.axes << e1, e3.cross(e1), e3;
+    top.c = mine.mass * g * l / moments[0];
+    top.up = -model.gravity.g / g;
+    return top;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

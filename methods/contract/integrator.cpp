@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "mechanics/system.hpp"
+#include "methods/contract/integrator.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+/// Tells a system where the steps of a method begin and end, so that its torsion springs count full turns.
+class TurnCounting final : public Integrator {
+  public:
+    TurnCounting(System& system, std::unique_ptr<Integrator> method)
+        : system_(system), method_(std::move(method)), before_(static_cast<std::size_t>(system.state_group().size())) {}
+
+    Status start(const Real& t, const Real* y) override { return method_->start(t, y); }
+
+    Status step(const Real& t, const Real& h, Real* y) override {
+        std::copy_n(y, before_.size(), before_.begin());
+        Status status = system_.begin_step(t, h, y);
+        const bool begun = status == Status::ok;
+        if (begun) status = method_->step(t, h, y);
+        const bool moved = begun && status == Status::ok;
+        status = system_.end_step(status, t + h, y);
+        if (status == Status::ok) return status;
+        std::copy(before_.begin(), before_.end(), y);
+        if (moved) method_->start(t, y);  // its memory is of a step that does not count
+        return status;
+    }
+
+    const Real* multipliers() const override { return method_->multipliers(); }
+
+  private:
+    System& system_;
+    std::unique_ptr<Integrator> method_;
+    std::vector<Real> before_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> Method::bind(System& system, const OptionValues& options) const {
+    auto integrator = factory.make(system, options, description);
+    if (system.torsion_springs() == 0) return integrator;
+    return std::make_unique<TurnCounting>(system, std::move(integrator));
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a method is, and how it is registered: one line in its own file. Lean on purpose: the file of a tableau sees
+// neither Eigen nor the number type, and compiles in no time in every precision.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "methods/contract/description.hpp"
+#include "methods/tableaus/tableau.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+class System;
+class Integrator;
+
+/// How a scheme combines its stages; the certification evaluates the declared scheme independently from this.
+struct Scheme {
+    enum class Kind { munthe_kaas, crouch_grossman } kind;
+    Tableau tableau;
+};
+
+/// What makes the integrators of a method. Whoever runs one asks Method::bind for it: `make` alone knows nothing of the turns
+/// that torsion springs count.
+struct Factory {
+    std::function<std::unique_ptr<Integrator>(System&, const OptionValues&, const MethodDescription&)> make;
+    std::vector<OptionDescription> options = {};
+    int stages = 0;  ///< solves of the dynamics per step
+    std::optional<Scheme> scheme = {};
+    /// The order under given options, where it is not the declared one.
+    std::function<Order(const OptionValues&, const Order& declared)> order = [](const OptionValues&, const Order& declared) {
+        return declared;
+    };
+    /// Why a combination of options does not apply; empty if it does.
+    std::function<std::string(const OptionValues&)> why_not = [](const OptionValues&) { return std::string(); };
+};
+
+struct Method {
+    MethodDescription description;
+    Factory factory;
+    std::string file;
+    /// The method on a system, which outlives the integrator. Where torsion springs count full turns, a step can answer
+    /// turn_lost (mechanics/forces/turns.hpp).
+    std::unique_ptr<Integrator> bind(System& system, const OptionValues& options) const;
+};
+
+const std::vector<Method>& methods();
+/// Throws std::out_of_range for an unknown name.
+const Method& method(const std::string& name);
+
+/// Records a method; a static object of this type is what KREISEL_METHOD declares. What can throw is checked on first use.
+struct MethodRegistration {
+    MethodRegistration(const char* file, Factory factory, MethodDescription description);
+};
+
+/// KREISEL_METHOD(factory, {.name = "family/scheme", .order = p, .cites = {...}, .summary = "..."}).
+#define KREISEL_METHOD(factory, ...) \
+    static const ::kreisel::MethodRegistration kreisel_method_registration(__FILE__, factory, __VA_ARGS__)
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "methods/implicit/newton.hpp"
+
+#include <algorithm>
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+/// Directions that are kept of the last steps, and at most, of a stiff system: all there are, unless unknowns are many.
+constexpr Eigen::Index few_directions = 8, many_unknowns = 512, most_directions = 64;
+Eigen::Index directions(Eigen::Index unknowns) { return unknowns <= many_unknowns ? unknowns : most_directions; }
+/// Steps of any kind, and Newton steps, before the iteration is given up.
+constexpr int most_iterations = 400, most_probes = 40;
+/// Of a Jacobian that is the identity where nothing is stiff.
+constexpr int large_gain = 8;
+/// In round-offs: what counts as none, as one that has stopped falling, and as too small to tell a direction.
+constexpr int close = 8, stagnant = 4096, noisy = 1 << 14;
+
+Real largest(const VecX& values) { return values.size() > 0 ? Real(values.cwiseAbs().maxCoeff()) : Real(0); }
+
+/// NaN and infinity survive a sum, while a comparison with NaN is false and would let it pass.
+bool all_finite(const VecX& values) { return isfinite(Real(values.cwiseAbs().sum())); }
+
+}  // namespace
+
+Newton::Newton(Eigen::Index unknowns)
+    : H_(unknowns, directions(unknowns)),
+      x_(unknowns),
+      plain_(unknowns),
+      r_(unknowns),
+      before_(unknowns),
+      best_x_(unknowns),
+      best_r_(unknowns),
+      g_(unknowns),
+      u_(unknowns),
+      p_(unknowns),
+      rest_(unknowns),
+      moved_(unknowns),
+      newton_step_(unknowns),
+      group_(unknowns, directions(unknowns)) {}
+
+void Newton::forget() {
+    H_.clear();
+    stiff_ = false, gain_ = 1;
+}
+
+Status Newton::solve(Equations& equations, const VecX& weights, Real* x) {
+    weights_ = &weights;
+    plain_ = Eigen::Map<const VecX>(x, x_.size());
+    x_ = plain_.cwiseProduct(weights);
+    const Status status = iterate(equations);
+    if (status != Status::ok) forget();
+    Eigen::Map<VecX>(x, x_.size()) = plain_;
+    return status;
+}
+
+Status Newton::evaluate(Equations& equations, VecX& r) {
+    const Status status = equations.residual(plain_.data(), r.data());
+    r.array() *= weights_->array();
+    return status;
+}
+
+Status Newton::iterate(Equations& equations) {
+    directions_ = 0;
+    if (const Status status = evaluate(equations, r_); status != Status::ok) return status;
+    if (!all_finite(r_)) return Status::non_finite;
+    // Of the guess: without a solution the iteration runs off to where any residual is small beside the unknowns.
+    const Real known_to = close * equations.round_off() * equations.size();
+    H_.apply(r_, g_);
+    Real now = largest(g_), before = 0;  // none yet
+    keep_best();
+    bool newton_step = false;
+    for (int i = 0, probes = 0, slow = 0, still = 0; i < most_iterations && probes <= most_probes; ++i) {
+        const bool quiet = max(now, largest(r_)) <= stagnant * equations.round_off() * equations.size();
+        if (before > 0 && 4 * now > before) ++(quiet ? still : slow);  // round-off is no slowness
+        if (converged(equations, now, before, still, newton_step)) return Status::ok;
+        newton_step = slow > (stiff_ ? 0 : 2);
+        if (newton_step) {
+            if (probes++ == 0) H_.clear();  // what it knows has not helped
+            slow = 0;
+            if (const Status status = probe(equations); status != Status::ok) return status;
+            now = largest(g_);
+        }
+        before_ = r_, before = now;
+        x_ -= g_;
+        const Status status = move(equations);
+        const bool known = status == Status::ok;
+        if (newton_step && !known) return status == Status::non_finite ? Status::newton_failed : status;
+        if (known) {
+            if (!stiff_) learn_from_step(noisy * equations.round_off() * equations.size());
+            now = largest(g_);
+        }
+        const bool nearer = known && now < 4 * before && (quiet || largest(r_) < 16 * largest(before_));
+        if (newton_step || nearer) {
+            keep_best();
+        } else {  // away: back to where it was, and from there by a Newton step
+            x_ = best_x_, r_ = best_r_;
+            if (max(before, largest(r_)) <= known_to) return move(equations);  // it is not known better
+            before = 0, slow = 3;
+            now = std::numeric_limits<Real>::max();
+        }
+    }
+    return Status::newton_failed;
+}
+
+Status Newton::move(Equations& equations) {
+    plain_ = x_.cwiseQuotient(*weights_);
+    const Status status = evaluate(equations, r_);
+    if (status != Status::ok) return status;
+    if (!all_finite(r_)) return Status::non_finite;
+    H_.apply(r_, g_);
+    return Status::ok;
+}
+
+void Newton::keep_best() { best_x_ = x_, best_r_ = r_; }
+
+bool Newton::converged(const Equations& equations, const Real& now, const Real& before, int still,
+                       bool newton_step) const {
+    const Real size = equations.size();
+    // A Jacobian that is large where no solution is makes corrections small, but not the residual.
+    const Real most = min(max(Real(sqrt(epsilon)), Real(stagnant * gain_ * equations.round_off())), Real(1) / 1024);
+    if (!(largest(r_) <= most * size)) return false;
+    if (now <= close * epsilon * size) return true;
+    if (still > 1 && now <= stagnant * equations.round_off() * size) return true;
+    if (!(2 * now > before) || !(before > 0)) return false;
+    // After a fresh Newton step it is the residual's own round-off, of terms as large as the Jacobian makes them.
+    return now <=
+           (newton_step ? Real(equations.round_off() * max(Real(stagnant), Real(close * gain_))) : Real(64 * epsilon)) *
+               size;
+}
+
+void Newton::learn_from_step(const Real& noise) {
+    p_ = r_ - before_;
+    if (largest(p_) <= noise) return;
+    Real length = orthonormalise(8);
+    if (!(length > 0)) {
+        p_ = r_ - before_;
+        length = p_.norm();
+        p_ /= length;
+    }
+    u_ = -g_ / length;
+    g_ += p_.dot(r_) * u_;
+    H_.add(u_, p_, keep());
+}
+
+Real Newton::orthonormalise(int share) {
+    const Real whole = p_.norm();
+    for (Eigen::Index i = 0; i < min(directions_, keep()); ++i) p_ -= group_.col(i).dot(p_) * group_.col(i);
+    const Real length = p_.norm();
+    if (!(share * length > whole)) return 0;
+    p_ /= length;
+    group_.col(directions_++ % keep()) = p_;
+    return length;
+}
+
+/// Those of some steps suffice, but for a stiff system.
+Eigen::Index Newton::keep() const {
+    return stiff_ || H_.keeps_all() ? group_.cols() : min(few_directions, group_.cols());
+}
+
+Status Newton::probe(Equations& equations) {
+    stiff_ = true;
+    const Real step = sqrt(equations.round_off()) * max(equations.size(), largest(r_));
+    rest_ = r_;
+    newton_step_.setZero();
+    directions_ = 0;
+    for (Eigen::Index i = 0; i < 3 * group_.cols() && 64 * rest_.norm() > newton_step_.norm(); ++i) {
+        H_.apply(rest_, g_);
+        const Real share = step / largest(g_);
+        plain_ = (x_ + share * g_).cwiseQuotient(*weights_);
+        if (const Status status = evaluate(equations, moved_); status != Status::ok) return status;
+        if (!all_finite(moved_)) return Status::newton_failed;
+        p_ = (moved_ - r_) / share;
+        gain_ = max(gain_, Real(largest(p_) / largest(g_)));
+        moved_ = p_;
+        const Real length = orthonormalise(256);
+        if (!(length > 0)) break;
+        H_.apply(moved_, u_);
+        u_ = (g_ - u_) / length;
+        H_.add(u_, p_, keep());
+        const Real part = p_.dot(rest_);
+        rest_ -= part * p_;
+        H_.apply(p_, g_);
+        newton_step_ += part * g_;
+    }
+    H_.apply(rest_, g_);
+    g_ += newton_step_;
+    stiff_ = gain_ > large_gain;  // else it was an odd step, and learning goes on
+    return Status::ok;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

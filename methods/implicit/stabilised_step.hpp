@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What implicit methods with multipliers share: the end of a step from the stabilised index-2 form of the equations of
+// motion [gear1985], [arnold2016]. A method says how velocity and increment depend on x = h v' at the end,
+//   v+ = a x + v^,   q+ = q exp(h D),   D = b x + D^ - M^{-1} C(q)^T eta,
+// and at t+ = t + h
+//   h (M v'+ + C^T lambda - Q) = 0,   Phi(t+, q+) = 0,   C(t+, q+) v+ + b(t+, q+) = 0.
+// The literature's term is C^T eta, which takes metres and radians as equal: with levers of hundreds of metres it repairs
+// positions by turning bodies. In the metric of the mass it is free of units; eta vanishes along the exact flow, so that the
+// orders are the same. Rows without a position level have no Phi: for them C(q+) M^{-1} C(q)^T eta = 0.
+//
+// Unknowns of the iteration are x and eta. A guess gives q+, v+ and the forces there, and with one factorisation of the KKT
+// matrix at (t+, q+) two solves give the next one,
+//   [M C+^T; C+ 0] (x', h lambda) = (h Q, -(b+ + C+ v^) / a),
+//   [M C+^T; C+ 0] (., eta - eta') = (0, C+ b (x' - x) + Phi / h),
+// a contraction by O(h) where nothing is stiff; methods/implicit/newton.hpp takes it from there. Nothing of this is
+// more than linear in the bodies of a tree, redundant rows are those of System::solve_kkt, and sizes keep theirs as h
+// goes to zero.
+#pragma once
+
+#include <vector>
+
+#include "mechanics/system.hpp"
+#include "methods/implicit/motion_scale.hpp"
+#include "methods/implicit/newton.hpp"
+#include "methods/implicit/predictor.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+class StabilisedStep final : private Equations {
+  public:
+    explicit StabilisedStep(System& system);
+
+    /// a, v^, b and D^ of the method, to be set before `advance`.
+    Real velocity_slope, increment_slope;
+    VecX velocity_offset, increment_offset;
+
+    /// Fresh guesses from the index-1 form at (t, y); drops whatever earlier steps have left. `rate` becomes h v'.
+    Status start(const Real& t, const Real& h, const Real* y);
+    /// y(t) -> y(t + h) in place; y stays as it was unless the answer is ok.
+    Status advance(const Real& t, const Real& h, Real* y);
+
+    const VecX& rate() const { return rate_; }            ///< h v' at the end of the last step, or at the start
+    const VecX& increment() const { return increment_; }  ///< D of the last step
+    /// lambda at the end of the last step (N), of least norm where rows are redundant.
+    const Real* multipliers() const;
+
+  private:
+    Status residual(const Real* x, Real* r) override;
+    Real size() const override { return size_; }
+    Real round_off() const override { return remoteness_ * system_.kkt_round_off(); }
+
+    Status measure_positions(const Real& t, const Real* q);
+    Status find_cause();
+    Status settle_positions();
+    Status settle_rate();
+    void balance();
+    void guess();
+    /// q+, v+ and D of a guess.
+    void place(const Real* x);
+    Status solve_dynamics();
+    Status correct_positions(const Real* x, Real* change);
+    /// M^{-1} C(q)^T eta.
+    void pull_back(const Real* eta);
+
+    System& system_;
+    Eigen::Index n_, m_, positions_;
+    MotionScale scale_;
+    Eigen::Index etas_count_;  // all rows, or none
+    Newton newton_;
+    Predictor rates_, etas_;
+    VecX unknowns_, weights_;                                // x, eta
+    VecX increment_, velocity_, rate_, force_, gyroscopic_;  // n
+    VecX shift_, shift_force_;                               // n: M^{-1} C^T eta
+    VecX rows_, eta_, row_weights_, change_, impulse_;       // m; impulse: h lambda
+    mutable VecX lambda_;
+    mutable bool least_norm_ = true;
+    std::vector<Real> configuration_;
+    Real start_ = 0, end_ = 0, h_ = 0, speed_ = 0, size_ = 0;
+    Real reach_ = 0;       // size of positions (m), as a size of unknowns times h
+    Real remoteness_ = 1;  // size of positions over that of the joints: what round-off of places makes of directions
+    Real balance_ = 0;     // weight of eta beside x: what it moves is known to round-off of reach / h only
+    const Real* q_ = nullptr;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

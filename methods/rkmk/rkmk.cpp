@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "methods/rkmk/rkmk.hpp"
+
+#include <algorithm>
+
+#include "lie/chart.hpp"
+#include "mechanics/system.hpp"
+#include "methods/contract/integrator.hpp"
+#include "methods/tableaus/bound_tableau.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+/// On TG = G x R^n the velocity factor is additive: there psi(u) adds and its inverse differential is the identity, so
+/// the chart is needed on G only. A slope is k~ = (dpsi^{-1}_{-u}(v), v'), and u carries both parts.
+template <class Chart>
+class MuntheKaas final : public Integrator {
+  public:
+    MuntheKaas(System& system, Chart chart, const Tableau& tableau)
+        : system_(system),
+          chart_(std::move(chart)),
+          n_(static_cast<std::size_t>(system.velocities())),
+          size_(static_cast<std::size_t>(system.group().size())),
+          stride_(padded(2 * n_)),
+          tableau_(tableau, stride_),
+          u_(stride_),
+          slopes_(stride_ * tableau_.stages()),
+          stage_(size_ + n_) {}
+
+    Status step(const Real& t, const Real& h, Real* y) override {
+        Real* slope = slopes_.data();
+        const Real* c = tableau_.c.data();
+        for (const Combination& row : tableau_.a) {
+            if (const Status status = stage(row, t + *c * h, h, y, slope); status != Status::ok) return status;
+            slope += stride_, ++c;
+        }
+        combine(tableau_.b, h, slopes_.data(), stride_, u_.data());
+        append(y, y);
+        return Status::ok;
+    }
+
+  private:
+    /// out = y psi(u).
+    void append(const Real* y, Real* out) const {
+        const Real* u = u_.data();
+        chart_.append(y, u, out);
+        y += size_, u += n_, out += size_;
+        KREISEL_ELEMENTWISE
+        for (std::size_t i = 0; i < n_; ++i) out[i] = y[i] + u[i];
+    }
+
+    /// The slope k~_i in the chart around y.
+    Status stage(const Combination& row, const Real& t, const Real& h, const Real* y, Real* slope) {
+        if (row.empty()) {  // u = 0: k~ = k
+            for (std::size_t i = 0; i < n_; ++i) slope[i] = y[size_ + i];
+            return system_.evaluate(t, y, y + size_, slope + n_);
+        }
+        combine(row, h, slopes_.data(), stride_, u_.data());
+        append(y, stage_.data());
+        const Real* v = stage_.data() + size_;
+        const Status status = system_.evaluate(t, stage_.data(), v, slope + n_);
+        if (status != Status::ok) return status;
+        return chart_.pull_back(u_.data(), v, slope) ? Status::ok : Status::left_chart;
+    }
+
+    System& system_;
+    Chart chart_;
+    std::size_t n_, size_, stride_;
+    BoundTableau tableau_;
+    std::vector<Real> u_, slopes_, stage_;
+};
+
+template <class Chart>
+std::unique_ptr<Integrator> lift(System& system, Chart chart, const Tableau& tableau) {
+    return std::make_unique<MuntheKaas<Chart>>(system, std::move(chart), tableau);
+}
+
+/// The chart the options ask for; `order` is the declared one, which decides what dexpinv = "seed" means.
+std::unique_ptr<Integrator> lift_with(System& system, const OptionValues& options, int order, const Tableau& tableau) {
+    const Group& group = system.group();
+    if (options.at("coordinates") == OptionValue("cayley")) return lift(system, CayleyChart(group), tableau);
+    const OptionValue& dexpinv = options.at("dexpinv");
+    if (const long* brackets = std::get_if<long>(&dexpinv))
+        return lift(system, TruncatedExpChart(group, static_cast<int>(*brackets)), tableau);
+    if (dexpinv == OptionValue("seed")) return lift(system, TruncatedExpChart(group, order - 1), tableau);
+    return lift(system, ExpChart(group), tableau);
+}
+
+}  // namespace
+
+Factory rkmk(const Tableau& tableau) {
+    Factory factory;
+    factory.make = [tableau](System& system, const OptionValues& options, const MethodDescription& declared) {
+        return lift_with(system, options, declared.order.configuration, tableau);
+    };
+    factory.options = {{.name = "coordinates", .summary = "local coordinates of a step", .standard = "exp", .choices = {"exp", "cayley"}},
+                       {.name = "dexpinv",
+                        .summary = "inverse differential of exp: in closed form, or cut after q brackets "
+                                   "(seed: q = order - 1); does not apply under cayley",
+                        .standard = "exact",
+                        .choices = {"exact", "seed"},
+                        .count_min = 0,
+                        .count_max = max_brackets}};
+    // dexpinv after q brackets leaves an error of the size of q + 1 of them: order min(p, q + 2) [hairer2006, Thm IV.8.5].
+    factory.order = [](const OptionValues& options, const Order& declared) {
+        const long* brackets = std::get_if<long>(&options.at("dexpinv"));
+        return brackets ? Order(std::min(declared.configuration, static_cast<int>(*brackets) + 2)) : declared;
+    };
+    factory.why_not = [](const OptionValues& options) -> std::string {
+        const bool truncated = options.at("dexpinv") != OptionValue("exact");
+        const bool cayley = options.at("coordinates") == OptionValue("cayley");
+        return truncated && cayley ? "dexpinv does not apply under cayley coordinates" : "";
+    };
+    factory.stages = static_cast<int>(tableau.b.size());
+    factory.scheme = Scheme{Scheme::Kind::munthe_kaas, tableau};
+    return factory;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

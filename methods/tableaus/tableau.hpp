@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Butcher tableaus of explicit methods, as declared and as bound to numbers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "methods/tableaus/coefficient.hpp"
+
+namespace kreisel {
+
+/// Explicit tableau: row i of `a` holds a_i1 ... a_i,i-1 (the first is empty); c_i = sum_j a_ij is derived.
+struct Tableau {
+    std::vector<std::vector<Coefficient>> a;
+    std::vector<Coefficient> b;
+};
+
+}  // namespace kreisel

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problems/reading/joints.hpp"
+
+#include "problems/reading/parts.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+using reading::text;
+
+/// A frame about b whose first axis is that of `frame`, as far as b allows: where b is the axis of `frame` or its
+/// opposite, the rows that compare first and second axes vanish.
+Mat3 turned_onto(const Vec3& b, const Mat3& frame) {
+    Mat3 axes = axes_about(b);
+    const Vec3 e = axes.col(2);
+    const Vec3 first = frame.col(0) - frame.col(0).dot(e) * e;
+    if (first.norm() < Real(1) / 8) return axes;
+    axes.col(0) = first.normalized();
+    axes.col(1) = e.cross(axes.col(0));
+    return axes;
+}
+
+/// Reads one joint.
+class JointReader {
+  public:
+    JointReader(const Model& model, const JointData& data, std::size_t index, bool projected)
+        : model_(model), data_(data), projected_(projected), path_(reading::place("joints", index)) {
+        who_ = "joint " + std::to_string(index) + " (" + data.between[0] + " - " + data.between[1] + ", " +
+               name(data.type) + ")";
+    }
+
+    Joint read() {
+        const auto [first, second] = reading::bodies_between(model_, data_.between, path_, who_);
+        joint_.first = first, joint_.second = second, joint_.type = data_.type;
+        if (!data_.name.empty()) joint_.name = to_name(data_.name, path_ + "/name");
+        check_point_masses();
+        joint_.r_first = point(0, first), joint_.r_second = point(1, second);
+        if (has_axes()) read_axes();
+        if (data_.type == JointType::distance) read_distance();
+        if (data_.type == JointType::rolling) read_rolling();
+        return joint_;
+    }
+
+  private:
+    bool has_axes() const {
+        return data_.type != JointType::spherical && data_.type != JointType::fixed &&
+               data_.type != JointType::distance;
+    }
+    /// Where the value of one body stands: one value for both is written under the key in the singular.
+    std::string at(const char* shared, const char* each, const std::array<Vector3, 2>& values, std::size_t body) const {
+        return path_ + "/" + (values[0] == values[1] ? shared : each + ("/" + std::to_string(body)));
+    }
+    Vec3 point(std::size_t k, int body) const {
+        return reading::point_on(model_, body, data_.points[k], at("point", "points", data_.points, k), who_);
+    }
+    Vec3 axis(std::size_t k) const { return reading::axis(data_.axes[k], at("axis", "axes", data_.axes, k), who_); }
+
+    void check_point_masses() const {
+        if (data_.type == JointType::spherical || data_.type == JointType::distance) return;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const int body = k == 0 ? joint_.first : joint_.second;
+            if (body == ground || !model_.bodies[static_cast<std::size_t>(body)].point) continue;
+            throw ParameterError(
+                path_ + "/between/" + std::to_string(k),
+                who_ + ": expected a rigid body; \"" + data_.between[k] +
+                    "\" is a point mass, which has no axes: only spherical and distance joints hold it");
+        }
+    }
+
+    void read_axes() {
+        const Vec3 a = axis(0), b = axis(1);
+        const Mat3 first = axes_about(a);
+        const Real cosine = first.col(2).dot(axes_about(b).col(2));
+        if (data_.type == JointType::universal) check_perpendicular(cosine);
+        if (data_.type == JointType::rolling && abs(cosine) > 1 - Real(1) / 1000000000)
+            throw ParameterError(path_ + "/axes", who_ +
+                                                      ": expected a disk that does not lie flat on the plane, got axes "
+                                                      "that are parallel: the point of contact is not determined");
+        joint_.axes_first = model_.axes_of(joint_.first, first);
+        joint_.axes_second = model_.axes_of(joint_.second, turned_onto(b, first));
+    }
+
+    void check_perpendicular(const Real& cosine) const {
+        const Real most = projected_ ? Real(1) / 2 : Real(1) / 1000000000;
+        if (abs(cosine) <= most) return;
+        const Real degrees = 180 / pi() * acos(min(Real(1), max(Real(-1), cosine)));
+        throw ParameterError(path_ + "/axes", who_ + ": expected perpendicular axes, got an angle of " + text(degrees) +
+                                                  " degrees between them");
+    }
+
+    void read_distance() {
+        const Real initial = (to_vec3(data_.points[0]) - to_vec3(data_.points[1])).norm();
+        if (initial == 0)
+            throw ParameterError(path_ + "/points", who_ + ": expected two different points, got the same twice");
+        joint_.length = data_.length ? positive_length("length") : initial;
+        joint_.amplitude = decimal(data_.amplitude), joint_.frequency = decimal(data_.frequency);
+        if (abs(joint_.amplitude) >= 1)
+            throw ParameterError(path_ + "/amplitude",
+                                 who_ +
+                                     ": expected an amplitude between -1 and 1, or the length would "
+                                     "reach 0; got " +
+                                     text(joint_.amplitude));
+    }
+
+    void read_rolling() {
+        if (joint_.first != ground || joint_.second == ground)
+            throw ParameterError(path_ + "/between",
+                                 who_ + ": expected \"ground\", which carries the plane, and then the disk");
+        joint_.length = positive_length("radius");
+    }
+
+    Real positive_length(const char* key) const {
+        if (!data_.length || !(*data_.length > 0))
+            throw ParameterError(path_ + "/" + key, who_ + ": expected a " + key + " greater than 0, got " +
+                                                        (data_.length ? text(Real(*data_.length)) : "nothing"));
+        return decimal(*data_.length);
+    }
+
+    const Model& model_;
+    const JointData& data_;
+    bool projected_;
+    std::string path_, who_;
+    Joint joint_;
+};
+
+}  // namespace
+
+void read_joints(Model& model, const std::vector<JointData>& joints, bool projected) {
+    for (std::size_t i = 0; i < joints.size(); ++i)
+        model.joints.push_back(JointReader(model, joints[i], i, projected).read());
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

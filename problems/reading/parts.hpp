@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the readers of bodies, joints and forces share.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "mechanics/model/model.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace reading {
+
+std::string text(const Real& x);  ///< ten digits, for messages
+std::string place(const char* list, std::size_t entry);
+
+/// Index of a body, or `ground`. Throws with all names that exist.
+int body_named(const Model& model, const std::string& name, const std::string& path);
+/// The two of them, not the same.
+std::array<int, 2> bodies_between(const Model& model, const std::array<std::string, 2>& names, const std::string& path,
+                                  const std::string& who);
+/// A point in the axes of a body; of a point mass it must be the mass centre, to 1e-9 of its coordinates.
+Vec3 point_on(const Model& model, int body, const Vector3& point, const std::string& path, const std::string& who);
+/// An axis that is not zero.
+Vec3 axis(const Vector3& value, const std::string& path, const std::string& who);
+/// A number at least 0.
+Real not_negative(double value, const std::string& path, const std::string& what);
+
+}  // namespace reading
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

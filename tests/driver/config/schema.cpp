@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The JSON Schema and the reader agree: on the shipped configs, on the bad ones, and on thousands of mutants.
+#include "driver/config/schema.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <random>
+#include <set>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "driver/config/config.hpp"
+#include "records/json/strict.hpp"
+#include "support/errors.hpp"
+#include "tests/driver/command_line.hpp"
+#include "tests/driver/config/bad_configs.hpp"
+#include "tests/driver/config/bad_mechanisms.hpp"
+
+using namespace kreisel;
+using nlohmann::json;
+
+namespace {
+
+class SchemaChecker {
+  public:
+    explicit SchemaChecker(const Registry& registry) : text_(json::parse(config_schema(registry).dump())) {
+        valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+            .populateSchema(valijson::adapters::NlohmannJsonAdapter(text_), schema_);
+    }
+    bool accepts(const json& config) {
+        valijson::Validator validator(valijson::Validator::kStrongTypes);
+        return validator.validate(schema_, valijson::adapters::NlohmannJsonAdapter(config), nullptr);
+    }
+
+  private:
+    json text_;
+    valijson::Schema schema_;
+};
+
+json mechanism_with(const std::string& place, const std::string& value) {
+    json config = json::parse(good_config());
+    json parameters = json::parse(good_mechanism());
+    parameters[json::json_pointer(place)] = json::parse(value);
+    config["problems"] = {{{"name", "multibody"}, {"parameters", parameters}}};
+    return config;
+}
+
+std::string reader_error(const json& config, const Registry& registry) {
+    try {
+        read_config(parse_document("m.json", config.dump()), registry);
+        return "";
+    } catch (const UsageError& error) { return error.what(); }
+}
+
+// What the reader asks for and a schema cannot say.
+bool is_beyond_schema(const std::string& error, const json& config) {
+    const std::string text = config.dump();
+    const bool beyond_ascii =
+        std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) > 0x7F; });
+    if (beyond_ascii && error.find("without control characters") != std::string::npos) { return true; }
+    if (error.find(": /figure/") != std::string::npos) { return true; }
+    for (const char* phrase : {" again", "each problem once", "of its own", "divides the end time",
+                               "divides every number", "at the finest level", "not symmetric", "different names",
+                               "norm 1 within", "each method once", "each projection once"}) {
+        if (error.find(phrase) != std::string::npos) { return true; }
+    }
+    return false;
+}
+
+const std::vector<json>& replacements() {
+    static const std::vector<json> values = {nullptr,
+                                             true,
+                                             -1,
+                                             2.5,
+                                             5'000'000'000,
+                                             0,
+                                             7,
+                                             "",
+                                             "heavy_top",
+                                             "exp",
+                                             "a\tb",
+                                             json::array(),
+                                             json::object(),
+                                             json::array({1, 2, 3}),
+                                             json::array({"rkmk/rk4"}),
+                                             json{{"name", "rkmk/rk4"}},
+                                             1e300};
+    return values;
+}
+
+// All places in a value, as JSON pointers.
+void collect(const json& value, const json::json_pointer& at, std::vector<json::json_pointer>& places) {
+    places.push_back(at);
+    if (value.is_object()) {
+        for (const auto& [key, member] : value.items()) { collect(member, at / key, places); }
+    } else if (value.is_array()) {
+        for (std::size_t i = 0; i < value.size(); ++i) { collect(value[i], at / i, places); }
+    }
+}
+
+json mutant(const json& config, std::mt19937& random) {
+    json result = config;
+    std::vector<json::json_pointer> places;
+    collect(config, json::json_pointer(), places);
+    const auto place = places[1 + random() % (places.size() - 1)];
+    json& parent = result[place.parent_pointer()];
+    switch (random() % 4) {
+        case 0:
+            if (parent.is_object()) {
+                parent.erase(place.back());
+            } else {
+                parent.erase(std::stoul(place.back()));
+            }
+            break;
+        case 1:
+            if (parent.is_object()) {
+                parent[place.back() + "x"] = parent[place.back()];
+                parent.erase(place.back());
+            }
+            break;
+        default:
+            result[place] = replacements()[random() % replacements().size()];
+    }
+    return result;
+}
+
+std::vector<json> shipped_configs() {
+    std::vector<json> configs = {json::parse(good_config()),
+                                 json::parse(R"({"name": "all", "kind": "drift", "description": "d",
+        "precision": ["double", "quad"], "formulations": ["SE3"],
+        "problems": [{"name": "heavy_top", "label": "l", "parameters": {"inertia": [1, 1, 1], "lever": [0, 1, 0], "mass": 3,
+                      "R": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gravity_amplitude": -1}},
+                     {"name": "double_pendulum", "parameters": {"bodies": [
+                      {"name": "a", "mass": 1, "inertia": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "x": [0, 0, 0], "v": [0, 0, 0], "omega": [0, 0, 0]}]}}],
+        "methods": [{"name": "rkmk/rk4", "dexpinv": [0, "seed"]}, {"name": "baseline/rk4_quaternion", "renormalise": [true, false]},
+                    {"name": "fake/relaxed", "rho": 0.25}],
+        "projections": ["none", {"name": "terze", "weight": ["mass", "identity"]}],
+        "time": {"end": 1, "step": [0.5, 0.25]}, "metrics": ["defect.*"], "output": {"samples": 2}, "figure": [{"kind": "drift"}]})"),
+                                 mechanism_with("/project_initial", "true"),
+                                 mechanism_with("/joints/0", R"({"type": "rolling", "between": ["ground", "rod"],
+        "points": [[0, 0, 0], [0, 0, 1]], "axes": [[0, 0, 1], [1, 0, 0]], "radius": 1})")};
+    return configs;
+}
+
+}  // namespace
+
+TEST_CASE("schema and reader agree on good configs and on every bad one") {
+    const Registry registry{FakeEngine()};
+    SchemaChecker schema(registry);
+    for (const json& config : shipped_configs()) {
+        CHECK(reader_error(config, registry) == "");
+        CHECK(schema.accepts(config));
+    }
+    for (const BadConfig& bad : bad_configs()) {
+        json config = json::parse(good_config());
+        config.merge_patch(json::parse(bad.patch));
+        const std::string error = reader_error(config, registry);
+        INFO(bad.patch << "\n" << error);
+        CHECK((is_beyond_schema(error, config) || schema.accepts(config) == error.empty()));
+    }
+    for (const BadMechanism& bad : bad_mechanisms()) {
+        const json config = mechanism_with(bad.place, bad.value);
+        const std::string error = reader_error(config, registry);
+        INFO(bad.place << " = " << bad.value << "\n" << error);
+        CHECK_FALSE(error.empty());
+        CHECK((is_beyond_schema(error, config) || !schema.accepts(config)));
+    }
+}
+
+TEST_CASE("schema and reader agree on three thousand mutants") {
+    const Registry registry{FakeEngine()};
+    SchemaChecker schema(registry);
+    std::mt19937 random(20260103);
+    const auto configs = shipped_configs();
+    int refused = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const json config = mutant(configs[random() % configs.size()], random);
+        const std::string error = reader_error(config, registry);
+        INFO(config.dump() << "\n" << error);
+        REQUIRE((is_beyond_schema(error, config) || schema.accepts(config) == error.empty()));
+        refused += error.empty() ? 0 : 1;
+    }
+    CHECK(refused > 2000);
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The two routes on joints of every kind, springs, dampers, loads off the mass centre, driven lengths, rolling, closed
+// loops and redundant rows.
+#include <functional>
+#include <string>
+
+#include "engine/reference/quaternion_form.hpp"
+#include "tests/engine/two_routes.hpp"
+#include "tests/mechanics/models/jointed.hpp"
+
+using namespace kreisel;
+using namespace reference_tests;
+
+namespace {
+
+struct Case {
+    std::string name;
+    Model model;
+};
+
+/// Loads in both kinds of axes at points of the middle body.
+Model loaded(Model model) {
+    model.loads = {{1, Load::Axes::space, Vec3(3, -1, 2), Vec3(1, 0, -1), Real(1) / 4, 3, Vec3(1, 2, -1) / 4},
+                   {1, Load::Axes::body, Vec3(-1, 2, 1), Vec3(0, 1, 1) / 2, Real(1) / 2, 2, Vec3(0, -1, 2) / 4}};
+    return model;
+}
+
+std::vector<Case> joints() {
+    std::vector<Case> cases;
+    for (const JointType type : models::joint_types()) cases.push_back({name(type), models::jointed(type)});
+    return cases;
+}
+
+void require_agreement(const Case& subject, const Real& t) {
+    const ReferenceSolution first = reference_solution(subject.model, t);
+    REQUIRE(first.stopped.empty());
+    const Real difference = relative_difference(first, taylor(subject.model, t));
+    CAPTURE(subject.name, to_double(difference));
+    CHECK(difference < Real("1e-25"));
+}
+
+}  // namespace
+
+TEST_CASE("two routes agree to 25 digits on joints of every kind") {
+    for (const Case& subject : joints()) require_agreement(subject, Real(1) / 4);
+}
+
+TEST_CASE("two routes agree to 25 digits on forces of every kind") {
+    require_agreement({"springs", models::sprung(JointType::universal)}, Real(1) / 4);
+    require_agreement({"dampers", models::damped(JointType::distance)}, Real(1) / 4);
+    require_agreement({"dampers on slides", models::damped(JointType::cylindrical)}, Real(1) / 4);
+    require_agreement({"loads", loaded(models::jointed(JointType::planar))}, Real(1) / 4);
+}
+
+TEST_CASE("two routes agree to 25 digits on driven lengths, a rolling disk and a closed loop") {
+    require_agreement({"driven", models::driven()}, Real(1) / 4);
+    require_agreement({"rolling", models::rolling()}, Real(1) / 4);
+    require_agreement({"closed loop", models::closed_loop()}, Real(1) / 4);
+}
+
+TEST_CASE("two routes agree to 25 digits on redundant rows, and the reference carries no multipliers") {
+    const Model model = models::hinges_in_line(0, 3);
+    const ReferenceSolution both = confirmed_reference(model, Real(1) / 4);
+    CHECK(both.horizon == Real(1) / 4);
+    CHECK(both.multipliers.empty());
+    CHECK(both.multiplier_error.force + both.multiplier_error.torque == 0);
+    CHECK(relative_difference(both, taylor(model, Real(1) / 4)) < Real("1e-25"));
+}
+
+TEST_CASE("both routes know the multipliers of least norm") {
+    const Model model = models::hinges_in_line(0, 3);
+    QuaternionForm form(model);
+    std::vector<Real> one, other;
+    REQUIRE(form.multipliers(0, form.start().data(), one) == Status::ok);
+    REQUIRE(TaylorRoute(model).multipliers(other) == Status::ok);
+    CHECK(norm_of_difference(one, other) <
+          Real("1e-27") * norm_of_difference(one, std::vector<Real>(one.size(), Real(0))));
+}
+
+TEST_CASE("control: a fault of 1e-20 in a joint, a spring or a load is seen") {
+    const Real t = Real(1) / 8, small("1e-20");
+    const auto agree = [&](const Model& model, const std::function<void(Model&)>& break_it) {
+        Model broken = model;
+        break_it(broken);
+        return relative_difference(reference_solution(model, t), taylor(broken, t)) < Real("1e-23");
+    };
+    const Model sprung = loaded(models::damped(JointType::cylindrical));
+    CHECK(agree(sprung, [](Model&) {}));
+    CHECK_FALSE(agree(sprung, [&](Model& m) { m.joints[1].axes_first(0, 2) += small; }));
+    CHECK_FALSE(agree(sprung, [&](Model& m) { m.joints[0].axes_second(1, 0) += small; }));
+    CHECK_FALSE(agree(sprung, [&](Model& m) { m.springs[0].stiffness += 1000 * small; }));
+    CHECK_FALSE(agree(sprung, [&](Model& m) { m.springs[1].damping += 1000 * small; }));
+    CHECK_FALSE(agree(sprung, [&](Model& m) { m.torsion_springs[0].angle += 1000 * small; }));
+    CHECK_FALSE(agree(sprung, [&](Model& m) { m.torsion_springs[0].damping += 1000 * small; }));
+    CHECK_FALSE(agree(sprung, [&](Model& m) { m.loads[0].point[1] += 1000 * small; }));
+    const Model disk = models::rolling();
+    CHECK(agree(disk, [](Model&) {}));
+    CHECK_FALSE(agree(disk, [&](Model& m) { m.joints[0].length += small; }));
+    CHECK_FALSE(agree(models::driven(), [&](Model& m) { m.joints[1].amplitude += small; }));
+}

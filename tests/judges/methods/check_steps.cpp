@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Judgements of steps against each other: counted, repeated, and reversed.
+#include "tests/judges/methods/checks.hpp"
+#include "tests/judges/methods/runs.hpp"
+#include "tests/judges/methods/switched_system.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+using namespace stepping;
+
+Objection solves_objection(const Method& entry) {
+    if (entry.description.implicit) return "";  // as many as the Newton iteration takes
+    return first_objection(entry, [&](const models::Named& named, const std::string& formulation) -> Objection {
+        const auto inner = make_system(named.model, formulation);
+        SwitchedSystem system(*inner, *inner);
+        const auto integrator =
+            entry.bind(system, default_options(entry.description.options));
+        std::vector<Real> y = initial_state(*inner, named.model);
+        const Real h = Real(1) / 1000;
+        Status status = integrator->start(0, y.data());
+        for (int i = 0; i < 100 && status == Status::ok; ++i) status = integrator->step(h * i, h, y.data());
+        if (status != Status::ok) return "a run fails";
+        for (const long found : {system.solves, system.evaluations()})
+            if (found != 100 * entry.description.stages)
+                return std::to_string(found) + " solves in 100 steps of " + std::to_string(entry.description.stages);
+        return "";
+    });
+}
+
+Objection history_objection(const Method& entry) {
+    return first_objection(entry, [&](const models::Named& named, const std::string& formulation) -> Objection {
+        const Real t = Real(1) / 3, h = Real(1) / 1000;
+        Trip fresh(named.model, formulation, entry), used(named.model, formulation, entry);
+        if (used.run(Real(1) / 100, 10) != Status::ok) return "a run fails";
+        used.y = fresh.y;
+        for (Trip* trip : {&fresh, &used}) {
+            if (trip->integrator->start(t, trip->y.data()) != Status::ok) return "start fails";
+            if (trip->integrator->step(t, h, trip->y.data()) != Status::ok) return "a step fails";
+        }
+        return fresh.y == used.y ? "" : "a step depends on the steps before it";
+    });
+}
+
+namespace {
+
+/// Distance from the start after ten steps and the same ten backwards, relative to the largest entry of the start; not
+/// finite where a step fails.
+Real return_defect(const Model& model, const std::string& formulation, const Method& entry) {
+    Trip trip(model, formulation, entry);
+    const auto before = trip.y;
+    const Real h = Real(1) / 512;
+    bool ok = true;
+    for (int i = 0; i < 10; ++i) ok = ok && trip.integrator->step(h * i, h, trip.y.data()) == Status::ok;
+    for (int i = 10; i > 0; --i) ok = ok && trip.integrator->step(h * i, -h, trip.y.data()) == Status::ok;
+    return ok ? largest_difference(before, trip.y) / max(Real(1), largest(before))
+              : std::numeric_limits<Real>::infinity();
+}
+
+}  // namespace
+
+Objection reversal_objection(const Method& entry) {
+    if (!entry.description.symmetric) return "";
+    return first_objection(entry, [&](const models::Named& named, const std::string& formulation) -> Objection {
+        const Real defect = return_defect(named.model, formulation, entry);
+        return defect <= 10000 * epsilon ? "" : "returns by " + to_text(defect) + " beside its start";
+    });
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The judgements that certify a method. Each takes any method, so that the ones that accept what is registered are the
+// ones that must turn the controls down.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "methods/contract/method.hpp"
+#include "methods/contract/projection.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+enum class Check {
+    order_conditions,  ///< the declared tableau satisfies the conditions of the declared order, and of no higher one
+    one_step,          ///< a step is that of the declared scheme, or of the published equations
+    order,             ///< the observed order is not below the declared one
+    solves,            ///< as many solves of the dynamics per step as declared
+    history,           ///< after `start`, a step depends on (t, h, y) alone
+    reversal,          ///< a symmetric method returns to its start
+    equivariance,      ///< rigid motions of space commute with a step
+    injection,         ///< a number that is none never ends as ok
+    convergence,       ///< a step without a solution never ends as ok
+    projection,        ///< a projection meets the levels it claims, and moves nothing that meets them
+};
+const char* name(Check check);
+
+/// What speaks against a method, in words; empty: nothing, or the check does not apply.
+using Objection = std::string;
+
+struct Judgement {
+    Check check;
+    std::function<Objection(const Method&)> objection;
+};
+
+/// Those that need no more than a running method. (Conditions and steps of schemes are judged in tests/judges/steps.)
+const std::vector<Judgement>& running_checks();
+
+struct ProjectionJudgement {
+    Check check;
+    std::function<Objection(const ProjectionMethod&)> objection;
+};
+const std::vector<ProjectionJudgement>& projection_checks();
+
+Objection order_objection(const Method&);
+Objection solves_objection(const Method&);
+Objection history_objection(const Method&);
+Objection reversal_objection(const Method&);
+Objection equivariance_objection(const Method&);
+Objection injection_objection(const Method&);
+Objection convergence_objection(const Method&);
+Objection projection_objection(const ProjectionMethod&);
+Objection projection_injection_objection(const ProjectionMethod&);
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/judges/conditions/crouch_grossman_conditions.hpp"
+#include "tests/judges/conditions/rooted_trees.hpp"
+#include "tests/judges/steps/scheme_checks.hpp"
+#include "tests/judges/steps/step_checks.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+/// Explicit methods, or families, whose order has no conditions to check here.
+struct Exemption {
+    std::string of, reason;
+};
+const std::vector<Exemption> exemptions = {{"baseline/",
+                                            "the tableau is in Boost.Odeint; steps are compared with the classical "
+                                            "method, tests/judges/steps/baseline_step.cpp"}};
+
+Objection without_scheme(const Method& method) {
+    if (method.description.implicit) return "";
+    for (const Exemption& exemption : exemptions)
+        if (covers(exemption.of, method.description.name) && !exemption.reason.empty()) return "";
+    return "no order conditions for an explicit method without a scheme: declare it, or state why it has none";
+}
+
+}  // namespace
+
+Objection order_conditions_objection(const Method& method) {
+    if (!method.factory.scheme) return without_scheme(method);
+    const auto& [kind, tableau] = *method.factory.scheme;
+    const auto coefficients = orders::exact(tableau);
+    const auto slack = orders::rounding(tableau);
+    const int found = kind == Scheme::Kind::munthe_kaas ? orders::butcher_order(coefficients, slack)
+                                                        : orders::crouch_grossman_order(coefficients, slack);
+    const int declared = method.description.order.configuration;
+    return found == declared ? "" : "order " + std::to_string(found) + " of " + std::to_string(declared);
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

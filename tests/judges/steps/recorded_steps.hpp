@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Steps of a running method on a mechanical system, and what its published equations ask of them: increments by dense
+// logarithms body by body, v' from mass matrix, forces and multipliers. Nothing of methods/ takes part but the steps.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "methods/contract/integrator.hpp"
+#include "tests/judges/steps/dense.hpp"
+#include "tests/judges/steps/scheme_checks.hpp"
+#include "tests/methods/stepping.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// The configurations of a formulation, each body as a matrix.
+class DenseBodies {
+  public:
+    enum class Side { right, left };
+    explicit DenseBodies(const std::string& formulation);
+
+    /// u with next = q exp(u); from the left: next = exp(u) q. Entries outside the algebra make it not a number.
+    VecX increment(const VecX& q, const VecX& next, Side side = Side::right) const;
+    /// q exp(u), as stored.
+    VecX moved(const VecX& q, const VecX& u) const;
+
+  private:
+    MatrixGroup body_;
+    Eigen::Index size_, dim_;
+};
+
+/// A state and the time and multipliers that belong to it; before the first step there are none.
+struct RecordedState {
+    Real t;
+    VecX q, v, lambda;
+};
+
+/// A system, the state in which its model starts at t = 1/3, and what a method makes of it in steps of h.
+class RecordedRun {
+  public:
+    /// Throws std::domain_error where a step fails.
+    RecordedRun(const Method& method, const OptionValues& options, const Model& model, const std::string& formulation,
+                const Real& h, int steps);
+
+    const DenseBodies bodies;
+    const Real h;
+    std::vector<RecordedState> states;  ///< one more than steps
+
+    System& system() { return *system_; }
+    /// v' of the index-1 form.
+    VecX index1_rate(const RecordedState& state);
+    /// v' from M v' = Q - C^T lambda with the multipliers of the state.
+    VecX rate(const RecordedState& state);
+    /// The rows of C that belong to Phi.
+    MatX position_rows(const RecordedState& state);
+    VecX position_defect(const RecordedState& state);
+    VecX velocity_defect(const RecordedState& state);
+    /// rates <- M^{-1} rates, columns alike.
+    void solve_mass(const VecX& q, MatX& rates);
+
+  private:
+
+    std::unique_ptr<System> system_;
+};
+
+/// The equation that is violated most.
+class Violations {
+  public:
+    void see(const std::string& equation, const VecX& residual);
+    /// What speaks against a method whose residuals are those seen; empty below the tolerance.
+    Objection objection(const Real& tolerance) const;
+
+  private:
+    std::string worst_;
+    Real largest_ = 0;
+};
+
+/// The part of r that no T x makes vanish.
+VecX outside_range(const MatX& T, const VecX& r);
+
+/// Round-off of a step whose equations are divided by h, with numbers of order 100.
+inline Real equations_tolerance() { return KREISEL_QUAD ? from_text("1e-28") : from_text("1e-12"); }
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Judgements of schemes and steps; no method is passed over in silence. See tests/judges/methods/checks.hpp.
+#pragma once
+
+#include "tests/judges/methods/checks.hpp"
+#include "tests/judges/steps/dense.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// The order conditions, classical or Crouch-Grossman's, hold up to the declared order and not beyond. An explicit
+/// method must declare a scheme, or be exempted with a reason.
+Objection order_conditions_objection(const Method&);
+
+/// One step with scripted, non-commuting slopes equals an evaluation of the declared scheme by dense matrices, on SO(3)
+/// and SE(3), with every combination of options that changes the scheme. A method without a scheme must be known to a
+/// step check of its own (step_checks.hpp).
+Objection one_step_objection(const Method&);
+
+/// Round-off of some ten matrix products.
+inline Real one_step_tolerance() { return KREISEL_QUAD ? from_text("1e-30") : from_text("1e-14"); }
+/// Options that change the scheme of a method, every combination; one without any for a method without.
+std::vector<OptionValues> scheme_variants(const Method&);
+/// Largest difference of the results of one step under two sets of options.
+Real one_step_difference(const Method&, const OptionValues&, const OptionValues&, const MatrixGroup&);
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

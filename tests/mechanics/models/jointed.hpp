@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Models with joints of every kind, to the ground and between bodies in both senses, with springs, dampers and a driven
+// length; nothing in them is aligned with an axis.
+#pragma once
+
+#include "mechanics/start.hpp"
+#include "tests/mechanics/models/linked.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+namespace models {
+
+inline const std::vector<JointType>& joint_types() {
+    static const std::vector<JointType> all = {JointType::spherical, JointType::revolute, JointType::universal,
+                                               JointType::prismatic, JointType::cylindrical, JointType::planar,
+                                               JointType::fixed, JointType::distance};
+    return all;
+}
+
+/// A joint of any kind but rolling between two bodies as they stand.
+inline void join(Model& model, int first, int second, JointType type, const Vec3& point) {
+    model.join(first, second, point, type, Vec3(1, -2, 2 + second));
+    Joint& joint = model.joints.back();
+    if (type == JointType::universal) {
+        const Vec3 other = Vec3(2, 1 + second, -1).cross(Vec3(1, -2, 2 + second));
+        joint.axes_second = model.axes_of(second, axes_about(other));
+    }
+    if (type == JointType::distance) {
+        joint.r_first += Vec3(1, 2, -1) / 3;
+        const auto at = [&](int body, const Vec3& r) -> Vec3 {
+            if (body == ground) return r;
+            const BodyState& start = model.bodies[static_cast<std::size_t>(body)].start;
+            return start.x + start.R * r;
+        };
+        joint.length = (at(first, joint.r_first) - at(second, joint.r_second)).norm();
+    }
+}
+
+/// ground - b0, b1 - b0 and b1 - b2 by joints of one kind.
+inline Model jointed(JointType type) {
+    Model model = bodies_in_a_row(3);
+    join(model, ground, 0, type, Vec3(1, -1, 2) / 3);
+    join(model, 1, 0, type, Vec3(1, 2, 0) / 3);
+    join(model, 1, 2, type, Vec3(5, 2, -4) / 3);
+    model.gravity = {Vec3(1, -2, -9), Real(1) / 2, 3};
+    project_start(model);
+    return model;
+}
+
+/// The same with springs that hold every body to another or to the ground.
+inline Model sprung(JointType type) {
+    Model model = jointed(type);
+    model.gravity.amplitude = 0;
+    model.springs = {{ground, 2, Vec3(3, 1, 0), Vec3(1, 0, 2) / 4, 20, 0, Real(1) / 2}, {0, 1, Vec3(0, 1, 0), Vec3(1, 0, 0), 7, 0, 0}};
+    model.torsion_springs = {{0, 2, axes_about(Vec3(1, 1, 3)), axes_about(Vec3(2, -1, 1)), 3, 0, Real(1) / 4}};
+    return model;
+}
+
+inline Model damped(JointType type) {
+    Model model = sprung(type);
+    for (Spring& spring : model.springs) spring.damping = 3;
+    model.torsion_springs[0].damping = 2;
+    return model;
+}
+
+/// A body on a rod whose length is driven, and a second one on it.
+inline Model driven() {
+    Model model = bodies_in_a_row(2);
+    join(model, ground, 0, JointType::distance, Vec3(1, -1, 2));
+    join(model, 0, 1, JointType::distance, Vec3(1, 2, 0));
+    for (Joint& joint : model.joints) joint.amplitude = Real(1) / 4, joint.frequency = 3;
+    project_start(model);
+    return model;
+}
+
+/// A disk that rolls on an inclined plane beside a body on a hinge.
+inline Model rolling() {
+    Model model = bodies_in_a_row(2);
+    model.bodies[0].start.omega = Vec3(1, -3, 2);
+    model.joints.push_back({.second = 0,
+                            .r_first = Vec3(0, 0, -1),
+                            .r_second = Vec3(1, 0, 2) / 16,
+                            .type = JointType::rolling,
+                            .axes_first = axes_about(Vec3(1, -1, 8)),
+                            .axes_second = axes_about(Vec3(1, 4, 1)),
+                            .length = Real(3) / 4});
+    model.join(ground, 1, Vec3(1, 1, 1), JointType::revolute, Vec3(1, 2, 3));
+    model.gravity.g = Vec3(1, -2, -9);
+    project_start(model);
+    return model;
+}
+
+/// A closed loop of four bars, the ground one of them: hinge, spherical, universal and cylindrical joint, 16 rows for 18.
+inline Model closed_loop() {
+    Model model = bodies_in_a_row(3);
+    join(model, ground, 0, JointType::revolute, Vec3(-1, 1, 0));
+    join(model, 0, 1, JointType::spherical, Vec3(1, 1, -1) / 2);
+    join(model, 1, 2, JointType::universal, Vec3(3, 1, -3) / 2);
+    join(model, 2, ground, JointType::cylindrical, Vec3(3, 0, -1));
+    model.gravity.g = Vec3(1, -2, -9);
+    project_start(model);
+    return model;
+}
+
+/// n hinges on one line between two bodies, or a body and the ground: 5 independent rows however many.
+inline Model hinges_in_line(int first, int n) {
+    Model model = bodies_in_a_row(2);
+    const Vec3 axis(1, -2, 4);
+    if (first != ground) join(model, ground, 0, JointType::spherical, Vec3(-1, 0, 1));
+    for (int i = 0; i < n; ++i) model.join(first, 1, Vec3(1, 1, 1) + axis * i / 4, JointType::revolute, axis);
+    model.gravity.g = Vec3(1, -2, -9);
+    project_start(model);
+    return model;
+}
+
+}  // namespace models
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

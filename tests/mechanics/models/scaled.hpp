@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The same mechanism in other units: lengths, masses and times multiplied by powers of two, and all else with them.
+#pragma once
+
+#include "mechanics/model/model.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+namespace models {
+
+struct Units {
+    int length = 0, mass = 0, time = 0;  ///< exponents of two
+    Real L() const { return ldexp(Real(1), length); }
+    Real M() const { return ldexp(Real(1), mass); }
+    Real T() const { return ldexp(Real(1), time); }
+    Real speed() const { return L() / T(); }
+    Real acceleration() const { return speed() / T(); }
+    Real force() const { return M() * acceleration(); }
+    Real torque() const { return force() * L(); }
+};
+
+inline BodyState scaled(const BodyState& s, const Units& u) { return {s.x * u.L(), s.R, s.v * u.speed(), s.omega / u.T()}; }
+
+inline Model scaled(Model model, const Units& u) {
+    for (Body& body : model.bodies) {
+        body.start = scaled(body.start, u);
+        body.mass *= u.M();
+        if (!body.point) body.J *= u.M() * u.L() * u.L();
+    }
+    for (Joint& joint : model.joints)
+        joint.r_first *= u.L(), joint.r_second *= u.L(), joint.length *= u.L(), joint.frequency /= u.T();
+    model.gravity.g *= u.acceleration(), model.gravity.frequency /= u.T();
+    for (Load& load : model.loads)
+        load.force *= u.force(), load.torque *= u.torque(), load.point *= u.L(), load.frequency /= u.T();
+    for (Spring& s : model.springs) {
+        s.r_first *= u.L(), s.r_second *= u.L(), s.length *= u.L();
+        s.stiffness *= u.force() / u.L(), s.damping *= u.force() / u.speed();
+    }
+    for (TorsionSpring& s : model.torsion_springs) s.stiffness *= u.torque(), s.damping *= u.torque() * u.T();
+    return model;
+}
+
+/// All of one kind by each power, and mixtures.
+inline std::vector<Units> other_units() {
+    std::vector<Units> all;
+    for (const int k : {-20, -7, 3, 20}) {
+        all.push_back({.length = k}), all.push_back({.mass = k}), all.push_back({.time = k});
+        all.push_back({.length = k, .mass = -7, .time = 5});
+    }
+    return all;
+}
+
+}  // namespace models
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A joint taken away, and the wrench that it exerts put there as a load: the accelerations at the start stay the same.
+// The wrench is made of the multipliers as NOTATION.md says what they are, and of no row of C; so a row whose sign does
+// not agree with it is seen.
+#include "tests/metamorphic/descriptions/freed.hpp"
+
+#include "mechanics/formulation.hpp"
+#include "mechanics/joints/joint_rows.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+namespace metamorphic {
+
+namespace {
+
+/// Force on the second body and torque about its point of the joint, space axes: a multiplier of a row of d or of b.d is
+/// a force on the second body along the row's direction, that of a row a.b the torque lambda a x b on it.
+class Wrenches {
+  public:
+    Wrenches(const Joint& joint, const Motion& first, const Motion& second, const Real* lambda)
+        : joint_(joint), first_(first), second_(second), lambda_(lambda) {
+        d_ = first.point(joint.r_first) - second.point(joint.r_second);
+    }
+
+    Action on_second() {
+        switch (joint_.type) {
+            case JointType::spherical:
+                return coincidence(), sum_;
+            case JointType::revolute:
+                return coincidence(), turn(2, 0), turn(2, 1), sum_;
+            case JointType::universal:
+                return coincidence(), turn(2, 2), sum_;
+            case JointType::prismatic:
+                return push(0), push(1), turn(2, 0), turn(2, 1), turn(0, 1), sum_;
+            case JointType::cylindrical:
+                return push(0), push(1), turn(2, 0), turn(2, 1), sum_;
+            case JointType::planar:
+                return push(2), turn(2, 0), turn(2, 1), sum_;
+            case JointType::fixed:
+                return coincidence(), turn(2, 0), turn(2, 1), turn(0, 1), sum_;
+            case JointType::distance:
+                return force(d_.normalized() * next(), Vec3::Zero()), sum_;
+            case JointType::rolling:
+                return contact(), sum_;
+        }
+        return sum_;
+    }
+
+  private:
+    const Real& next() { return *lambda_++; }
+    Vec3 a(int k) const { return first_.direction(joint_.axes_first.col(k)); }
+    Vec3 b(int k) const { return second_.direction(joint_.axes_second.col(k)); }
+    /// At `arm` from the second body's point.
+    void force(const Vec3& f, const Vec3& arm) { sum_.add({f, arm.cross(f)}); }
+    void coincidence() {
+        for (int k = 0; k < 3; ++k) force(Vec3::Unit(k) * next(), Vec3::Zero());
+    }
+    void push(int k) { force(b(k) * next(), d_); }
+    void turn(int i, int k) { sum_.add({Vec3::Zero(), a(i).cross(b(k)) * next()}); }
+    void contact() {
+        const Vec3 n = a(2), s = n - n.dot(b(2)) * b(2), arm = -joint_.length / s.norm() * s;
+        for (const int k : {2, 0, 1}) force(a(k) * next(), arm);
+    }
+
+    const Joint& joint_;
+    const Motion &first_, &second_;
+    const Real* lambda_;
+    Vec3 d_;
+    Action sum_;
+};
+
+std::vector<BodyState> starts(const Model& model) {
+    std::vector<BodyState> states;
+    for (const Body& body : model.bodies) states.push_back(body.start);
+    return states;
+}
+
+/// The wrench of forces with torque about `point` (space), times a sign, as a load on a body.
+void put(Model& model, int body, const Vec3& point, const Action& wrench, const Real& sign) {
+    if (body == ground) return;
+    const BodyState& s = model.bodies[static_cast<std::size_t>(body)].start;
+    model.loads.push_back({.body = body,
+                           .axes = Load::Axes::space,
+                           .force = sign * wrench.force,
+                           .torque = sign * wrench.torque,
+                           .point = s.R.transpose() * (point - s.x)});
+}
+
+Model freed(const Model& model, std::size_t joint, const Action& wrench) {
+    const Joint& gone = model.joints[joint];
+    const Vec3 point = motion_of(starts(model), gone.second).point(gone.r_second);
+    Model rest = model;
+    rest.joints.erase(rest.joints.begin() + static_cast<std::ptrdiff_t>(joint));
+    put(rest, gone.second, point, wrench, 1);
+    put(rest, gone.first, point, wrench, -1);
+    return rest;
+}
+
+VecX accelerations(const Model& model, System& system, Real* lambda) {
+    const std::vector<Real> y = initial_state(system, model);
+    VecX dv(system.velocities());
+    const Status status = system.accelerations(0, y.data(), y.data() + system.group().size(), dv.data(), lambda);
+    if (status != Status::ok) dv.setConstant(std::numeric_limits<Real>::quiet_NaN());
+    return dv;
+}
+
+}  // namespace
+
+Real freed_difference(const Model& model, const Bench& bench) {
+    const auto system = bench.system(model, "SO3xR3");
+    std::vector<Real> lambda(static_cast<std::size_t>(system->constraints()));
+    const VecX joined = accelerations(model, *system, lambda.data());
+    const std::vector<BodyState> states = starts(model);
+    Model loose =
+        model;  // where joints hold everything fast, accelerations are round-off of what they would be without
+    loose.joints.clear();
+    const Real size =
+        max(Real(joined.norm()), Real(accelerations(loose, *make_system(loose, "SO3xR3"), nullptr).norm()));
+    std::size_t position = 0, velocity = static_cast<std::size_t>(system->position_constraints());
+    Real worst = 0;
+    for (std::size_t j = 0; j < model.joints.size(); ++j) {
+        const Joint& joint = model.joints[j];
+        Real own[most_rows];
+        for (int k = 0; k < rows_of(joint.type); ++k)
+            own[k] = lambda[k < position_rows_of(joint.type) ? position++ : velocity++];
+        const Motion first = motion_of(states, joint.first), second = motion_of(states, joint.second);
+        const Model rest = freed(model, j, Wrenches(joint, first, second, own).on_second());
+        const auto free_system = make_system(rest, "SO3xR3");
+        const Real difference = (accelerations(rest, *free_system, nullptr) - joined).norm() / size;
+        if (!(difference <= worst)) worst = difference;
+    }
+    return worst;
+}
+
+}  // namespace metamorphic
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

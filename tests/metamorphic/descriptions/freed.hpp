@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tests/metamorphic/models/motion.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+namespace metamorphic {
+
+/// The largest change of the accelerations at the start, relative to these (or those without joints), where one joint after the other gives way to
+/// a load that is what NOTATION.md says of its multipliers.
+Real freed_difference(const Model& model, const Bench& bench = {});
+
+}  // namespace metamorphic
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

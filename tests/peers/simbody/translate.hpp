@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Models as Simbody is told of them.
+#pragma once
+
+#include <span>
+#include <stdexcept>
+
+#include "mechanics/model/model.hpp"
+#include "tests/peers/simbody/wrapper/simbody.hpp"
+
+namespace outside {
+
+using namespace kreisel;
+
+/// Why Simbody is not asked about a model; empty if it is.
+inline std::string why_not(const Model& model) {
+    for (const Joint& joint : model.joints) {
+        if (joint.type == JointType::rolling) return "rolling joints";
+        if (joint.amplitude != 0) return "driven lengths";
+    }
+    if (!model.warnings.empty()) return "inertias that no body has";
+    if (!model.gravity.is_constant()) return "gravity that depends on time";
+    if (!model.torsion_springs.empty()) return "torsion springs";
+    for (const Load& load : model.loads)
+        if (load.axes == Load::Axes::body || load.amplitude != 0) return "loads that change";
+    return "";
+}
+
+/// Throws std::invalid_argument where why_not says so.
+inline Mechanism translate(const Model& model) {
+    if (const std::string reason = why_not(model); !reason.empty())
+        throw std::invalid_argument("not for Simbody: " + reason);
+    Mechanism result;
+    for (const Body& b : model.bodies) result.bodies.push_back({b.mass, b.J});
+    for (const Joint& j : model.joints)
+        result.links.push_back(
+            {j.first, j.second, name(j.type), j.r_first, j.r_second, j.axes_first, j.axes_second, j.length});
+    for (const Spring& s : model.springs)
+        result.springs.push_back({s.first, s.second, s.r_first, s.r_second, s.stiffness, s.damping, s.length});
+    for (const Load& l : model.loads) result.loads.push_back({l.body, l.force, l.torque, l.point});
+    result.gravity = model.gravity.g;
+    return result;
+}
+
+inline std::vector<Pose> translate(std::span<const BodyState> bodies) {
+    std::vector<Pose> poses;
+    for (const BodyState& b : bodies) poses.push_back({b.x, b.R, b.v, b.omega});
+    return poses;
+}
+
+inline std::vector<BodyState> translate(const std::vector<Pose>& poses) {
+    std::vector<BodyState> bodies;
+    for (const Pose& p : poses) bodies.push_back({p.x, p.R, p.v, p.omega});
+    return bodies;
+}
+
+inline std::vector<BodyState> starts(const Model& model) {
+    std::vector<BodyState> bodies;
+    for (const Body& body : model.bodies) bodies.push_back(body.start);
+    return bodies;
+}
+
+}  // namespace outside

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Simbody [sherman2011] as an outside oracle. It shares no thought with the equations under test: joint coordinates and
+// recursion over a tree in place of six velocities per body and multipliers, loops closed by constraints.
+// Simbody's headers are C++17 and ambiguous in C++20, so that this header, which both sides include, names nothing of ours.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace outside {
+
+using Vec = Eigen::Vector3d;
+using Mat = Eigen::Matrix3d;
+
+inline constexpr int the_ground = -1;
+
+/// Inertia about the mass centre in body axes.
+struct RigidBody {
+    double mass;
+    Mat J;
+};
+
+/// Points from the mass centre and axes (columns) in body axes, as in mechanics/model/model.hpp; the third axis is that
+/// of the joint, whose type is named as there.
+struct Link {
+    int first, second;
+    std::string type;
+    Vec r_first, r_second;
+    Mat axes_first, axes_second;
+    double length;
+};
+
+struct LinearSpring {
+    int first, second;
+    Vec r_first, r_second;
+    double stiffness, damping, length;
+};
+
+/// Constant force and torque in space axes, the force at a point in body axes.
+struct DeadLoad {
+    int body;
+    Vec force, torque, point;
+};
+
+struct Mechanism {
+    std::vector<RigidBody> bodies;
+    std::vector<Link> links;
+    std::vector<LinearSpring> springs;
+    std::vector<DeadLoad> loads;
+    Vec gravity;
+};
+
+/// x, v in space axes, omega in body axes.
+struct Pose {
+    Vec x;
+    Mat R;
+    Vec v, omega;
+};
+
+/// x'' in space axes, omega' in body axes.
+struct Acceleration {
+    Vec linear, angular;
+};
+
+/// What a joint of the tree does to the body it holds: force in space axes, torque about the mass centre in body axes.
+struct Reaction {
+    int joint, body;
+    Vec force, torque;
+};
+
+/// A mechanism in Simbody. Joints that reach a body for the first time are its mobilizers, all others and every distance
+/// joint are constraints; a body that no joint reaches is free. Throws std::invalid_argument for joints Simbody lacks.
+class Simbody {
+  public:
+    explicit Simbody(const Mechanism& mechanism);
+    ~Simbody();
+    Simbody(Simbody&&) noexcept;
+
+    /// Joint coordinates and speeds that fit the bodies; what the joints of the tree do not allow is lost.
+    void set(const std::vector<Pose>& bodies);
+    std::vector<Pose> poses() const;
+    std::vector<Acceleration> accelerations() const;
+    std::vector<Reaction> reactions() const;
+    /// By the integrator of Runge, Kutta and Merson from t = 0, at relative accuracy `accuracy`.
+    void run(double t_end, double accuracy);
+
+    /// For benchmarks. One forward dynamics with nothing known of the state; one step of the classical Runge-Kutta method
+    /// on coordinates and speeds, quaternions made unit afterwards.
+    void evaluate();
+    void step(double h);
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace outside
