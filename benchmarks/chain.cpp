@@ -23,10 +23,8 @@ using namespace kreisel;
 namespace {
 
 Model chain(int links) {
-    ParameterValues values;
     const Problem& chain = problem("chain");
-    for (const ParameterDescription& parameter : chain.description.parameters)
-        values[parameter.name] = parameter.standard;
+    ParameterValues values = default_parameters(chain.description);
     values["links"] = static_cast<double>(links);
     return chain.build(Parameters(values));
 }
@@ -162,9 +160,7 @@ void step(benchmark::State& state, int links, const std::string& formulation) {
     const Model model = chain(links);
     Kreisel kreisel(model, tangle(model), formulation);
     const Method& rk4 = method("rkmk/rk4");
-    OptionValues options;
-    for (const OptionDescription& option : rk4.description.options) options[option.name] = option.standard;
-    const auto integrator = rk4.bind(*kreisel.system, options);
+    const auto integrator = rk4.bind(*kreisel.system, with_defaults({}, rk4.description.options));
     time(state, links, [&] {
         if (integrator->step(0, step_size, kreisel.y.data()) != Status::ok) state.SkipWithError("the step failed");
     });

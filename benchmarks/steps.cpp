@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-#include "mechanics/formulation.hpp"
-#include "methods/contract/integrator.hpp"
+#include "methods/simulation.hpp"
 #include "problems/problem.hpp"
 
 using namespace kreisel;
@@ -15,27 +14,21 @@ using namespace kreisel;
 namespace {
 
 Model standard(const Problem& problem) {
-    ParameterValues values;
-    for (const ParameterDescription& parameter : problem.description.parameters)
-        values[parameter.name] = parameter.standard;
-    return problem.build(Parameters(values));
+    return problem.build(Parameters(demonstration_parameters(problem.description)));
 }
 
 void step(benchmark::State& state, const Model& model, const std::string& formulation, const Method& method) {
-    auto system = make_system(model, formulation);
-    OptionValues options;
-    for (const OptionDescription& option : method.description.options) options[option.name] = option.standard;
-    auto integrator = method.bind(*system, options);
-    std::vector<Real> y = initial_state(*system, model);
+    Simulation simulation(model, {.formulation = formulation, .method = method.description.name});
     // Short steps, started over now and then: drift must not lead into a singularity.
     const Real h = Real(1) / 100000;
-    const std::vector<Real> start = y;
+    const std::vector<Real> start = simulation.state();
     long i = 0;
     for (auto _ : state) {
-        if (integrator->step(h * Real(i), h, y.data()) != Status::ok) state.SkipWithError("the step failed");
-        if (++i % 10000 == 0) y = start, i = 0;
+        if (i % 10000 == 0) simulation.restart(0, start);
+        if (simulation.step(h) != Status::ok) state.SkipWithError("the step failed");
+        ++i;
     }
-    benchmark::DoNotOptimize(y.data());
+    benchmark::DoNotOptimize(simulation.q());
 }
 
 void register_all() {

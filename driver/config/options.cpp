@@ -98,9 +98,7 @@ std::string expectation(const OptionDescription& option) {
 }
 
 std::vector<OptionValues> default_options(const std::vector<OptionDescription>& options) {
-    OptionValues values;
-    for (const OptionDescription& option : options) { values[option.name] = option.standard; }
-    return {values};
+    return {with_defaults({}, options)};
 }
 
 std::vector<OptionValues> read_options(const Node& written, const std::vector<OptionDescription>& options) {

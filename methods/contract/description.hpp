@@ -73,4 +73,12 @@ struct OptionError : std::invalid_argument {
     OptionError(std::string name, const std::string& what) : std::invalid_argument(what), option(std::move(name)) {}
 };
 
+/// `given`, and the defaults of the options that it does not name. Throws OptionError for an option that there is not.
+inline OptionValues with_defaults(OptionValues given, const std::vector<OptionDescription>& options) {
+    for (const OptionDescription& option : options) given.insert({option.name, option.standard});
+    if (given.size() == options.size()) return given;
+    for (const OptionDescription& option : options) given.erase(option.name);
+    throw OptionError(given.begin()->first, "there is no option \"" + given.begin()->first + "\"");
+}
+
 }  // namespace kreisel

@@ -17,9 +17,7 @@ inline namespace KREISEL_PRECISION {
 namespace {
 
 std::unique_ptr<Integrator> bind_standard(const Method& method, System& system) {
-    OptionValues options;
-    for (const OptionDescription& option : method.description.options) options[option.name] = option.standard;
-    return method.factory.make(system, options, method.description);
+    return method.factory.make(system, with_defaults({}, method.description.options), method.description);
 }
 
 class BLieDF2 final : public Integrator {

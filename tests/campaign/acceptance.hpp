@@ -26,11 +26,7 @@ struct Samples final : SampleSink {
     std::vector<std::string> rows;
 };
 
-inline OptionValues standard_options(const MethodDescription& method) {
-    OptionValues options;
-    for (const OptionDescription& option : method.options) options[option.name] = option.standard;
-    return options;
-}
+inline OptionValues standard_options(const MethodDescription& method) { return with_defaults({}, method.options); }
 
 /// The default options, and each word and the least value of each real in turn; counts and flags stay at their default.
 inline std::vector<OptionValues> variants(const MethodDescription& method) {

@@ -22,8 +22,7 @@ const Outcome& fine(const std::string& name, const Model& model, const Span& spa
 
 int declared_order(const Case& entry) {
     const Method& bound = method(entry.combination.method);
-    OptionValues options = entry.combination.options;
-    for (const OptionDescription& option : bound.factory.options) options.insert({option.name, option.standard});
+    const OptionValues options = with_defaults(entry.combination.options, bound.factory.options);
     const Order order = bound.factory.order(options, bound.description.order);
     return std::min(order.configuration, order.velocity);
 }

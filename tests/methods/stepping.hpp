@@ -16,11 +16,7 @@ namespace stepping {
 
 using namespace kreisel;
 
-inline OptionValues default_options(const std::vector<OptionDescription>& options) {
-    OptionValues values;
-    for (const OptionDescription& option : options) values[option.name] = option.standard;
-    return values;
-}
+inline OptionValues default_options(const std::vector<OptionDescription>& options) { return with_defaults({}, options); }
 
 inline bool runs_on(const MethodDescription& method, const std::string& formulation) {
     const auto& only = method.formulations;
@@ -42,12 +38,11 @@ inline bool spins_fast(const Model& model) {
 /// A method, a projection and a system, stepping.
 struct Trip {
     Trip(const Model& m, const std::string& formulation, const Method& method, const OptionValues& options,
-         const std::string& projector = "none", OptionValues projection_options = {})
+         const std::string& projector = "none", const OptionValues& projection_options = {})
         : model(m), system(make_system(model, formulation)), y(initial_state(*system, model)) {
         integrator = method.bind(*system, options);
         const ProjectionMethod& entry = projection(projector);
-        for (const auto& [name, value] : default_options(entry.description.options)) projection_options.insert({name, value});
-        project = entry.make(*system, projection_options);
+        project = entry.make(*system, with_defaults(projection_options, entry.description.options));
     }
     Trip(const Model& m, const std::string& formulation, const Method& method, const std::string& projector = "none")
         : Trip(m, formulation, method, default_options(method.description.options), projector) {}

@@ -16,11 +16,7 @@ using namespace kreisel;
 
 namespace {
 
-OptionValues standard_options(const Method& method) {
-    OptionValues options;
-    for (const auto& option : method.description.options) options[option.name] = option.standard;
-    return options;
-}
+OptionValues standard_options(const Method& method) { return with_defaults({}, method.description.options); }
 
 /// Unit vectors: stage velocities and the final velocity are then rows of the tableau.
 std::vector<VecX> marks(int stages) {

@@ -13,11 +13,6 @@ namespace metamorphic {
 
 namespace {
 
-OptionValues with_defaults(OptionValues values, const std::vector<OptionDescription>& options) {
-    for (const OptionDescription& option : options) values.insert({option.name, option.standard});
-    return values;
-}
-
 /// A run in progress.
 class Run {
   public:

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "methods/simulation.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+Simulation::Simulation(Model model, const Setup& setup)
+    : setup_(setup), model_(std::move(model)), system_(make_system(model_, setup.formulation)) {
+    const Method& entry = method(setup.method);
+    const ProjectionMethod& projector = kreisel::projection(setup.projection);
+    integrator_ = entry.bind(*system_, with_defaults(setup.options, entry.description.options));
+    projection_ = projector.make(*system_, with_defaults(setup.projection_options, projector.description.options));
+    y_ = initial_state(*system_, model_);
+}
+
+std::vector<BodyState> Simulation::bodies() const {
+    std::vector<BodyState> states(model_.bodies.size());
+    system_->read(y_.data(), states.data());
+    return states;
+}
+
+Status Simulation::restart(const Real& t, const std::vector<Real>& y) {
+    t_ = t, y_ = y;
+    return restart();
+}
+
+Status Simulation::step(const Real& h, const Real& end) {
+    if (const Status status = integrator_->step(t_, h, y_.data()); status != Status::ok)
+        return fail(status, "step of " + setup_.method);
+    if (const Status status = projection_->project(end, y_.data()); status != Status::ok)
+        return fail(status, "projection " + setup_.projection);
+    t_ = end;
+    return Status::ok;
+}
+
+Status Simulation::fail(Status status, const std::string& part) {
+    const std::string reason = system_->reason(status);
+    failure_ = part + ": " + name(status) + (reason.empty() ? "" : ", " + reason);
+    return status;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

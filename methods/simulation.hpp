@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The front door in C++: a model, the formulation of its state space, a method and a projection, and the state they move.
+//
+//   Simulation top(model, {.formulation = "SO3xR3", .method = "rkmk/rk4", .projection = "position_velocity"});
+//   if (top.advance(1, 1000) != Status::ok) std::cerr << top.failure();
+//   std::cout << top.bodies()[0].x;
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mechanics/formulation.hpp"
+#include "methods/contract/integrator.hpp"
+#include "methods/contract/projection.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// Who moves a model; options that are not given have their defaults.
+struct Setup {
+    std::string formulation = "SO3xR3", method = "rkmk/rk4";
+    OptionValues options = {};
+    std::string projection = "none";
+    OptionValues projection_options = {};
+};
+
+class Simulation {
+  public:
+    /// At the start of the model, t = 0. Throws std::out_of_range for names that are not registered and OptionError for
+    /// options that a method does not take; whether the formulation applies is for Formulation::why_not to say.
+    Simulation(Model model, const Setup& setup);
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    const Model& model() const { return model_; }
+    System& system() { return *system_; }
+    const System& system() const { return *system_; }
+    const Projection& projection() const { return *projection_; }
+
+    const Real& time() const { return t_; }                ///< s
+    const std::vector<Real>& state() const { return y_; }  ///< y = (q, v) in TG
+    const Real* q() const { return y_.data(); }            ///< configuration
+    const Real* v() const {
+        return y_.data() + system_->group().size();
+    }  ///< velocities, in the coordinates of the formulation
+    std::vector<BodyState> bodies() const;
+    /// The method's own multipliers after the last step, or null (Integrator::multipliers).
+    const Real* multipliers() const { return integrator_->multipliers(); }
+
+    /// From the state y at time t on: what the method remembers of earlier steps is dropped. Needed before the first step of
+    /// a loop of one's own; `advance` does it by itself.
+    Status restart(const Real& t, const std::vector<Real>& y);
+    Status restart() { return integrator_->start(t_, y_.data()); }
+
+    /// One step by h (s), then the projection; the time is t + h, or `end` where the caller knows it better than a sum does.
+    /// On any status but ok the time stays, and `failure` names the part that gave it.
+    Status step(const Real& h) { return step(h, t_ + h); }
+    Status step(const Real& h, const Real& end);
+
+    /// `steps` steps from the time of the simulation to t_end (s), at the times t + i h. `observe(simulation)` is called
+    /// after each of them.
+    template <class Observer>
+    Status advance(const Real& t_end, long steps, Observer observe) {
+        const Real begin = t_, h = (t_end - begin) / Real(steps);
+        if (const Status status = restart(); status != Status::ok) return fail(status, "start");
+        for (long i = 1; i <= steps; ++i) {
+            if (const Status status = step(h, i == steps ? t_end : Real(begin + h * Real(i))); status != Status::ok)
+                return status;
+            observe(*this);
+        }
+        return Status::ok;
+    }
+    Status advance(const Real& t_end, long steps) {
+        return advance(t_end, steps, [](const Simulation&) {});
+    }
+
+    /// What the last status that is not ok came from: "step of rkmk/rk4: left_chart", with what the system knows of it.
+    const std::string& failure() const { return failure_; }
+
+  private:
+    Status fail(Status status, const std::string& part);
+
+    Setup setup_;
+    Model model_;
+    std::unique_ptr<System> system_;
+    std::unique_ptr<Integrator> integrator_;
+    std::unique_ptr<Projection> projection_;
+    Real t_ = 0;
+    std::vector<Real> y_;
+    std::string failure_;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

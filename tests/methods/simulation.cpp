@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The front door does what its parts do one by one, and says what has gone wrong.
+#include "methods/simulation.hpp"
+
+#include "problems/problem.hpp"
+#include "tests/methods/stepping.hpp"
+
+using namespace stepping;
+
+namespace {
+
+Model standard_model(const std::string& name) {
+    const Problem& entry = problem(name);
+    return entry.build(Parameters(default_parameters(entry.description)));
+}
+
+}  // namespace
+
+TEST_CASE("a simulation moves a model as its parts do, bit for bit", "[simulation]") {
+    const Model model = standard_model("double_pendulum");
+    for (const char* name : {"rkmk/rk4", "multistep/bliedf2", "crouch_grossman/cg3a"})
+        for (const char* formulation : {"SO3xR3", "SE3"}) {
+            INFO(name << " " << formulation);
+            const std::string projector = method(name).description.own_multipliers ? "none" : "position_velocity";
+            Simulation simulation(model, {.formulation = formulation, .method = name, .projection = projector});
+            std::vector<Real> times;
+            REQUIRE(simulation.advance(1, 64, [&](const Simulation& now) { times.push_back(now.time()); }) ==
+                    Status::ok);
+            REQUIRE(times.size() == 64);
+            for (std::size_t i = 0; i < times.size(); ++i) CHECK(times[i] == Real(i + 1) / 64);
+            CHECK(simulation.time() == 1);
+            Trip parts(model, formulation, method(name), projector);
+            REQUIRE(parts.run(1, 64) == Status::ok);
+            CHECK(simulation.state() == parts.y);
+            CHECK(simulation.bodies()[1].x == parts.bodies()[1].x);
+        }
+}
+
+TEST_CASE("a simulation that starts again forgets the steps before", "[simulation]") {
+    Simulation simulation(standard_model("heavy_top"), {.method = "multistep/bliedf2"});
+    const std::vector<Real> start = simulation.state();
+    REQUIRE(simulation.advance(Real(1) / 64, 64) == Status::ok);
+    const std::vector<Real> end = simulation.state();
+    REQUIRE(simulation.restart(0, start) == Status::ok);
+    CHECK(simulation.time() == 0);
+    REQUIRE(simulation.advance(Real(1) / 64, 64) == Status::ok);
+    CHECK(simulation.state() == end);
+}
+
+TEST_CASE("a simulation that fails says where, and keeps its time", "[simulation]") {
+    Simulation simulation(standard_model("heavy_top"), {});
+    CHECK(simulation.advance(2, 8) == Status::left_chart);
+    CHECK_THAT(simulation.failure(), Catch::Contains("step of rkmk/rk4: left_chart"));
+    CHECK(simulation.time() == 0);
+    CHECK_THROWS_AS(Simulation(standard_model("heavy_top"), {.method = "rkmk/rk5"}), std::out_of_range);
+    CHECK_THROWS_AS(Simulation(standard_model("heavy_top"), {.options = {{"coordinate", "exp"}}}), OptionError);
+}
