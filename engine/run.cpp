@@ -11,10 +11,7 @@
 #include "engine/metrics/metrics.hpp"
 #include "engine/report/joint_forces.hpp"
 #include "engine/report/report.hpp"
-#include "mechanics/formulation.hpp"
-#include "mechanics/start.hpp"
-#include "methods/contract/integrator.hpp"
-#include "methods/contract/projection.hpp"
+#include "methods/simulation.hpp"
 #include "problems/problem.hpp"
 #include "support/pattern.hpp"
 
@@ -72,21 +69,21 @@ class Run {
     explicit Run(const Cell& cell)
         : cell_(cell),
           heap_before_(heap_bytes()),
-          model_(problem(cell.problem).build(Parameters(cell.parameters))),
-          system_(make_system(model_, cell.formulation)),
-          integrator_(bind_method()),
-          projection_(projection(cell.projection).make(*system_, cell.projection_options)),
-          monitor_(*system_, cell.metrics),
+          simulation_(problem(cell.problem).build(Parameters(cell.parameters)),
+                      {cell.formulation, cell.method, cell.options, cell.projection, cell.projection_options}),
+          model_(simulation_.model()),
+          system_(simulation_.system()),
+          y_(simulation_.state()),
+          monitor_(system_, cell.metrics),
           t_end_(decimal(cell.t_end)),
           h_(t_end_ / Real(cell.steps)),
-          y_(initial_state(*system_, model_)),
           states_(model_.bodies.size()),
           springs_(model_.torsion_springs.size()) {
         for (const Body& body : model_.bodies) names_.push_back(body.name);
-        outcome_.constraints = to_summary(system_->constraint_rank());
-        outcome_.bodies = system_->bodies();
-        if (!cell.timed || cell.samples > 0) joint_forces_.emplace(*system_, model_);
-        if (!cell.timed) conservation_.emplace(*system_, y_.data());
+        outcome_.constraints = to_summary(system_.constraint_rank());
+        outcome_.bodies = system_.bodies();
+        if (!cell.timed || cell.samples > 0) joint_forces_.emplace(system_, model_);
+        if (!cell.timed) conservation_.emplace(system_, y_.data());
     }
 
     Outcome execute(const Reference* reference, const std::stop_token& stop, SampleSink* samples) {
@@ -105,10 +102,6 @@ class Run {
     }
 
   private:
-    std::unique_ptr<Integrator> bind_method() {
-        return method(cell_.method).bind(*system_, cell_.options);
-    }
-
     Real time(long step) const { return step == cell_.steps ? t_end_ : Real(h_ * Real(step)); }
 
     /// Runs several times from the start; the evaluations counted are those of one run.
@@ -117,39 +110,31 @@ class Run {
         const std::vector<Real> start = y_;
         double total = 0, fastest = 0;
         for (int run = 0; outcome_.status == "ok" && (run < least_repeats || total < least_seconds); ++run) {
-            y_ = start;
+            simulation_.restart(0, start);
             const double begin = thread_seconds();
             advance(stop);
             const double seconds = thread_seconds() - begin;
             fastest = run == 0 ? seconds : std::min(fastest, seconds);
             total += seconds;
-            if (run == 0) evaluations_ = system_->evaluations();
+            if (run == 0) evaluations_ = system_.evaluations();
         }
         if (outcome_.status == "ok") outcome_.cost.step_s = fastest / static_cast<double>(cell_.steps);
     }
 
     void advance(const std::stop_token& stop) {
-        if (const Status status = integrator_->start(0, y_.data()); status != Status::ok)
-            return fail(status, 0, "start");
+        if (const Status status = simulation_.restart(); status != Status::ok) return fail(status, 0, "start");
         const long steps = cell_.steps;
-        Real* const y = y_.data();
-        Integrator& integrator = *integrator_;
-        Projection& projector = *projection_;
         const bool observing = !monitor_.idle(), sampling = cell_.samples > 0;
-        Real t = 0;
         for (long i = 0; i < steps; ++i) {
             if (i % 256 == 0 && stop.stop_requested()) {
                 outcome_.status = "interrupted";
                 return;
             }
-            if (const Status status = integrator.step(t, h_, y); status != Status::ok)
-                return fail(status, i, "step of " + cell_.method);
-            t = time(i + 1);
-            if (const Status status = projector.project(t, y); status != Status::ok)
-                return fail(status, i, "projection " + cell_.projection);
+            if (const Status status = simulation_.step(h_, time(i + 1)); status != Status::ok)
+                return fail(status, i, simulation_.failed_part());
             if (!all_finite(y_)) return fail(Status::non_finite, i, where_not_finite());
             outcome_.steps_done = i + 1;
-            if (observing) monitor_.observe(t, y);
+            if (observing) monitor_.observe(simulation_.time(), y_.data());
             if (sampling) sample(i + 1);
         }
     }
@@ -158,12 +143,12 @@ class Run {
         outcome_.status = name(status);
         outcome_.detail = where + " failed in step " + std::to_string(step + 1) + " of " + std::to_string(cell_.steps) +
                           ", from t = " + brief(time(step)) + " s";
-        if (const std::string reason = system_->reason(status); !reason.empty()) outcome_.detail += ": " + reason;
+        if (const std::string reason = system_.reason(status); !reason.empty()) outcome_.detail += ": " + reason;
     }
 
     /// Names the first quantity that is not finite.
     std::string where_not_finite() {
-        system_->read(y_.data(), states_.data());
+        system_.read(y_.data(), states_.data());
         for (std::size_t i = 0; i < states_.size(); ++i) {
             const BodyState& s = states_[i];
             const std::pair<const char*, Real> sums[] = {
@@ -198,14 +183,14 @@ class Run {
     void sample(long step) {
         if (step % (cell_.steps / cell_.samples) != 0) return;
         std::vector<Real> row = {time(step)};
-        system_->read(y_.data(), states_.data());
+        system_.read(y_.data(), states_.data());
         for (const BodyState& s : states_) {
             row.insert(row.end(), {s.x[0], s.x[1], s.x[2]});
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j) row.push_back(s.R(i, j));
             row.insert(row.end(), {s.v[0], s.v[1], s.v[2], s.omega[0], s.omega[1], s.omega[2]});
         }
-        system_->read_angles(y_.data(), springs_.data());
+        system_.read_angles(y_.data(), springs_.data());
         for (const SpringAngle& spring : springs_) row.insert(row.end(), {spring.theta, Real(spring.turns)});
         std::string line;
         const auto append = [&](const std::string& text) { line += (line.empty() ? "" : ",") + text; };
@@ -219,13 +204,13 @@ class Run {
         if (samples_) samples_->add(line);
     }
 
-    bool find_joint_forces(const Real& t) { return joint_forces_->find(t, y_.data(), integrator_->multipliers()); }
+    bool find_joint_forces(const Real& t) { return joint_forces_->find(t, y_.data(), simulation_.multipliers()); }
 
     void finish(const Reference* reference) {
         const Real t = time(outcome_.steps_done);
         outcome_.t_reached = to_double(t);
-        outcome_.cost.evaluations = cell_.timed ? evaluations_ : system_->evaluations();
-        outcome_.cost.projection_iterations = projection_->iterations();
+        outcome_.cost.evaluations = cell_.timed ? evaluations_ : system_.evaluations();
+        outcome_.cost.projection_iterations = simulation_.projection().iterations();
         if (outcome_.status == "ok" && !cell_.timed) {
             const bool found = find_joint_forces(t);
             bool known = found;
@@ -233,8 +218,8 @@ class Run {
                 for (const Real& x : joint_forces_->multipliers()) outcome_.constraints.least_norm.push_back(to_number(x));
                 known = false;
             }
-            system_->read(y_.data(), states_.data());
-            system_->read_angles(y_.data(), springs_.data());
+            system_.read(y_.data(), states_.data());
+            system_.read_angles(y_.data(), springs_.data());
             outcome_.final =
                 to_report(t, states_, names_, known ? joint_forces_->multipliers() : std::vector<Real>(), springs_);
             if (found) joint_forces_->report(*outcome_.final);
@@ -271,7 +256,7 @@ class Run {
         for (const Number& row : reference.state.multipliers) exact.push_back(from_number(row));
         const std::vector<Real>& multipliers = joint_forces_->multipliers();
         if (!multipliers_known || exact.size() != multipliers.size()) return;
-        const auto rows = system_->constraint_rows();
+        const auto rows = system_.constraint_rows();
         std::map<std::string, Number> errors;
         add_multiplier_errors(rows, multiplier_distance(rows, multipliers, exact), errors);
         for (const auto& [metric, value] : errors) add(metric, from_number(value));
@@ -279,15 +264,14 @@ class Run {
 
     const Cell& cell_;
     double heap_before_;
-    Model model_;
-    std::unique_ptr<System> system_;
-    std::unique_ptr<Integrator> integrator_;
-    std::unique_ptr<Projection> projection_;
+    Simulation simulation_;
+    const Model& model_;
+    System& system_;
+    const std::vector<Real>& y_;
     Monitor monitor_;
     std::optional<JointForces> joint_forces_;  // not of a timed cell, which would count its memory
     std::optional<Conservation> conservation_;  // nor this
     Real t_end_, h_;
-    std::vector<Real> y_;
     std::vector<BodyState> states_;
     std::vector<SpringAngle> springs_;
     std::vector<std::string> names_;

@@ -35,6 +35,7 @@ Status Simulation::step(const Real& h, const Real& end) {
 
 Status Simulation::fail(Status status, const std::string& part) {
     const std::string reason = system_->reason(status);
+    failed_part_ = part;
     failure_ = part + ": " + name(status) + (reason.empty() ? "" : ", " + reason);
     return status;
 }

@@ -76,7 +76,9 @@ class Simulation {
         return advance(t_end, steps, [](const Simulation&) {});
     }
 
-    /// What the last status that is not ok came from: "step of rkmk/rk4: left_chart", with what the system knows of it.
+    /// What the last status that is not ok came from, "step of rkmk/rk4"; and with the status and what the system knows of
+    /// it, "step of rkmk/rk4: left_chart".
+    const std::string& failed_part() const { return failed_part_; }
     const std::string& failure() const { return failure_; }
 
   private:
@@ -89,7 +91,7 @@ class Simulation {
     std::unique_ptr<Projection> projection_;
     Real t_ = 0;
     std::vector<Real> y_;
-    std::string failure_;
+    std::string failed_part_, failure_;
 };
 
 }  // namespace KREISEL_PRECISION
