@@ -18,9 +18,10 @@ const std::vector<MetricDescription>& common_metrics() {
         {"defect.position", "m", "largest |Phi| over all steps, of the rows that are lengths"},
         {"defect.direction", "1", "largest |Phi| over all steps, of the rows that compare directions"},
         {"defect.velocity", "m/s", "largest |d Phi/dt| over all steps, of the rows that are lengths"},
-        {"defect.direction.velocity", "1/s", "the same of the rows that compare directions"},
+        {"defect.direction.velocity", "1/s", "largest |d Phi/dt| over all steps, of the rows that compare directions"},
         {"defect.acceleration", "m/s^2", "largest |d^2 Phi/dt^2| over all steps, of the rows that are lengths"},
-        {"defect.direction.acceleration", "1/s^2", "the same of the rows that compare directions"},
+        {"defect.direction.acceleration", "1/s^2",
+         "largest |d^2 Phi/dt^2| over all steps, of the rows that compare directions"},
         {"defect.orthogonality", "1", "largest Frobenius norm of R^T R - I over all steps"},
     };
     return all;
