@@ -143,6 +143,24 @@ foreach(target test_orders_binary64 test_orders_binary128)
   endif()
 endforeach()
 
+# Instructions per step of the literature's top: explicit steps of 1/20,000 s, implicit ones of 1/1000 s down to round-off.
+# The last one is a control: no step takes a single instruction.
+find_program(KREISEL_VALGRIND valgrind)
+if(KREISEL_VALGRIND AND TARGET kreisel AND CMAKE_BUILD_TYPE STREQUAL "Release")
+  foreach(gate "rkmk/rk4:20000:2200" "rkmk/implicit_midpoint:1000:6500" "generalized_alpha/index2:1000:15000"
+               "multistep/bliedf2:1000:18000" "rkmk/rk4:1000:1")
+    string(REPLACE ":" ";" gate ${gate})
+    list(GET gate 0 method)
+    list(GET gate 1 rate)
+    list(GET gate 2 most)
+    string(REPLACE "/" "." name "instructions.${method}.${most}")
+    add_test(NAME ${name} COMMAND ${CMAKE_SOURCE_DIR}/tools/count-instructions -k $<TARGET_FILE:kreisel> -r ${rate} -n 200
+                                  -m ${most} heavy_top SO3xR3 ${method})
+    set_tests_properties(${name} PROPERTIES LABELS instructions TIMEOUT 600)
+  endforeach()
+  set_tests_properties(instructions.rkmk.rk4.1 PROPERTIES WILL_FAIL ON)
+endif()
+
 # A few mutants of each kind, so that the tools that make them stay alive. They reuse the objects of this build.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_GENERATOR STREQUAL "Ninja")
   foreach(sample "series:lie/small_angle.hpp:40" "tableaus:methods/:4")

@@ -298,6 +298,24 @@ void Bodies<Coordinates>::position_scale(const Real* q, Real* size) const {
 }
 
 template <class Coordinates>
+KREISEL_HOT void Bodies<Coordinates>::to_space_axes(const Real* q, const Real* v, Real* turned) const {
+    for (int i = 0; i < bodies(); ++i, v += 6, turned += 6) {
+        const auto R = rotation(q, i);
+        const Vec3 linear = Coordinates::space_velocity(R, vec3(v)), angular = R * vec3(v + 3);
+        store(linear, turned), store(angular, turned + 3);
+    }
+}
+
+template <class Coordinates>
+KREISEL_HOT void Bodies<Coordinates>::from_space_axes(const Real* q, const Real* turned, Real* v) const {
+    for (int i = 0; i < bodies(); ++i, turned += 6, v += 6) {
+        const auto R = rotation(q, i);
+        const Vec3 linear = Coordinates::from_space_velocity(R, vec3(turned)), angular = R.transpose() * vec3(turned + 3);
+        store(linear, v), store(angular, v + 3);
+    }
+}
+
+template <class Coordinates>
 Real Bodies<Coordinates>::potential(const Real& t, const Real* q) const {
     const Vec3 g = model_.gravity.at(t);
     const auto at = [&](int body) { return motion(q, nullptr, body); };

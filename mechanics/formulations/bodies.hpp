@@ -9,13 +9,14 @@
 #include "mechanics/forces/forces.hpp"
 #include "mechanics/formulations/coordinates.hpp"
 #include "mechanics/joints/joint_rows.hpp"
+#include "mechanics/space_axes.hpp"
 #include "mechanics/system.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 template <class Coordinates>
-class Bodies : public System {
+class Bodies : public System, public SpaceAxes {
   public:
     explicit Bodies(Model model);
 
@@ -51,6 +52,9 @@ class Bodies : public System {
     Status begin_step(const Real& t, const Real& h, const Real* y) override;
     Status end_step(Status result, const Real& t, Real* y) override;
     void read_angles(const Real* q, SpringAngle* angles) const override;
+
+    void to_space_axes(const Real* q, const Real* v, Real* turned) const override;
+    void from_space_axes(const Real* q, const Real* turned, Real* v) const override;
 
   protected:
     using Factor = typename Coordinates::Factor;

@@ -156,6 +156,16 @@ void PivotedBodies::gyroscopic_force(const Real*, const Real* v, Real* f) const 
     }
 }
 
+void PivotedBodies::to_space_axes(const Real* q, const Real* v, Real* turned) const {
+    for (std::size_t i = 0; i < bodies_.size(); ++i, q += SO3::size, v += 3, turned += 3)
+        store(Vec3(mat3(q) * vec3(v)), turned);
+}
+
+void PivotedBodies::from_space_axes(const Real* q, const Real* turned, Real* v) const {
+    for (std::size_t i = 0; i < bodies_.size(); ++i, q += SO3::size, turned += 3, v += 3)
+        store(Vec3(mat3(q).transpose() * vec3(turned)), v);
+}
+
 Real PivotedBodies::potential(const Real& t, const Real* q) const {
     const Vec3 g = model_.gravity.at(t);
     const auto at = [&, q](int body) { return motion(q, nullptr, body); };

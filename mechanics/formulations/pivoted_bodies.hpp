@@ -12,12 +12,13 @@
 #include "lie/power.hpp"
 #include "lie/so3.hpp"
 #include "mechanics/forces/forces.hpp"
+#include "mechanics/space_axes.hpp"
 #include "mechanics/system.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-class PivotedBodies final : public System {
+class PivotedBodies final : public System, public SpaceAxes {
   public:
     /// Why this model has no such formulation; empty if it has.
     static std::string why_not(const Model& model);
@@ -40,6 +41,9 @@ class PivotedBodies final : public System {
     Status begin_step(const Real& t, const Real& h, const Real* y) override;
     Status end_step(Status result, const Real& t, Real* y) override;
     void read_angles(const Real* q, SpringAngle* angles) const override;
+
+    void to_space_axes(const Real* q, const Real* v, Real* turned) const override;
+    void from_space_axes(const Real* q, const Real* turned, Real* v) const override;
 
   private:
     struct Pivoted {

@@ -28,6 +28,7 @@ class InverseJacobian {
     void add(const VecX& u, const VecX& p, Eigen::Index keep);
 
   private:
+    void add_product(const VecX& r, VecX& out) const;
     void drop_oldest();
 
     MatX matrix_;                      // H - I, or nothing

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods/implicit/motion_scale.hpp"
 
+#include <algorithm>
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 MotionScale::MotionScale(System& system)
     : system_(system),
+      axes_(dynamic_cast<const SpaceAxes*>(&system)),
       weights_(VecX::Ones(system.velocities())),
       mobility_(weights_),
       blocks_(static_cast<std::size_t>(system.velocities() * system.mass_block())),
@@ -22,6 +25,18 @@ void MotionScale::weigh(const Real* q) {
         weights_[i] = sqrt(blocks_[k * rows + k % rows] / blocks_[0]);
         mobility_[i] = 1 / (weights_[i] * blocks_[0]);
     }
+}
+
+void MotionScale::to_space(const Real* q, const Real* v, Real* turned) const {
+    KREISEL_ELEMENTWISE
+    for (Eigen::Index i = 0; i < weights_.size(); ++i) turned[i] = weights_[i] * v[i];
+    if (axes_) axes_->to_space_axes(q, turned, turned);
+}
+
+void MotionScale::from_space(const Real* q, const Real* turned, Real* v) const {
+    axes_ ? axes_->from_space_axes(q, turned, v) : void(std::copy_n(turned, weights_.size(), v));
+    KREISEL_ELEMENTWISE
+    for (Eigen::Index i = 0; i < weights_.size(); ++i) v[i] /= weights_[i];
 }
 
 Real MotionScale::of_velocity(const Real* v) const {

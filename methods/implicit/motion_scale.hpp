@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "mechanics/space_axes.hpp"
 #include "mechanics/system.hpp"
 
 namespace kreisel {
@@ -22,6 +23,11 @@ class MotionScale {
     void forget() { known_ = false; }
     const VecX& weights() const { return weights_; }
     const Real& mass_unit() const { return blocks_[0]; }  ///< M_11
+    /// w_i v_i turned into space axes for the pose q, where the system knows such: the unknowns of iterations and what is
+    /// guessed from earlier steps, all of one unit. A body spinning fast about an axis of symmetry has slow ones, and its
+    /// Jacobian is nearly the same step after step. `turned` may be v.
+    void to_space(const Real* q, const Real* v, Real* turned) const;
+    void from_space(const Real* q, const Real* turned, Real* v) const;
     /// Largest w_i |v_i|.
     Real of_velocity(const Real* v) const;
     /// Largest |p_i| / (w_i M_11), of the velocity that an impulse p makes of rest.
@@ -32,6 +38,7 @@ class MotionScale {
 
   private:
     System& system_;
+    const SpaceAxes* axes_;
     bool known_ = false;
     VecX weights_, mobility_;  // 1 / (w_i M_11)
     std::vector<Real> blocks_;

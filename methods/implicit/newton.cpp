@@ -14,14 +14,17 @@ Eigen::Index directions(Eigen::Index unknowns) { return unknowns <= many_unknown
 /// Steps of any kind, and Newton steps, before the iteration is given up.
 constexpr int most_iterations = 400, most_probes = 40;
 /// Of a Jacobian that is the identity where nothing is stiff.
-constexpr int large_gain = 8;
+constexpr int large_gain = 8, steep = 256;
 /// In round-offs: what counts as none, as one that has stopped falling, and as too small to tell a direction.
-constexpr int close = 8, stagnant = 4096, noisy = 1 << 14;
+constexpr int close = 8, stagnant = 4096, noisy = 1 << 10;
 
-Real largest(const VecX& values) { return values.size() > 0 ? Real(values.cwiseAbs().maxCoeff()) : Real(0); }
+const Real root_of_epsilon = sqrt(epsilon);
 
-/// NaN and infinity survive a sum, while a comparison with NaN is false and would let it pass.
-bool all_finite(const VecX& values) { return isfinite(Real(values.cwiseAbs().sum())); }
+Real largest(const VecX& values) {
+    Real most = 0;
+    for (const Real& value : values) most = max(most, Real(abs(value)));
+    return most;
+}
 
 }  // namespace
 
@@ -57,25 +60,31 @@ Status Newton::solve(Equations& equations, const VecX& weights, Real* x) {
 }
 
 Status Newton::evaluate(Equations& equations, VecX& r) {
-    const Status status = equations.residual(plain_.data(), r.data());
-    r.array() *= weights_->array();
-    return status;
+    if (const Status status = equations.residual(plain_.data(), r.data()); status != Status::ok) return status;
+    size_ = equations.size(), round_off_ = equations.round_off();
+    Real sum = 0;
+    largest_ = 0;
+    for (Eigen::Index i = 0; i < r.size(); ++i) {
+        const Real entry = abs(r[i] *= (*weights_)[i]);
+        largest_ = max(largest_, entry);
+        sum += entry;
+    }
+    // NaN and infinity survive a sum, while a comparison with NaN is false and would let it pass.
+    return isfinite(sum) ? Status::ok : Status::non_finite;
 }
 
 Status Newton::iterate(Equations& equations) {
     directions_ = 0;
-    if (const Status status = evaluate(equations, r_); status != Status::ok) return status;
-    if (!all_finite(r_)) return Status::non_finite;
+    if (const Status status = move(equations); status != Status::ok) return status;
     // Of the guess: without a solution the iteration runs off to where any residual is small beside the unknowns.
-    const Real known_to = close * equations.round_off() * equations.size();
-    H_.apply(r_, g_);
+    const Real known_to = close * round_off_ * size_;
     Real now = largest(g_), before = 0;  // none yet
     keep_best();
     bool newton_step = false;
     for (int i = 0, probes = 0, slow = 0, still = 0; i < most_iterations && probes <= most_probes; ++i) {
-        const bool quiet = max(now, largest(r_)) <= stagnant * equations.round_off() * equations.size();
-        if (before > 0 && 4 * now > before) ++(quiet ? still : slow);  // round-off is no slowness
-        if (converged(equations, now, before, still, newton_step)) return Status::ok;
+        const bool quiet = max(now, residual_) <= stagnant * round_off_ * size_;
+        if (before > 0 && (quiet ? 2 : 4) * now > before) ++(quiet ? still : slow);  // round-off is no slowness
+        if (converged(now, before, still, newton_step)) return Status::ok;
         newton_step = slow > (stiff_ ? 0 : 2);
         if (newton_step) {
             if (probes++ == 0) H_.clear();  // what it knows has not helped
@@ -83,21 +92,22 @@ Status Newton::iterate(Equations& equations) {
             if (const Status status = probe(equations); status != Status::ok) return status;
             now = largest(g_);
         }
-        before_ = r_, before = now;
+        before_.swap(r_), before = now;
+        const Real residual_before = residual_;
         x_ -= g_;
-        const Status status = move(equations);
+        const Status status = newton_step && !quiet ? search(equations, before) : move(equations);
         const bool known = status == Status::ok;
         if (newton_step && !known) return status == Status::non_finite ? Status::newton_failed : status;
         if (known) {
-            if (!stiff_) learn_from_step(noisy * equations.round_off() * equations.size());
+            if (!stiff_) learn_from_step(noisy * round_off_ * size_);
             now = largest(g_);
         }
-        const bool nearer = known && now < 4 * before && (quiet || largest(r_) < 16 * largest(before_));
+        const bool nearer = known && now < 4 * before && (quiet || residual_ < 16 * residual_before);
         if (newton_step || nearer) {
             keep_best();
         } else {  // away: back to where it was, and from there by a Newton step
-            x_ = best_x_, r_ = best_r_;
-            if (max(before, largest(r_)) <= known_to) return move(equations);  // it is not known better
+            x_ = best_x_, r_ = best_r_, residual_ = largest(r_), size_ = best_size_;
+            if (max(before, residual_) <= known_to) return move(equations);  // it is not known better
             before = 0, slow = 3;
             now = std::numeric_limits<Real>::max();
         }
@@ -105,30 +115,40 @@ Status Newton::iterate(Equations& equations) {
     return Status::newton_failed;
 }
 
+/// The Newton step that has led to x_, or the half of it, ..., that makes the correction smaller:
+/// H is still that of where it began.
+Status Newton::search(Equations& equations, const Real& before) {
+    constexpr int most_halvings = 8;
+    newton_step_ = g_;
+    Real share = 1;
+    for (int i = 0;; ++i) {
+        const Status status = move(equations);
+        if ((status == Status::ok && largest(g_) <= (1 - share / 4) * before) || i == most_halvings) return status;
+        share /= 2;
+        x_ += share * newton_step_;
+    }
+}
+
 Status Newton::move(Equations& equations) {
     plain_ = x_.cwiseQuotient(*weights_);
     const Status status = evaluate(equations, r_);
-    if (status != Status::ok) return status;
-    if (!all_finite(r_)) return Status::non_finite;
-    H_.apply(r_, g_);
-    return Status::ok;
+    residual_ = largest_;
+    if (status == Status::ok) H_.apply(r_, g_);
+    return status;
 }
 
-void Newton::keep_best() { best_x_ = x_, best_r_ = r_; }
+void Newton::keep_best() { best_x_ = x_, best_r_ = r_, best_size_ = size_; }
 
-bool Newton::converged(const Equations& equations, const Real& now, const Real& before, int still,
-                       bool newton_step) const {
-    const Real size = equations.size();
+bool Newton::converged(const Real& now, const Real& before, int still, bool newton_step) const {
     // A Jacobian that is large where no solution is makes corrections small, but not the residual.
-    const Real most = min(max(Real(sqrt(epsilon)), Real(stagnant * gain_ * equations.round_off())), Real(1) / 1024);
-    if (!(largest(r_) <= most * size)) return false;
-    if (now <= close * epsilon * size) return true;
-    if (still > 1 && now <= stagnant * equations.round_off() * size) return true;
+    const Real most = min(max(root_of_epsilon, Real(stagnant * gain_ * round_off_)), Real(1) / 1024);
+    if (!(residual_ <= most * size_)) return false;
+    if (now <= close * epsilon * size_) return true;
+    if (still > 1 && now <= stagnant * round_off_ * size_) return true;
     if (!(2 * now > before) || !(before > 0)) return false;
     // After a fresh Newton step it is the residual's own round-off, of terms as large as the Jacobian makes them.
     return now <=
-           (newton_step ? Real(equations.round_off() * max(Real(stagnant), Real(close * gain_))) : Real(64 * epsilon)) *
-               size;
+           (newton_step ? Real(round_off_ * max(Real(stagnant), Real(close * gain_))) : Real(64 * epsilon)) * size_;
 }
 
 void Newton::learn_from_step(const Real& noise) {
@@ -160,23 +180,37 @@ Eigen::Index Newton::keep() const {
     return stiff_ || H_.keeps_all() ? group_.cols() : min(few_directions, group_.cols());
 }
 
+/// p_ = J g_ by the difference of the residuals at x_ and at a point this far from it.
+Status Newton::difference(Equations& equations, const Real& step) {
+    const Real share = step / largest(g_);
+    plain_ = (x_ + share * g_).cwiseQuotient(*weights_);
+    if (const Status status = evaluate(equations, moved_); status != Status::ok)
+        return status == Status::non_finite ? Status::newton_failed : status;
+    p_ = (moved_ - r_) / share;
+    return Status::ok;
+}
+
 Status Newton::probe(Equations& equations) {
     stiff_ = true;
-    const Real step = sqrt(equations.round_off()) * max(equations.size(), largest(r_));
+    const Real step = sqrt(round_off_) * max(size_, residual_);
     rest_ = r_;
     newton_step_.setZero();
     directions_ = 0;
+    Eigen::Index spare = -1;  // the coordinates are taken one after another where the residuals tell no more
     for (Eigen::Index i = 0; i < 3 * group_.cols() && 64 * rest_.norm() > newton_step_.norm(); ++i) {
-        H_.apply(rest_, g_);
-        const Real share = step / largest(g_);
-        plain_ = (x_ + share * g_).cwiseQuotient(*weights_);
-        if (const Status status = evaluate(equations, moved_); status != Status::ok) return status;
-        if (!all_finite(moved_)) return Status::newton_failed;
-        p_ = (moved_ - r_) / share;
+        spare < 0 ? H_.apply(rest_, g_) : void(g_ = VecX::Unit(g_.size(), spare++));
+        if (const Status status = difference(equations, step); status != Status::ok) return status;
+        const Real steepness = largest(p_) / largest(g_);
+        if (steepness > steep)  // its curvature must not hide what is flat
+            if (const Status status = difference(equations, step / steepness); status != Status::ok) return status;
         gain_ = max(gain_, Real(largest(p_) / largest(g_)));
         moved_ = p_;
         const Real length = orthonormalise(256);
-        if (!(length > 0)) break;
+        if (!(length > 0)) {
+            if (spare < 0 && group_.cols() == g_.size()) spare = 0;
+            if (spare < 0 || spare == g_.size()) break;
+            continue;
+        }
         H_.apply(moved_, u_);
         u_ = (g_ - u_) / length;
         H_.add(u_, p_, keep());

@@ -49,11 +49,13 @@ class Newton {
 
   private:
     Status iterate(Equations& equations);
-    /// Residual at x_ into r, weighted; not finite is no failure.
+    /// Residual at plain_ into r, weighted, and its largest entry; non_finite where an entry is no number.
     Status evaluate(Equations& equations, VecX& r);
-    bool converged(const Equations& equations, const Real& now, const Real& before, int still, bool newton_step) const;
+    bool converged(const Real& now, const Real& before, int still, bool newton_step) const;
     /// Solves J s = r up to a small share by directions that enter H.
     Status probe(Equations& equations);
+    Status search(Equations& equations, const Real& before);
+    Status difference(Equations& equations, const Real& step);
     /// u_ = -(1/|p|) g where p_ = r - before_ is new; H p = s then holds for the step s that has led from before_ to r.
     void learn_from_step(const Real& noise);
     /// p_ less its part in the directions of this solve, normalised; its length before, or 0 where too little is left.
@@ -68,6 +70,9 @@ class Newton {
     Real gain_ = 1;                // of the Jacobian, by largest entries
     Eigen::Index directions_ = 0;  // found in this solve
     const VecX* weights_ = nullptr;
+    Real size_ = 1, round_off_ = 1, largest_ = 0;  // of the last evaluation
+    Real residual_ = 0;                            // largest entry of r_
+    Real best_size_ = 1;                           // where best_r_ is
     VecX x_, plain_, r_, before_, best_x_, best_r_, g_, u_, p_, rest_, moved_, newton_step_;
     MatX group_;  // the last p of this solve that H knows, orthonormal columns
 };

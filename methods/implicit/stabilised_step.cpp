@@ -18,10 +18,10 @@ StabilisedStep::StabilisedStep(System& system)
       scale_(system),
       etas_count_(positions_ > 0 ? m_ : 0),
       newton_(n_ + etas_count_),
-      rates_(n_),
-      etas_(m_),
+      past_(n_ + etas_count_),
       unknowns_(VecX::Zero(n_ + etas_count_)),
-      weights_(unknowns_),
+      turned_(unknowns_),
+      weights_(VecX::Ones(n_ + etas_count_)),
       increment_(velocity_offset),
       velocity_(velocity_offset),
       rate_(velocity_offset),
@@ -30,24 +30,24 @@ StabilisedStep::StabilisedStep(System& system)
       shift_(velocity_offset),
       shift_force_(velocity_offset),
       rows_(VecX::Zero(m_)),
-      eta_(rows_),
       row_weights_(rows_),
+      lengths_(rows_),
       change_(rows_),
       impulse_(rows_),
       lambda_(rows_),
       configuration_(static_cast<std::size_t>(system.group().size())) {}
 
 Status StabilisedStep::start(const Real& t, const Real& h, const Real* y) {
-    newton_.forget(), scale_.forget(), rates_.clear(), etas_.clear();
-    balance_ = 0, h_ = h, start_ = t, q_ = y;
+    newton_.forget(), scale_.forget(), past_.clear();
+    balance_ = 0, steps_ = 0, h_ = h, start_ = t, q_ = y;
     const Real* v = y + configuration_.size();
     if (const Status status = system_.accelerations(t, y, v, rate_.data(), nullptr); status != Status::ok)
         return status;
     rate_ *= h;
-    eta_.setZero();
-    rates_.push(rate_), etas_.push(eta_);
     scale_.weigh(y);
     size_ = scale_.of_motion(t, h, y);
+    unknowns_.setZero();
+    remember();
     return measure_positions(t, y);
 }
 
@@ -55,13 +55,11 @@ Status StabilisedStep::start(const Real& t, const Real& h, const Real* y) {
 Status StabilisedStep::measure_positions(const Real& t, const Real* q) {
     reach_ = 0, remoteness_ = 1;
     if (positions_ == 0) return Status::ok;
-    system_.complement_diagonal(t, q, row_weights_.data());
-    const Real unit = scale_.mass_unit();
-    for (Real& weight : row_weights_) weight = sqrt(weight * unit) / unit;
+    weigh_rows(t, q, row_weights_);
     rows_.setZero();
     system_.position_scale(q, rows_.data());
-    system_.row_scale(impulse_.data());
-    remoteness_ = max(remoteness_, Real(rows_.head(positions_).cwiseQuotient(impulse_.head(positions_)).maxCoeff()));
+    system_.row_scale(lengths_.data());
+    remoteness_ = max(remoteness_, Real(rows_.head(positions_).cwiseQuotient(lengths_.head(positions_)).maxCoeff()));
     force_.setZero();
     if (const Status status = system_.prepare_kkt(t, q); status != Status::ok) return status;
     const Status status = system_.solve_prepared(t, q, force_.data(), rows_.data(), shift_.data(), nullptr);
@@ -69,13 +67,35 @@ Status StabilisedStep::measure_positions(const Real& t, const Real* q) {
     return status;
 }
 
+/// eta by the velocity that it makes: what a multiplier moves is in its diagonal entry of C M^{-1} C^T.
+void StabilisedStep::weigh_rows(const Real& t, const Real* q, VecX& weights) {
+    system_.complement_diagonal(t, q, weights.data());
+    const Real unit = scale_.mass_unit();
+    for (Real& weight : weights) weight = sqrt(weight * unit) / unit;
+}
+
+/// Rows turn with the bodies: with weights of other poses, an eta that moves much looks small. Whether they have changed is
+/// seen now and then; what the iteration has learnt goes with them.
+void StabilisedStep::refresh_rows() {
+    constexpr int now_and_then = 8, much = 2;
+    if (etas_count_ == 0 || ++steps_ % now_and_then != 0) return;
+    weigh_rows(start_, q_, rows_);
+    bool changed = false;
+    for (Eigen::Index i = 0; i < m_; ++i)
+        changed |= rows_[i] > much * row_weights_[i] || row_weights_[i] > much * rows_[i];
+    if (!changed) return;
+    row_weights_ = rows_;
+    newton_.forget();
+}
+
 Status StabilisedStep::advance(const Real& t, const Real& h, Real* y) {
     h_ = h, start_ = t, end_ = t + h, q_ = y;
     scale_.weigh(y);
     speed_ = scale_.of_velocity(y + configuration_.size());
+    refresh_rows();
     balance();
     guess();
-    if (const Status status = newton_.solve(*this, weights_, unknowns_.data()); status != Status::ok) {
+    if (const Status status = solve(); status != Status::ok) {
         const Status cause = status == Status::newton_failed ? find_cause() : status;
         std::copy_n(y, configuration_.size(), configuration_.begin());  // where the multipliers belong
         end_ = t;
@@ -86,36 +106,62 @@ Status StabilisedStep::advance(const Real& t, const Real& h, Real* y) {
     velocity_ = velocity_slope * rate_ + velocity_offset;
     lambda_ = impulse_ / h;
     least_norm_ = false;
-    rates_.push(rate_);
-    if (etas_count_ > 0) etas_.push(eta_ = unknowns_.tail(m_));
+    remember();
     std::copy(configuration_.begin(), configuration_.end(), y);
     std::copy_n(velocity_.data(), n_, y + configuration_.size());
     return Status::ok;
 }
 
+/// From the guess, and where that leads nowhere from unchanged velocities: springs that are stiff make accelerations swing.
+Status StabilisedStep::solve() {
+    const Status status = newton_.solve(*this, weights_, turned_.data());
+    if (status != Status::newton_failed) return status;
+    turned_.setZero();
+    return newton_.solve(*this, weights_, turned_.data());
+}
+
 /// An iteration fails beside poses in which rows lose rank. Where the guess is one, the system names the joints.
 Status StabilisedStep::find_cause() {
     guess();
+    take(turned_.data());
     place(unknowns_.data());
     return system_.prepare_kkt(end_, configuration_.data()) == Status::singular_kkt ? Status::singular_kkt
                                                                                     : Status::newton_failed;
 }
 
-/// Where something is stiff, its round-off in x' reaches eta: then Phi = 0 is met for the last x.
+/// Where something is stiff, its round-off in x' reaches eta: then Phi = 0 is met for the last x, as far as corrections lead
+/// nearer. Beside poses in which rows lose rank they do not.
 Status StabilisedStep::settle_positions() {
     constexpr int most_corrections = 4;
-    bool moved = false;
-    for (int i = 0; i < most_corrections && etas_count_ > 0; ++i) {
-        if (!(row_weights_.cwiseProduct(change_).cwiseAbs().maxCoeff() * balance_ > 64 * epsilon * size_)) break;
-        moved = true;
-        rate_ = unknowns_.head(n_);  // x' = x
+    if (etas_count_ == 0 || !moves_positions()) return Status::ok;
+    rate_ = unknowns_.head(n_);  // x' = x
+    Real defect = position_defect();
+    for (int i = 0; i < most_corrections && moves_positions(); ++i) {
         change_.setZero();
         if (const Status status = correct_positions(unknowns_.data(), change_.data()); status != Status::ok)
             return status;
         unknowns_.tail(m_) -= change_;
         place(unknowns_.data());
+        const Real now = position_defect();
+        if (!(now < defect)) {
+            unknowns_.tail(m_) += change_;
+            place(unknowns_.data());
+            break;
+        }
+        defect = now;
     }
-    return moved ? system_.prepare_kkt(end_, configuration_.data()) : Status::ok;
+    return system_.prepare_kkt(end_, configuration_.data());
+}
+
+/// Whether the last correction of positions was more than round-off.
+bool StabilisedStep::moves_positions() const {
+    return row_weights_.cwiseProduct(change_).cwiseAbs().maxCoeff() * balance_ > 64 * epsilon * size_;
+}
+
+/// Largest entry of Phi at q+, each over the scale of its row.
+Real StabilisedStep::position_defect() {
+    system_.position_residual(end_, configuration_.data(), rows_.data());
+    return rows_.head(positions_).cwiseQuotient(lengths_.head(positions_)).cwiseAbs().maxCoeff();
 }
 
 /// The last guess fulfils Phi = 0, and x' of its solve C v + b = 0 at the same configuration, which is solved for once more
@@ -144,17 +190,20 @@ void StabilisedStep::balance() {
         balance_ = now;
         newton_.forget();
     }
-    weights_.head(n_) = scale_.weights();
     if (etas_count_ > 0) weights_.tail(m_) = balance_ * row_weights_;
 }
 
-void StabilisedStep::guess() {
-    const int degree = newton_.stiff() ? 0 : rates_.best_degree(scale_.weights());
-    rates_.guess(degree, rate_);
-    unknowns_.head(n_) = rate_;
-    if (etas_count_ == 0) return;
-    etas_.guess(degree, eta_);
-    unknowns_.tail(m_) = eta_;
+void StabilisedStep::guess() { past_.guess(newton_.stiff() ? 0 : past_.best_degree(n_), turned_); }
+
+void StabilisedStep::remember() {
+    turned_.tail(etas_count_) = unknowns_.tail(etas_count_);
+    scale_.to_space(q_, rate_.data(), turned_.data());
+    past_.push(turned_);
+}
+
+void StabilisedStep::take(const Real* turned) {
+    scale_.from_space(q_, turned, unknowns_.data());
+    std::copy_n(turned + n_, etas_count_, unknowns_.data() + n_);
 }
 
 /// M^{-1} C(q)^T eta.
@@ -175,12 +224,14 @@ void StabilisedStep::place(const Real* x) {
     system_.group().append_exp(q_, force_.data(), configuration_.data());
 }
 
-Status StabilisedStep::residual(const Real* x, Real* r) {
+Status StabilisedStep::residual(const Real* turned, Real* r) {
     system_.count_evaluation();
-    place(x);
+    take(turned);
+    place(unknowns_.data());
     if (const Status status = solve_dynamics(); status != Status::ok) return status;
-    Eigen::Map<VecX>(r, n_) = Eigen::Map<const VecX>(x, n_) - rate_;
-    return etas_count_ > 0 ? correct_positions(x, r + n_) : Status::ok;
+    force_ = unknowns_.head(n_) - rate_;
+    scale_.to_space(q_, force_.data(), r);
+    return etas_count_ > 0 ? correct_positions(unknowns_.data(), r + n_) : Status::ok;
 }
 
 /// h v'+ and h lambda at the guess.

@@ -47,16 +47,26 @@ class StabilisedStep final : private Equations {
     const Real* multipliers() const;
 
   private:
-    Status residual(const Real* x, Real* r) override;
+    Status residual(const Real* turned, Real* r) override;
     Real size() const override { return size_; }
     Real round_off() const override { return remoteness_ * system_.kkt_round_off(); }
 
     Status measure_positions(const Real& t, const Real* q);
+    Status solve();
     Status find_cause();
     Status settle_positions();
+    bool moves_positions() const;
+    Real position_defect();
     Status settle_rate();
+    void weigh_rows(const Real& t, const Real* q, VecX& weights);
+    void refresh_rows();
     void balance();
+    /// Into turned_.
     void guess();
+    /// Unknowns x, eta from those of the iteration.
+    void take(const Real* turned);
+    /// What the next guess is made from.
+    void remember();
     /// q+, v+ and D of a guess.
     void place(const Real* x);
     Status solve_dynamics();
@@ -69,11 +79,11 @@ class StabilisedStep final : private Equations {
     MotionScale scale_;
     Eigen::Index etas_count_;  // all rows, or none
     Newton newton_;
-    Predictor rates_, etas_;
-    VecX unknowns_, weights_;                                // x, eta
+    Predictor past_;                                         // of turned_
+    VecX unknowns_, turned_, weights_;                       // x, eta; the same with x weighted and in space axes
     VecX increment_, velocity_, rate_, force_, gyroscopic_;  // n
     VecX shift_, shift_force_;                               // n: M^{-1} C^T eta
-    VecX rows_, eta_, row_weights_, change_, impulse_;       // m; impulse: h lambda
+    VecX rows_, row_weights_, lengths_, change_, impulse_;   // m; impulse: h lambda
     mutable VecX lambda_;
     mutable bool least_norm_ = true;
     std::vector<Real> configuration_;
@@ -82,6 +92,7 @@ class StabilisedStep final : private Equations {
     Real remoteness_ = 1;  // size of positions over that of the joints: what round-off of places makes of directions
     Real balance_ = 0;     // weight of eta beside x: what it moves is known to round-off of reach / h only
     const Real* q_ = nullptr;
+    long steps_ = 0;
 };
 
 }  // namespace KREISEL_PRECISION

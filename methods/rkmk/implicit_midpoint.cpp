@@ -31,6 +31,8 @@ class ImplicitMidpoint final : public Integrator, private Equations {
           scale_(system),
           changes_(system.velocities()),
           w_(VecX::Zero(system.velocities())),
+          turned_(w_),
+          weights_(VecX::Ones(w_.size())),
           u_(w_),
           middle_v_(w_),
           f_(w_),
@@ -45,16 +47,17 @@ class ImplicitMidpoint final : public Integrator, private Equations {
 
     Status step(const Real& t, const Real& h, Real* y) override {
         t_ = t, h_ = h, q_ = y, v_ = y + middle_q_.size();
-        if (const Status status = guess(); status != Status::ok) return status;
         scale_.weigh(y);
+        if (const Status status = guess(); status != Status::ok) return status;
         motion_ = scale_.of_motion(t, h, y);
         measure_remoteness();
-        if (const Status status = newton_.solve(*this, scale_.weights(), w_.data()); status != Status::ok) {
+        if (const Status status = solve(); status != Status::ok) {
             changes_.clear();
             return status;
         }
         w_ = h * f_;
-        changes_.push(w_);
+        scale_.to_space(q_, w_.data(), turned_.data());
+        changes_.push(turned_);
         Eigen::Map<VecX> v(y + middle_q_.size(), w_.size());
         u_ = h * (v + w_ / 2);
         v += w_;
@@ -63,28 +66,38 @@ class ImplicitMidpoint final : public Integrator, private Equations {
     }
 
   private:
-    /// w from the steps before, or h f at the start and where something is stiff.
+    /// w in space axes from the steps before, or h f at the start and where something is stiff.
     Status guess() {
         if (h_ != known_h_) newton_.forget(), changes_.clear();
         known_h_ = h_;
         if (changes_.empty() || newton_.stiff()) {
             const Status status = system_.evaluate(t_, q_, v_, f_.data());
             w_ = h_ * f_;
+            scale_.to_space(q_, w_.data(), turned_.data());
             return status;
         }
-        changes_.guess(changes_.best_degree(scale_.weights()), w_);
+        changes_.guess(changes_.best_degree(w_.size()), turned_);
         return Status::ok;
+    }
+
+    /// From the guess, and where that leads nowhere from an unchanged velocity: springs that are stiff make w swing.
+    Status solve() {
+        const Status status = newton_.solve(*this, weights_, turned_.data());
+        if (status != Status::newton_failed) return status;
+        turned_.setZero();
+        return newton_.solve(*this, weights_, turned_.data());
     }
 
     /// Iterates may turn farther than the step that they lead to: what counts is the last one, at the end of the step.
     /// r = w - h f(t + h/2, q exp(h V / 2), V) with V = v + w/2.
-    Status residual(const Real* w, Real* r) override {
-        const Eigen::Map<const VecX> change(w, w_.size()), v(v_, w_.size());
-        middle_v_ = v + change / 2;
+    Status residual(const Real* turned, Real* r) override {
+        scale_.from_space(q_, turned, w_.data());
+        middle_v_ = Eigen::Map<const VecX>(v_, w_.size()) + w_ / 2;
         u_ = h_ / 2 * middle_v_;
         system_.group().append_exp(q_, u_.data(), middle_q_.data());
         const Status status = system_.evaluate(t_ + h_ / 2, middle_q_.data(), middle_v_.data(), f_.data());
-        Eigen::Map<VecX>(r, w_.size()) = change - h_ * f_;
+        u_ = w_ - h_ * f_;
+        scale_.to_space(q_, u_.data(), r);
         return status == Status::turn_lost ? Status::ok : status;
     }
 
@@ -104,7 +117,7 @@ class ImplicitMidpoint final : public Integrator, private Equations {
     Newton newton_;
     MotionScale scale_;
     Predictor changes_;
-    VecX w_, u_, middle_v_, f_, terms_, lengths_;
+    VecX w_, turned_, weights_, u_, middle_v_, f_, terms_, lengths_;
     std::vector<Real> middle_q_;
     Real t_ = 0, h_ = 0, known_h_ = 0, motion_ = 0, remoteness_ = 1;
     const Real *q_ = nullptr, *v_ = nullptr;  // where the step begins

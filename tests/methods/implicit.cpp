@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/run.hpp"
+#include "mechanics/space_axes.hpp"
 #include "tests/methods/poisoned.hpp"
 #include "tests/methods/stepping.hpp"
 
@@ -208,6 +209,49 @@ TEST_CASE("a run reports the multipliers of the method, where it has any", "[met
         cell.projection = "position";
         CHECK(why_skipped(cell).find("nothing is left to project") != std::string::npos);
     });
+}
+
+TEST_CASE("velocities turn into space axes and back", "[methods]") {
+    for (const Named& named : for_methods())
+        for (const std::string& formulation : applicable(named.model)) {
+            INFO(named.name << " as " << formulation);
+            const auto system = make_system(named.model, formulation);
+            const auto* axes = dynamic_cast<const SpaceAxes*>(system.get());
+            REQUIRE(axes != nullptr);
+            const std::vector<Real> y = initial_state(*system, named.model);
+            std::vector<BodyState> bodies(named.model.bodies.size());
+            system->read(y.data(), bodies.data());
+            const Real* v = y.data() + system->group().size();
+            VecX turned(system->velocities()), back(turned);
+            axes->to_space_axes(y.data(), v, turned.data());
+            axes->from_space_axes(y.data(), turned.data(), back.data());
+            CHECK((back - Eigen::Map<const VecX>(v, back.size())).norm() <= 16 * epsilon * (1 + back.norm()));
+            const auto parts = turned.size() / 3, each = parts / static_cast<Eigen::Index>(bodies.size());
+            for (Eigen::Index i = 0; i < parts; ++i) {
+                const BodyState& body = bodies[static_cast<std::size_t>(i / each)];
+                const Vec3 angular = body.R * body.omega, expected = i % each == each - 1 ? angular : body.v;
+                CHECK((turned.segment<3>(3 * i) - expected).norm() <= 16 * epsilon * (1 + expected.norm()));
+            }
+        }
+}
+
+TEST_CASE("implicit steps of a fast top take few evaluations, in every formulation", "[methods]") {
+    if (KREISEL_QUAD) return;  // twice the digits take more
+    const Model top = standard("heavy_top");
+    const Real h = Real(1) / 1000;
+    for (const auto& [method_name, most] :
+         {std::pair("rkmk/implicit_midpoint", 3), std::pair("generalized_alpha/index2", 4),
+          std::pair("multistep/bliedf2", 5)})
+        for (const std::string& formulation : applicable(top)) {
+            INFO(method_name << " as " << formulation);
+            Trip trip(top, formulation, method(method_name));
+            REQUIRE(trip.run(h * 100, 100) == Status::ok);
+            const long before = trip.system->evaluations();
+            const int steps = 500;
+            for (int i = 100; i < 100 + steps; ++i)
+                REQUIRE(trip.integrator->step(h * i, h, trip.y.data()) == Status::ok);
+            CHECK(trip.system->evaluations() - before <= most * steps);
+        }
 }
 
 TEST_CASE("a step without a solution is newton_failed, and leaves the state", "[methods]") {
