@@ -11,6 +11,7 @@ constexpr bool talks = true;
 
 const std::string interface = "engine/engine.hpp";
 const std::string equations = "mechanics/system.hpp";
+const std::string axes = "mechanics/space_axes.hpp";
 
 // From the bottom up; CONTRIBUTING.md draws the same.
 const std::vector<Room>& rooms() {
@@ -22,9 +23,10 @@ const std::vector<Room>& rooms() {
         {"mechanics/joints", {"mechanics/model", "lie"}, numbers},
         {"mechanics/forces", {"mechanics/model", "lie"}, numbers},
         {equations, {"mechanics/model", "mechanics/joints", "mechanics/forces", "lie"}, numbers},
+        {axes, {"lie"}, {}},
         {"mechanics/solve", {equations, "mechanics/model", "mechanics/joints", "mechanics/forces", "lie"}, numbers},
         {"mechanics/formulations",
-         {equations, "mechanics/model", "mechanics/joints", "mechanics/forces", "mechanics/solve", "lie"},
+         {equations, axes, "mechanics/model", "mechanics/joints", "mechanics/forces", "mechanics/solve", "lie"},
          numbers},
         {"mechanics", {"mechanics", "lie"}, numbers},
         {"problems/reading", {"mechanics", "lie"}, numbers},
