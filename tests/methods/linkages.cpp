@@ -149,7 +149,7 @@ TEST_CASE("fast motions of stiff springs that nothing damps are solved, or are n
             const bool solvable = stiffness < 1000000;
             Trip trip(with_stiff_springs(chain, stiffness, 0), "SO3xR3", entry);
             Status status = trip.integrator->start(0, trip.y.data());
-            const int steps = KREISEL_QUAD ? 5 : solvable ? 60 : 3;
+            const int steps = KREISEL_QUAD ? (solvable ? 5 : 1) : solvable ? 60 : 3;
             for (int i = 0; i < steps && status == Status::ok; ++i)
                 status = trip.integrator->step(i * h, h, trip.y.data());
             INFO(name(status));
