@@ -144,9 +144,9 @@ foreach(target test_orders_binary64 test_orders_binary128)
 endforeach()
 
 # Instructions per step of the literature's top: explicit steps of 1/20,000 s, implicit ones of 1/1000 s down to round-off.
-# The last one is a control: no step takes a single instruction.
+# The last one is a control: no step takes a single instruction. Counts are of this instruction set.
 find_program(KREISEL_VALGRIND valgrind)
-if(KREISEL_VALGRIND AND TARGET kreisel AND CMAKE_BUILD_TYPE STREQUAL "Release")
+if(KREISEL_VALGRIND AND KREISEL_HAS_X86_64_V3 AND TARGET kreisel AND CMAKE_BUILD_TYPE STREQUAL "Release")
   foreach(gate "rkmk/rk4:20000:2200" "rkmk/implicit_midpoint:1000:6500" "generalized_alpha/index2:1000:15000"
                "multistep/bliedf2:1000:18000" "rkmk/rk4:1000:1")
     string(REPLACE ":" ";" gate ${gate})

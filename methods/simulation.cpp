@@ -24,19 +24,10 @@ Status Simulation::restart(const Real& t, const std::vector<Real>& y) {
     return restart();
 }
 
-Status Simulation::step(const Real& h, const Real& end) {
-    if (const Status status = integrator_->step(t_, h, y_.data()); status != Status::ok)
-        return fail(status, "step of " + setup_.method);
-    if (const Status status = projection_->project(end, y_.data()); status != Status::ok)
-        return fail(status, "projection " + setup_.projection);
-    t_ = end;
-    return Status::ok;
-}
-
-Status Simulation::fail(Status status, const std::string& part) {
+Status Simulation::fail(Status status, const char* part, const std::string& who) {
     const std::string reason = system_->reason(status);
-    failed_part_ = part;
-    failure_ = part + ": " + name(status) + (reason.empty() ? "" : ", " + reason);
+    failed_part_ = part + who;
+    failure_ = failed_part_ + ": " + name(status) + (reason.empty() ? "" : ", " + reason);
     return status;
 }
 

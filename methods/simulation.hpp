@@ -57,14 +57,21 @@ class Simulation {
     /// One step by h (s), then the projection; the time is t + h, or `end` where the caller knows it better than a sum does.
     /// On any status but ok the time stays, and `failure` names the part that gave it.
     Status step(const Real& h) { return step(h, t_ + h); }
-    Status step(const Real& h, const Real& end);
+    Status step(const Real& h, const Real& end) {
+        if (const Status status = integrator_->step(t_, h, y_.data()); status != Status::ok)
+            return fail(status, "step of ", setup_.method);
+        if (const Status status = projection_->project(end, y_.data()); status != Status::ok)
+            return fail(status, "projection ", setup_.projection);
+        t_ = end;
+        return Status::ok;
+    }
 
     /// `steps` steps from the time of the simulation to t_end (s), at the times t + i h. `observe(simulation)` is called
     /// after each of them.
     template <class Observer>
     Status advance(const Real& t_end, long steps, Observer observe) {
         const Real begin = t_, h = (t_end - begin) / Real(steps);
-        if (const Status status = restart(); status != Status::ok) return fail(status, "start");
+        if (const Status status = restart(); status != Status::ok) return fail(status, "start", "");
         for (long i = 1; i <= steps; ++i) {
             if (const Status status = step(h, i == steps ? t_end : Real(begin + h * Real(i))); status != Status::ok)
                 return status;
@@ -82,7 +89,7 @@ class Simulation {
     const std::string& failure() const { return failure_; }
 
   private:
-    Status fail(Status status, const std::string& part);
+    Status fail(Status status, const char* part, const std::string& who);
 
     Setup setup_;
     Model model_;
