@@ -11,6 +11,7 @@
 #include "engine/metrics/metrics.hpp"
 #include "engine/report/joint_forces.hpp"
 #include "engine/report/report.hpp"
+#include "mechanics/start.hpp"
 #include "methods/simulation.hpp"
 #include "problems/problem.hpp"
 #include "support/pattern.hpp"
