@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "engine/metric_table.hpp"
 #include "records/journal.hpp"
 #include "records/json/strict.hpp"
 #include "records/manifest.hpp"
@@ -79,13 +80,16 @@ std::map<std::string, double> scales(const json& final) {
 }
 
 std::map<std::string, int> declared_orders(const json& order) {
-    const int configuration = order.at("configuration"), velocity = order.at("velocity");
-    return {{"error.position", configuration},
-            {"error.rotation", configuration},
-            {"error.velocity", velocity},
-            {"error.omega", velocity},
-            {"error.multipliers", order.at("multipliers")},
-            {"error.multipliers.torque", order.at("multipliers")}};
+    const std::map<MetricLevel, int> levels = {{MetricLevel::configuration, order.at("configuration")},
+                                               {MetricLevel::velocity, order.at("velocity")},
+                                               {MetricLevel::multipliers, order.at("multipliers")}};
+    std::map<std::string, int> orders;
+    for (const MetricDescription& metric : metric_table) {
+        if (const auto level = levels.find(metric.level); level != levels.end()) {
+            orders.emplace(metric.name, level->second);
+        }
+    }
+    return orders;
 }
 
 bool is_hash(const std::string& text) {

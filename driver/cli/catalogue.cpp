@@ -11,6 +11,7 @@
 #include "driver/config/options.hpp"
 #include "driver/config/values.hpp"
 #include "driver/plan/metric_names.hpp"
+#include "engine/metric_table.hpp"
 #include "records/json/model_keys.hpp"
 #include "records/json/writer.hpp"
 #include "support/errors.hpp"
@@ -54,11 +55,11 @@ std::vector<NamedText> method_rows(const std::vector<MethodDescription>& methods
 
 std::vector<NamedText> metric_rows() {
     std::vector<NamedText> rows;
-    for (const MetricDescription& metric : common_metrics()) {
-        rows.emplace_back(metric.name, fmt::format("{} [{}]", metric.summary, metric.unit));
+    for (const MetricDescription& metric : metric_table) {
+        rows.emplace_back(std::string(metric.name), fmt::format("{} [{}]", metric.summary, metric.unit));
     }
     rows.emplace_back("defect.<name>.final", "the defect at the end");
-    for (const MetricDescription& suffix : invariant_suffixes()) {
+    for (const InvariantSuffix& suffix : invariant_suffixes()) {
         rows.emplace_back("invariant.<integral>" + suffix.name, fmt::format("{} [{}]", suffix.summary, suffix.unit));
     }
     return rows;
@@ -92,7 +93,8 @@ void print_integrals(std::ostream& out, const SystemSummary& summary) {
 std::string constraints_of(const ConstraintSummary& constraints) {
     std::string text = fmt::format("{}", constraints.rows);
     if (constraints.has_redundant_rows()) {
-        text += fmt::format(" of rank {} ({} follow from others)", constraints.rank, fmt::join(constraints.redundant, ", "));
+        text += fmt::format(" of rank {} ({} follow from others)", constraints.rank,
+                            fmt::join(constraints.redundant, ", "));
     }
     if (constraints.condition) { text += fmt::format(", condition {:.3g}", *constraints.condition); }
     return text;
@@ -153,8 +155,8 @@ void describe_problem(const Engine& engine, const ProblemDescription& problem, s
     for (const ParameterDescription& parameter : problem.parameters) {
         const std::string unit = parameter.unit.empty() ? "" : " [" + parameter.unit + "]";
         const std::string standard = parameter.required ? "required" : "default " + json_value(parameter.standard);
-        rows.emplace_back(parameter.name, fmt::format("{}{}: {} ({})", parameter.summary, unit,
-                                                      expectation(parameter.kind), standard));
+        rows.emplace_back(parameter.name,
+                          fmt::format("{}{}: {} ({})", parameter.summary, unit, expectation(parameter.kind), standard));
     }
     print_rows(out, "Parameters", rows);
     print_elements(out, problem);
@@ -208,7 +210,7 @@ std::vector<std::string> integral_names(const Engine& engine) {
 
 // The family of a name such as invariant.energy.slope, and in which problems it holds.
 bool describe_invariant(const Engine& engine, const std::string& name, std::ostream& out) {
-    for (const MetricDescription& suffix : invariant_suffixes()) {
+    for (const InvariantSuffix& suffix : invariant_suffixes()) {
         for (const auto& [problem, integrals] : integrals_by_problem(engine)) {
             for (const IntegralDescription& integral : integrals) {
                 if (name != "invariant." + integral.name + suffix.name) { continue; }
@@ -222,14 +224,12 @@ bool describe_invariant(const Engine& engine, const std::string& name, std::ostr
 }
 
 bool describe_metric(const Engine& engine, const std::string& name, std::ostream& out) {
-    for (const MetricDescription& metric : common_metrics()) {
-        const bool final = name == metric.name + ".final" && name.starts_with("defect.");
-        if (name != metric.name && !final) { continue; }
-        fmt::print(out, "{}: {} [{}]\n", name, final ? "the same at the end: " + metric.summary : metric.summary,
-                   metric.unit);
-        return true;
-    }
-    return describe_invariant(engine, name, out);
+    const MetricDescription* metric = find_metric(name);
+    if (metric == nullptr) { return describe_invariant(engine, name, out); }
+    const bool final = name != metric->name;
+    if (final && !(is_defect(*metric) && name.ends_with(".final"))) { return false; }
+    fmt::print(out, "{}: {}{} [{}]\n", name, final ? "the same at the end: " : "", metric->summary, metric->unit);
+    return true;
 }
 
 }  // namespace

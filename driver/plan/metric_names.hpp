@@ -8,18 +8,15 @@
 
 namespace kreisel {
 
-struct MetricDescription {
+/// All names a config may mean: those of the table, and for each first integral its own, with their suffixes.
+std::vector<std::string> metric_names(const std::vector<std::string>& integrals);
+
+struct InvariantSuffix {
     std::string name, unit, summary;
 };
 
-/// Metrics every problem has, where they can be measured: error.* and defect.*, without the suffix `.final`.
-const std::vector<MetricDescription>& common_metrics();
-
-/// All names a config may mean: common metrics, and for each first integral its own, with their suffixes.
-std::vector<std::string> metric_names(const std::vector<std::string>& integrals);
-
 /// Suffixes of `invariant.<integral>` and what they say.
-const std::vector<MetricDescription>& invariant_suffixes();
+const std::vector<InvariantSuffix>& invariant_suffixes();
 
 /// True if some `error.*` metric fits one of the patterns, so that a reference is needed.
 bool asks_for_errors(const std::vector<std::string>& patterns);

@@ -8,6 +8,7 @@
 
 #include "driver/plan/figures.hpp"
 #include "driver/plan/metric_names.hpp"
+#include "engine/metric_table.hpp"
 #include "records/json/writer.hpp"
 #include "support/hash.hpp"
 #include "support/nearest.hpp"
@@ -64,25 +65,28 @@ std::vector<std::string> known_metrics(const Plan& plan) {
     return metric_names({integrals.begin(), integrals.end()});
 }
 
-// Whether there are rows of the kind that a defect or an error of multipliers is of.
-bool has_rows_of(const ConstraintSummary& constraints, const std::string& name) {
-    const bool of_directions = name.starts_with("defect.direction") || name.starts_with("error.multipliers.torque");
-    return of_directions ? constraints.directions > 0 : constraints.rows > constraints.directions;
+// Whether there are rows of the kind that a metric is of.
+bool has_rows_of(const ConstraintSummary& constraints, MetricRows rows) {
+    switch (rows) {
+        case MetricRows::any: return true;
+        case MetricRows::lengths: return constraints.rows > constraints.directions;
+        case MetricRows::directions: return constraints.directions > 0;
+    }
+    return false;
 }
 
 // Whether some cell can measure a metric: what is said of constraints needs some, and of multipliers unique ones.
 bool can_be_measured(const Plan& plan, const std::string& name) {
-    const bool of_constraints = name.starts_with("defect.") && !name.starts_with("defect.orthogonality");
-    const bool of_multipliers = name.starts_with("error.multipliers");
+    const MetricDescription* metric = find_metric(name);
     return std::any_of(plan.systems.begin(), plan.systems.end(), [&](const auto& entry) {
         const SystemSummary& system = entry.second;
         if (!system.skip_reason.empty()) { return false; }
-        if (name.starts_with("invariant.")) {
+        if (metric == nullptr) {
             const auto names = metric_names(names_of(system.integrals));
             return std::find(names.begin(), names.end(), name) != names.end();
         }
-        if (of_multipliers && system.constraints.has_redundant_rows()) { return false; }
-        return !(of_constraints || of_multipliers) || has_rows_of(system.constraints, name);
+        if (metric->level == MetricLevel::multipliers && system.constraints.has_redundant_rows()) { return false; }
+        return has_rows_of(system.constraints, metric->rows);
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/metric_table.hpp"
 #include "engine/report/report.hpp"
 #include "support/pattern.hpp"
 
@@ -49,19 +50,19 @@ Monitor::Monitor(System& system, std::vector<std::string> patterns)
       xi_(system.constraints()),
       bias_(system.constraints()),
       dv_(system.velocities()) {
-    const auto add = [&](Level level, bool direction, const char* name, const char* unit) {
+    const auto add = [&](Level level, bool direction, const char* name) {
         const bool occurs = level == Level::orthogonality ||
                             std::any_of(directions_.begin(), directions_.end(),
                                         [&](const ConstraintRow& row) { return row.direction == direction; });
-        if (occurs && any_matches(patterns_, name, defect_suffixes)) defects_.push_back({level, direction, name, unit});
+        if (occurs && any_matches(patterns_, name, defect_suffixes)) defects_.push_back({level, direction, name, std::string(find_metric(name)->unit)});
     };
-    add(Level::position, false, "defect.position", "m");
-    add(Level::position, true, "defect.direction", "1");
-    add(Level::velocity, false, "defect.velocity", "m/s");
-    add(Level::velocity, true, "defect.direction.velocity", "1/s");
-    add(Level::acceleration, false, "defect.acceleration", "m/s^2");
-    add(Level::acceleration, true, "defect.direction.acceleration", "1/s^2");
-    add(Level::orthogonality, false, "defect.orthogonality", "1");
+    add(Level::position, false, "defect.position");
+    add(Level::position, true, "defect.direction");
+    add(Level::velocity, false, "defect.velocity");
+    add(Level::velocity, true, "defect.direction.velocity");
+    add(Level::acceleration, false, "defect.acceleration");
+    add(Level::acceleration, true, "defect.direction.acceleration");
+    add(Level::orthogonality, false, "defect.orthogonality");
     for (const FirstIntegral& integral : system.integrals()) {
         const std::string name = "invariant." + integral.name;
         if (any_matches(patterns_, name, integral_suffixes)) integrals_.push_back({&integral, name});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/metric_table.hpp"
 #include "plots/tables/orders.hpp"
 
 namespace kreisel {
@@ -13,10 +14,7 @@ namespace {
 
 using Metrics = std::vector<std::string>;
 
-const std::vector<Metrics> levels = {
-    {"error.position", "error.rotation"},
-    {"error.velocity", "error.omega"},
-    {"error.multipliers", "error.multipliers.torque"}};
+constexpr MetricLevel levels[] = {MetricLevel::configuration, MetricLevel::velocity, MetricLevel::multipliers};
 
 // The claim is about h -> 0: where the slopes of the window still rise, its finest one speaks.
 bool falls_short(const ObservedOrder& order, int declared) {
@@ -26,11 +24,12 @@ bool falls_short(const ObservedOrder& order, int declared) {
 }
 
 // The least observed order over the metrics of a level, "?" if one of them has not settled, "!" if one falls short.
-std::string level_text(const CellGroup& group, const Metrics& metrics) {
+std::string level_text(const CellGroup& group, MetricLevel level) {
     std::optional<double> least;
     bool low = false, settled = true;
-    for (const std::string& metric : metrics) {
-        const ObservedOrder order = order_of(group, metric);
+    for (const MetricDescription& entry : metric_table) {
+        const std::string metric(entry.name);
+        const ObservedOrder order = entry.level == level ? order_of(group, metric) : ObservedOrder{};
         if (order.points.empty()) { continue; }
         if (order.order) { least = least ? std::min(*least, *order.order) : *order.order; }
         settled = settled && order.why != NoOrder::not_settled;
@@ -45,7 +44,7 @@ std::string cell_text(const CellGroup& group) {
     const bool failed = std::none_of(group.rows.begin(), group.rows.end(), [](const auto* row) { return row->ok(); });
     if (failed) { return group.front().status; }
     std::string text;
-    for (const Metrics& metrics : levels) { text += (text.empty() ? "" : " / ") + level_text(group, metrics); }
+    for (const MetricLevel level : levels) { text += (text.empty() ? "" : " / ") + level_text(group, level); }
     return text;
 }
 
@@ -61,8 +60,8 @@ std::string line_name(const CellNames& names, const Metrics& axes, const ResultR
 std::string declared_text(const ResultRow& row) {
     if (row.declared_order.empty()) { return "-"; }
     std::string text;
-    for (const Metrics& metrics : levels) {
-        text += fmt::format("{}{}", text.empty() ? "" : " / ", row.declared_order.at(metrics.front()));
+    for (const MetricLevel level : levels) {
+        text += fmt::format("{}{}", text.empty() ? "" : " / ", row.declared_order.at(std::string(metric_of(level))));
     }
     return text;
 }

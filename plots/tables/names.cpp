@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/metric_table.hpp"
+
 namespace kreisel {
 
 namespace {
@@ -112,25 +114,8 @@ std::vector<CellGroup> group_by_method(const std::vector<ResultRow>& rows) {
 }
 
 std::string metric_unit(const std::string& metric) {
-    static const std::map<std::string, std::string> units = {
-        {"error.position", "m"},
-        {"error.rotation", "rad"},
-        {"error.velocity", "m/s"},
-        {"error.omega", "rad/s"},
-        {"error.multipliers", "N"},
-        {"error.multipliers.torque", "N m"},
-        {"defect.position", "m"},
-        {"defect.direction", "1"},
-        {"defect.velocity", "m/s"},
-        {"defect.direction.velocity", "1/s"},
-        {"defect.acceleration", "m/s^2"},
-        {"defect.direction.acceleration", "1/s^2"},
-        {"defect.orthogonality", "1"}};
-    std::string base = metric;
-    for (const char* suffix : {".final", ".max"}) {
-        if (base.ends_with(suffix)) { base.resize(base.size() - std::string(suffix).size()); }
-    }
-    if (const auto known = units.find(base); known != units.end()) { return known->second; }
+    if (const MetricDescription* known = find_metric(metric)) { return std::string(known->unit); }
+    const std::string& base = metric;
     if (base.ends_with(".relative")) { return "1"; }
     const std::string per = base.ends_with(".slope") || base.ends_with(".slope_error") ? "/s" : "";
     if (base.starts_with("invariant.energy")) { return per.empty() ? "J" : "W"; }

@@ -8,6 +8,8 @@
 #include <limits>
 #include <set>
 
+#include "engine/metric_table.hpp"
+
 namespace kreisel {
 
 namespace {
@@ -107,8 +109,8 @@ std::vector<std::string> with_units(const std::vector<std::string>& metrics) {
 // "4", or "2, 2, 1": configuration, velocity, multipliers.
 std::string declared_cell(const ResultRow& row) {
     if (row.declared_order.empty()) { return "-"; }
-    const int q = row.declared_order.at("error.position"), v = row.declared_order.at("error.velocity"),
-              lambda = row.declared_order.at("error.multipliers");
+    const auto of = [&](MetricLevel level) { return row.declared_order.at(std::string(metric_of(level))); };
+    const int q = of(MetricLevel::configuration), v = of(MetricLevel::velocity), lambda = of(MetricLevel::multipliers);
     return q == v && v == lambda ? fmt::format("{}", q) : fmt::format("{}, {}, {}", q, v, lambda);
 }
 
@@ -143,12 +145,12 @@ ObservedOrder order_of(const CellGroup& group, const std::string& metric) {
 
 std::vector<std::string> error_metrics(const std::vector<ResultRow>& rows) {
     std::vector<std::string> found;
-    for (const char* metric :
-         {"error.position", "error.rotation", "error.velocity", "error.omega", "error.multipliers",
-          "error.multipliers.torque"}) {
-        const bool occurs =
-            std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.metrics.contains(metric); });
-        if (occurs) { found.emplace_back(metric); }
+    for (const MetricDescription& entry : metric_table) {
+        const std::string metric(entry.name);
+        const bool occurs = is_error(entry) && std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
+                                return row.metrics.contains(metric);
+                            });
+        if (occurs) { found.push_back(metric); }
     }
     return found;
 }

@@ -7,17 +7,23 @@
 #include <cmath>
 #include <map>
 
+#include "engine/metric_table.hpp"
+
 namespace kreisel {
 
 namespace {
 
 std::vector<std::string> metrics_of(const Results& results) {
-    std::vector<std::string> metrics = {"error.position", "error.rotation", "error.velocity", "error.omega",
-                                        "error.multipliers"};
-    const std::string torque = "error.multipliers.torque";
-    const bool occurs = std::any_of(results.rows.begin(), results.rows.end(),
-                                    [&](const ResultRow& row) { return row.reference_error.contains(torque); });
-    if (occurs) { metrics.push_back(torque); }
+    // Most mechanisms know nothing of torques: a column only where there are some.
+    const auto occurs = [&](const std::string& metric) {
+        return std::any_of(results.rows.begin(), results.rows.end(),
+                           [&](const ResultRow& row) { return row.reference_error.contains(metric); });
+    };
+    std::vector<std::string> metrics;
+    for (const MetricDescription& entry : metric_table) {
+        const std::string metric(entry.name);
+        if (is_error(entry) && (entry.rows != MetricRows::directions || occurs(metric))) { metrics.push_back(metric); }
+    }
     return metrics;
 }
 

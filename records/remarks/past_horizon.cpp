@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "engine/metric_table.hpp"
+
 namespace kreisel {
 
 namespace {
@@ -12,10 +14,10 @@ namespace {
 // Of places and turning, as far as they have any: the other quantities are their rates.
 std::string uncertainties(const std::map<std::string, double>& errors) {
     std::string text;
-    for (const auto& [metric, unit] : {std::pair("error.position", "m"), std::pair("error.rotation", "rad")}) {
-        const auto found = errors.find(metric);
-        if (found == errors.end() || found->second == 0) { continue; }
-        text += fmt::format("{}{:.1e} {}", text.empty() ? "" : ", ", found->second, unit);
+    for (const MetricDescription& metric : metric_table) {
+        const auto found = errors.find(std::string(metric.name));
+        if (metric.level != MetricLevel::configuration || found == errors.end() || found->second == 0) { continue; }
+        text += fmt::format("{}{:.1e} {}", text.empty() ? "" : ", ", found->second, metric.unit);
     }
     return text;
 }

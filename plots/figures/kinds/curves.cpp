@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/metric_table.hpp"
 #include "plots/tables/drift.hpp"
 #include "plots/tables/orders.hpp"
 #include "plots/tables/scaling.hpp"
@@ -174,26 +175,15 @@ SlopeTriangle slope_triangle(const std::vector<Point>& window, int order) {
 }
 
 std::string metric_label(const std::string& metric) {
-    static const std::map<std::string, std::string> labels = {
-        {"error.position", "|x − x_{ref}| [m]"},
-        {"error.rotation", "|log(R_{ref}^T R)| [rad]"},
-        {"error.velocity", "|v − v_{ref}| [m/s]"},
-        {"error.omega", "|ω − ω_{ref}| [rad/s]"},
-        {"error.multipliers", "|λ − λ_{ref}| [N]"},
-        {"error.multipliers.torque", "|λ − λ_{ref}| [N m]"},
-        {"defect.position", "max |Φ| [m]"},
-        {"defect.velocity", "max |dΦ/dt| [m/s]"},
-        {"defect.acceleration", "max |d^2Φ/dt^2| [m/s^2]"},
-        {"defect.direction", "max |Φ|, directions"},
-        {"defect.direction.velocity", "max |dΦ/dt|, directions [1/s]"},
-        {"defect.direction.acceleration", "max |d^2Φ/dt^2|, directions [1/s^2]"},
-        {"defect.orthogonality", "max |R^T R − I|"},
+    static const std::map<std::string, std::string> integrals = {
         {"invariant.energy", "max |E − E_0| [J]"},
         {"invariant.angular_momentum_vertical", "max |L_z − L_{z,0}| [N m s]"}};
-    const auto known = labels.find(metric);
-    if (known != labels.end()) { return known->second; }
+    if (const auto known = integrals.find(metric); known != integrals.end()) { return known->second; }
+    const MetricDescription* entry = find_metric(metric);
+    const std::string symbol =
+        entry != nullptr && entry->name == metric ? std::string(entry->symbol) : enhanced_escape(metric);
     const std::string unit = metric_unit(metric);
-    return enhanced_escape(metric) + (unit.empty() || unit == "1" ? "" : " [" + enhanced_escape(unit) + "]");
+    return symbol + (unit.empty() || unit == "1" ? "" : " [" + enhanced_escape(unit) + "]");
 }
 
 PanelFigure convergence_figure(const FigureSpec& spec, const Results& results) {
@@ -367,8 +357,8 @@ PanelFigure components_figure(const FigureSpec& spec, const Results& results, co
     const std::string prefix = multipliers ? "lambda." : body_of(spec, trajectory) + "." + spec.quantity;
     const auto components = components_of(prefix, symbol, trajectory);
     if (t == nullptr || components.empty()) {
-        throw FigureError(
-            fmt::format("{}: the trajectory has no columns {}{}, ...", spec.name, prefix, multipliers ? "JOINT.1" : "1"));
+        throw FigureError(fmt::format("{}: the trajectory has no columns {}{}, ...", spec.name, prefix,
+                                      multipliers ? "JOINT.1" : "1"));
     }
     PanelFigure figure = empty_figure(spec);
     if (spec.stacked) { figure.axes_height = 2.2; }
