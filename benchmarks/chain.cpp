@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The problem `chain` with N links: forward dynamics and steps of kreisel, of Simbody [sherman2011] and of a kernel
-// written by hand for this chain alone, in one run. All forward dynamics must agree before any is timed. Debian's Simbody
-// is compiled for any x86-64 and with its assertions; it is measured as users get it.
-// Use --benchmark_filter=/64$ to choose, --benchmark_repetitions=5
+// written by hand for this chain only, in one run. All forward dynamics must agree before any is timed. Debian's
+// Simbody is compiled for generic x86-64 with assertions; it is measured as users get it.
+// Use --benchmark_filter=/64$ to select, --benchmark_repetitions=5
 // --benchmark_enable_random_interleaving=true on a loaded machine.
 #include <benchmark/benchmark.h>
 
@@ -29,7 +29,7 @@ Model chain(int links) {
     return chain.build(Parameters(values));
 }
 
-/// The chain in a random pose, each link turning as it likes; the same for every contender.
+/// The chain in a random pose, with random link velocities; the same for every contender.
 std::vector<BodyState> tangle(const Model& model) {
     std::mt19937 engine(7);
     const auto number = [&] { return static_cast<Real>(engine() % 2097152) / 1048576 - 1; };
@@ -101,7 +101,7 @@ std::vector<Real> by_hand(const Model& model, const Kreisel& at) {
     return dv;
 }
 
-/// Ends the program where the contenders do not find the same accelerations.
+/// Ends the program if the contenders' accelerations differ.
 void check(const Model& model, bool with_simbody) {
     const auto bodies = tangle(model);
     Kreisel mixed(model, bodies, "SO3xR3"), screws(model, bodies, "SE3");
@@ -114,7 +114,7 @@ void check(const Model& model, bool with_simbody) {
     must_agree("Simbody", bodies.size(), mixed.dv, flat(simbody.accelerations()));
 }
 
-/// Calls `once` as often as Google Benchmark wants.
+/// Calls `once` as often as Google Benchmark requests.
 template <class Once>
 void time(benchmark::State& state, int links, Once once) {
     for (auto _ : state) once();

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Forward dynamics of a chain of N equal links on spherical joints, written by hand as a measure for the general code: no
-// joint graph, no virtual call, one sweep from the tip to the ground and one back. Links have their joints at -l e and
-// l e, e the first body axis, and the inertia diag(Jx, Jy, Jz). A force on the axis has no moment about it, so that a link
-// has two unknowns in place of three: omega' x e = u_1 b_1 + u_2 b_2, where b_1, b_2 are the second and third body axes.
+// Forward dynamics of a chain of N equal links on spherical joints, written by hand as a measure for the general code:
+// no joint graph, no virtual call, one sweep from the tip to the ground and one back. Links have their joints at -l e
+// and l e, e the first body axis, and the inertia diag(Jx, Jy, Jz). A force on the axis has no moment about it, so a
+// link has two unknowns instead of three: omega' x e = u_1 b_1 + u_2 b_2, where b_1, b_2 are the second and third body
+// axes.
 //
-// All that hangs on the lower end of a link answers its acceleration a+ with the force M a+ + f. With c = omega x (omega x l e)
-// and a- the acceleration of the upper end, x'' = a- + l u + c, a+ = a- + 2 l u + 2 c, and the moments about the upper end say
+// All that hangs on the lower end of a link resists its acceleration a+ with the force M a+ + f. With
+// c = omega x (omega x l e) and a- the acceleration of the upper end, x'' = a- + l u + c, a+ = a- + 2 l u + 2 c, and
+// the moments about the upper end give
 //   D u = -B^T a- - p,   B_i = l (m b_i + 2 M b_i),   D = diag(Jz, Jy) + l^2 (m I + 4 b_i . M b_k),
 //   p_i = l b_i . (m (c - g) + 4 M c + 2 f) + ((Jy - Jx) omega_x omega_y, (Jz - Jx) omega_x omega_z).
-// Seen from the upper end, M <- m I + M - B D^{-1} B^T, f <- m (c - g) + 2 M c + f - B D^{-1} p. In space axes nothing needs
-// to be turned from link to link.
+// Seen from the upper end, M <- m I + M - B D^{-1} B^T, f <- m (c - g) + 2 M c + f - B D^{-1} p. In space axes nothing
+// is rotated from link to link.
 #pragma once
 
 #include <vector>
@@ -38,7 +40,7 @@ class ChainKernel {
     }
 
   private:
-    /// What the sweep back needs: u = -G a- - k.
+    /// Used by the sweep back: u = -G a- - k.
     struct Link {
         Vec3 c, G1, G2;
         Real k1, k2;
@@ -66,7 +68,7 @@ class ChainKernel {
                        load = l_ * (weight + 4 * Mc + 2 * f);
             const Real d11 = D1 + four * b1.dot(Mb1), d22 = D2 + four * b2.dot(Mb2), d12 = four * b1.dot(Mb2);
             const Real p1 = b1.dot(load) + gyro1 * wxy, p2 = b2.dot(load) + gyro2 * wxz;
-            // B adj(D) does not wait for the division, on which the next link waits.
+            // B adj(D) does not depend on the division, which is on the critical path of the next link.
             const Real inverse = 1 / (d11 * d22 - d12 * d12);
             const Vec3 H1 = d22 * B1 - d12 * B2, H2 = d11 * B2 - d12 * B1;
             xx += m_ - inverse * (B1[0] * H1[0] + B2[0] * H2[0]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the console does not show: nanoseconds per body of each contender beside each other, and the growth of its time.
+// What the console does not show: nanoseconds per body of all contenders side by side, and the growth of its time.
 #pragma once
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Nanoseconds per step of every method on every problem and formulation, no projection, no metrics.
-// Use --benchmark_filter=heavy_top/SO3xR3 to choose.
+// Use --benchmark_filter=heavy_top/SO3xR3 to select.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Model standard(const Problem& problem) {
 
 void step(benchmark::State& state, const Model& model, const std::string& formulation, const Method& method) {
     Simulation simulation(model, {.formulation = formulation, .method = method.description.name});
-    // Short steps, started over now and then: drift must not lead into a singularity.
+    // Short steps, restarted now and then, so that drift does not lead into a singularity.
     const Real h = Real(1) / 100000;
     const std::vector<Real> start = simulation.state();
     long i = 0;

@@ -1,26 +1,18 @@
-# kreisel_build.hpp and kreisel_commit.cpp: what results say about the program that made them. The commit is looked up by
-# every build, not when it is configured.
+# kreisel_build.hpp and kreisel_commit.cpp: what results record about the program that made them. The commit is looked
+# up by every build, not when it is configured.
 set(commit_script ${CMAKE_COMMAND} -D SOURCE=${CMAKE_SOURCE_DIR} -D TO=${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp
                   -P ${CMAKE_SOURCE_DIR}/cmake/commit.cmake)
 execute_process(COMMAND ${commit_script} COMMAND_ERROR_IS_FATAL ANY)
 add_custom_target(kreisel_commit COMMAND ${commit_script} BYPRODUCTS ${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp)
 
-# The numerical sources by content: results are reused only where these are equal.
+# The numerical sources.
 file(GLOB_RECURSE KREISEL_NUMERICAL_SOURCES CONFIGURE_DEPENDS
      ${CMAKE_SOURCE_DIR}/lie/*.?pp ${CMAKE_SOURCE_DIR}/mechanics/*.?pp ${CMAKE_SOURCE_DIR}/problems/*.?pp
      ${CMAKE_SOURCE_DIR}/methods/*.?pp ${CMAKE_SOURCE_DIR}/engine/*.?pp)
 list(SORT KREISEL_NUMERICAL_SOURCES)
-set(KREISEL_DIGESTS "")
-foreach(source IN LISTS KREISEL_NUMERICAL_SOURCES)
-  file(SHA256 ${source} digest)
-  string(APPEND KREISEL_DIGESTS ${digest})
-endforeach()
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${KREISEL_NUMERICAL_SOURCES})
-string(SHA256 KREISEL_SOURCE_DIGEST
-       "${KREISEL_DIGESTS}${CMAKE_CXX_COMPILER_ID}${CMAKE_CXX_COMPILER_VERSION}${CMAKE_CXX_FLAGS}${CMAKE_BUILD_TYPE}${KREISEL_ARCH}${KREISEL_HAS_X86_64_V3}")
-string(SUBSTRING ${KREISEL_SOURCE_DIGEST} 0 16 KREISEL_SOURCE_DIGEST)
 
-# What decides a reference solution: not the methods, nor what measures their runs. A reference outlives a new method.
+# The sources that affect a reference solution: not the methods, nor the code that measures their runs. A reference
+# stays valid when a method is added.
 set(KREISEL_REFERENCE_SOURCES ${KREISEL_NUMERICAL_SOURCES})
 list(FILTER KREISEL_REFERENCE_SOURCES EXCLUDE REGEX "^${CMAKE_SOURCE_DIR}/(methods/|engine/(engine[.]hpp|run[.]|metrics/))")
 set(KREISEL_DIGESTS "")
@@ -28,6 +20,7 @@ foreach(source IN LISTS KREISEL_REFERENCE_SOURCES)
   file(SHA256 ${source} digest)
   string(APPEND KREISEL_DIGESTS ${digest})
 endforeach()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${KREISEL_REFERENCE_SOURCES})
 string(SHA256 KREISEL_REFERENCE_DIGEST
        "${KREISEL_DIGESTS}${CMAKE_CXX_COMPILER_ID}${CMAKE_CXX_COMPILER_VERSION}${CMAKE_CXX_FLAGS}${CMAKE_BUILD_TYPE}${KREISEL_ARCH}${KREISEL_HAS_X86_64_V3}${Boost_VERSION_STRING}${Eigen3_VERSION}")
 string(SUBSTRING ${KREISEL_REFERENCE_DIGEST} 0 16 KREISEL_REFERENCE_DIGEST)

@@ -1,5 +1,5 @@
-# Writes TO, a source with the commit of SOURCE, "-dirty" where files that git knows differ from it. Leaves a file that
-# says so already untouched.
+# Writes TO, a source with the commit of SOURCE, "-dirty" where files that git knows differ from it. Does not touch a
+# file that is up to date.
 function(ask_git variable)
   execute_process(COMMAND git ${ARGN} WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE answer OUTPUT_STRIP_TRAILING_WHITESPACE
                   ERROR_QUIET RESULT_VARIABLE failed)

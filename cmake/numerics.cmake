@@ -1,10 +1,10 @@
 # The numerical code, compiled once per precision. OBJECT libraries: a static library would drop the objects that only
-# register a method or a problem, and with them every method. The globs make a new file known without any list.
+# register a method or a problem, and with them every method. The globs find a new file without any list.
 #
-# kreisel_flags_<precision>    what numerical code is compiled with, tests of it included
+# kreisel_flags_<precision>    the compile options of numerical code, its tests included
 # kreisel_<layer>_<precision>  the objects of one folder
 # kreisel_<precision>          all of them
-# KREISEL_OBJECTS_<precision>  the objects alone, for what belongs to neither precision
+# KREISEL_OBJECTS_<precision>  only the objects, for targets of neither precision
 
 function(kreisel_flags precision)
   set(target kreisel_flags_${precision})

@@ -1,7 +1,7 @@
 # One Catch2 program per folder of tests and precision. A new test file is found by the glob.
 include(CTest)
 set(KREISEL_TEST_TIMEOUT 900 CACHE STRING "seconds that one suite may take; counting branches makes them slower")
-# Tests take much longer to compile than to run; what they test keeps its flags.
+# Tests take much longer to compile than to run; the tested code keeps its flags.
 function(kreisel_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
@@ -11,7 +11,7 @@ add_library(kreisel_test_main OBJECT ${CMAKE_SOURCE_DIR}/tests/support/main.cpp)
 target_link_libraries(kreisel_test_main PUBLIC Catch2::Catch2)
 kreisel_compile_quickly(kreisel_test_main)
 
-# rapidcheck's headers are heavy: one translation unit, and no suite sees them.
+# rapidcheck's headers are heavy: one translation unit includes them, and no suite does.
 find_package(rapidcheck REQUIRED)
 add_library(kreisel_rapid OBJECT ${CMAKE_SOURCE_DIR}/tests/support/rapid.cpp)
 target_include_directories(kreisel_rapid PRIVATE ${CMAKE_SOURCE_DIR})
@@ -53,7 +53,7 @@ add_library(kreisel_order OBJECT ${CMAKE_SOURCE_DIR}/records/fits/order.cpp ${CM
 target_include_directories(kreisel_order PRIVATE ${CMAKE_SOURCE_DIR})
 target_link_libraries(kreisel_order PUBLIC fmt::fmt GSL::gsl)
 
-# The methods broken on purpose and the judgements, which two suites share.
+# The methods broken on purpose and the checks, which two suites share.
 function(kreisel_controls precision)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/controls/*.cpp
        ${CMAKE_SOURCE_DIR}/tests/judges/methods/*.cpp)
@@ -77,7 +77,7 @@ if(NOT KREISEL_SANITIZE)  # exact rationals compile slowly there
   kreisel_suite(outside binary64 LIBRARIES kreisel_binary64 kreisel_simbody
                 SOURCES ${CMAKE_SOURCE_DIR}/tests/problems/states.cpp)
 endif()
-# How perturbations grow is measured in quad where there is quad, whatever the precision of the suite.
+# How perturbations grow is measured in quad if there is quad, whatever the precision of the suite.
 function(kreisel_growth precision)
   add_library(kreisel_growth_${precision} OBJECT ${CMAKE_SOURCE_DIR}/tests/metamorphic/growth/growth.cpp)
   kreisel_compile_quickly(kreisel_growth_${precision})
@@ -103,7 +103,7 @@ if(KREISEL_BINARY128)
   kreisel_controls(binary128)
   kreisel_suite(methods binary128 LIBRARIES kreisel_binary128 kreisel_controls_binary128 kreisel_order)
   kreisel_suite(orders binary128 LIBRARIES kreisel_binary128 kreisel_controls_binary128 kreisel_order)
-  find_package(SUNDIALS 6 REQUIRED)  # an oracle of the tests alone
+  find_package(SUNDIALS 6 REQUIRED)  # an independent reference, for tests only
   kreisel_suite(reference binary128 LIBRARIES kreisel_binary128 GSL::gsl SUNDIALS::ida_shared SUNDIALS::nvecserial_shared
                 SUNDIALS::sunmatrixdense_shared SUNDIALS::sunlinsoldense_shared)
   kreisel_suite(tables plain LIBRARIES kreisel_driver)
@@ -124,7 +124,7 @@ if(KREISEL_BINARY128)
   set_tests_properties(architecture.symbols PROPERTIES LABELS architecture ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 endif()
 
-# Every combination takes some twenty minutes, so that it runs where it is asked for: ctest --preset ci -C full -L full
+# Every combination takes about twenty minutes, so it runs only on request: ctest --preset ci -C full -L full
 foreach(precision binary64 binary128)
   if(TARGET test_metamorphic_${precision})
     add_test(NAME metamorphic.full.${precision} CONFIGURATIONS full COMMAND test_metamorphic_${precision} "[full]")

@@ -1,11 +1,11 @@
 # Several files in one translation unit. Not for the numerical code: there a new file must be free to use any local name,
-# and what is measured must not depend on its neighbours. Files compiled together share their unnamed namespaces; a
-# missing #include shows in a build with KREISEL_UNITY=OFF only.
+# and measurements must not depend on its neighbours. Files compiled together share their unnamed namespaces; a
+# missing #include shows only in a build with KREISEL_UNITY=OFF.
 function(kreisel_unite target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${KREISEL_UNITY} UNITY_BUILD_MODE BATCH
                                              UNITY_BUILD_BATCH_SIZE 8)
   if(KREISEL_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # A local name may well be a global one of a neighbour.
+    # A local name may be a global one of a neighbour.
     target_compile_options(${target} PRIVATE -Wno-shadow -Wshadow=local)
   endif()
 endfunction()

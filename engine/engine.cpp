@@ -51,7 +51,8 @@ class RealEngine final : public Engine {
         summary.bodies = system->bodies();
         summary.velocities = system->velocities();
         summary.constraints = to_summary(system->constraint_rank());
-        for (const ConstraintRow& row : system->constraint_rows()) summary.constraints.directions += row.direction ? 1 : 0;
+        for (const ConstraintRow& row : system->constraint_rows())
+            summary.constraints.directions += row.direction ? 1 : 0;
         for (const FirstIntegral& integral : system->integrals())
             summary.integrals.push_back({integral.name, integral.unit, integral.reason});
         return summary;
@@ -88,7 +89,7 @@ class RealEngine final : public Engine {
                                {"error.rotation", to_number(solution.rotation_error)},
                                {"error.velocity", to_number(solution.velocity_error)},
                                {"error.omega", to_number(solution.omega_error)}};
-            // Past the horizon their difference at the end alone tells nothing.
+            // Past the horizon, their difference at the end by itself means nothing.
             if (!solution.multipliers.empty() && abs(solution.horizon) >= abs(decimal(t_end)))
                 add_multiplier_errors(constraint_rows(model), solution.multiplier_error, reference.error);
         }

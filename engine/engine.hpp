@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The type-erased boundary between the driver, which knows no `Real`, and the numerical code, which is compiled
-// once per precision. Everything here is plain data or an abstract class; numbers cross as text that reads back exactly.
+// once per precision. Everything here is plain data or an abstract class; numbers cross as text that reads back
+// exactly.
 #pragma once
 
 #include <array>
@@ -20,7 +21,7 @@
 namespace kreisel {
 
 /// A measured number: `value` rounded to double for sorting and plotting, `text` the shortest decimal (double) or
-/// 36 digits (quad) that reads back exactly. Never NaN or infinite: what could not be measured is absent.
+/// 36 digits (quad) that reads back exactly. Never NaN or infinite: values that could not be measured are absent.
 struct Number {
     double value = 0;
     std::string text = "0";
@@ -42,7 +43,7 @@ struct ReportedReaction {
 };
 
 /// A state as reported. `multipliers`: see mechanics/system.hpp; empty where there are none or they are not all
-/// unique. Of each torsion spring, in the order of the model, the angle and how many full turns are in it.
+/// unique. For each torsion spring, in the order of the model, the angle and its number of full turns.
 struct ReportedState {
     Number t;
     std::vector<ReportedBody> bodies;
@@ -58,19 +59,20 @@ struct ReportedState {
 /// uncertainty may be of any size, and an error is measured only where it is above 100 times that.
 struct Reference {
     ReportedState state;
-    std::map<std::string, Number> error;  ///< by metric error.*; past the horizon only where both routes reached the end
+    std::map<std::string, Number>
+        error;  ///< by metric error.*; past the horizon only where both routes reached the end
     double horizon = 0;                   ///< s
     std::string route;                    ///< how it was computed, for the manifest
-    bool interrupted = false;             ///< it was asked to stop, and nothing else is filled in
+    bool interrupted = false;             ///< it was asked to stop; all else is empty
 };
 
-/// What a second look at a reference came to.
+/// The result of checking a reference.
 struct ReferenceCheck {
     std::map<std::string, Number> difference;  ///< the keys of Reference::error
     std::string failure;                       ///< not empty: why there is nothing to compare
 };
 
-/// One cell of an experiment: everything that decides its numbers.
+/// One cell of an experiment: everything that determines its numbers.
 struct Cell {
     std::string problem;
     ParameterValues parameters;  ///< complete, defaults filled in
@@ -83,7 +85,7 @@ struct Cell {
     long steps = 1;
     long samples = 0;                  ///< K: K+1 equidistant samples are kept; divides `steps`
     std::vector<std::string> metrics;  ///< names or patterns with `*`
-    bool timed = false;                ///< measure time and memory of the steps, and nothing else
+    bool timed = false;                ///< measure only time and memory of the steps
 };
 
 struct Cost {
@@ -99,8 +101,8 @@ struct Column {
     std::string name, unit;
 };
 
-/// Where the samples of a run go, each as soon as it is taken. What an implementation throws ends the run and passes
-/// through it.
+/// Receives the samples of a run, each as soon as it is taken. An exception of an implementation ends the run and
+/// passes through it.
 class SampleSink {
   public:
     virtual ~SampleSink() = default;
@@ -110,8 +112,9 @@ class SampleSink {
     virtual void add(const std::string& row) = 0;
 };
 
-/// The constraint rows of a system and how many of them are independent where it starts. Where rows follow from others the
-/// multipliers are not unique: `least_norm` are those of least norm, each row divided by its scale, at the end of a run.
+/// The constraint rows of a system and how many of them are independent where it starts. Where rows follow from others
+/// the multipliers are not unique: `least_norm` are those of least norm at the end of a run, each row divided by its
+/// scale.
 struct ConstraintSummary {
     int rows = 0, rank = 0;
     int directions = 0;                  ///< rows that compare directions; the others are lengths. Not in results
@@ -127,9 +130,9 @@ struct LostIntegral {
     double share = 0;  ///< |I - I_0| over the sum of the sizes of its terms
 };
 
-/// What a cell came to. `status` is "ok", "skipped", "interrupted", or the name of a Status (lie/status.hpp);
-/// `detail` says when and where in words. A failed cell keeps what it measured up to `t_reached`. A timed cell has no final
-/// state: that of ten thousand bodies would fill the results.
+/// The result of a cell. `status` is "ok", "skipped", "interrupted", or the name of a Status (lie/status.hpp);
+/// `detail` says when and where, in words. A failed cell keeps its measurements up to `t_reached`. A timed cell has no
+/// final state: that of ten thousand bodies would fill the results.
 struct Outcome {
     std::string status = "ok";
     std::string detail;
@@ -139,11 +142,11 @@ struct Outcome {
     std::optional<ReportedState> final;
     ConstraintSummary constraints;
     std::vector<std::pair<std::string, Number>> metrics;
-    std::optional<LostIntegral> lost;  ///< the one lost most, at the end
+    std::optional<LostIntegral> lost;  ///< the one violated most, at the end
     Cost cost;
 };
 
-/// What a problem becomes in one formulation.
+/// A problem in one formulation.
 struct SystemSummary {
     std::string skip_reason;  ///< not empty: the formulation does not apply, and why
     int bodies = 0, velocities = 0;
@@ -152,7 +155,7 @@ struct SystemSummary {
     std::vector<std::string> warnings;
 };
 
-/// All numerical code of one precision. Thread-safe: every call builds what it needs.
+/// All numerical code of one precision. Thread-safe: every call builds its own objects.
 class Engine {
   public:
     virtual ~Engine() = default;
@@ -161,25 +164,25 @@ class Engine {
     virtual std::vector<ProjectionDescription> projections() const = 0;
     virtual std::vector<FormulationDescription> formulations() const = 0;
 
-    /// Builds the system. Throws ParameterError where the parameters describe no system.
+    /// Builds the system. Throws ParameterError if the parameters do not describe a system.
     virtual SystemSummary summary(const std::string& problem, const ParameterValues&,
                                   const std::string& formulation) const = 0;
     /// The order a method declares under these options.
     virtual Order declared_order(const std::string& method, const OptionValues&) const = 0;
     /// Why this cell cannot run; empty if it can. Throws ParameterError, OptionError.
     virtual std::string skip_reason(const Cell&) const = 0;
-    /// Runs one cell. `reference` may be null: then no error.* is measured. So may `samples`: then samples are taken and
-    /// dropped.
+    /// Runs one cell. `reference` may be null: then no error.* is measured. `samples` may be null too: samples are then
+    /// taken and dropped.
     virtual Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const = 0;
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop) const {
         return run(cell, reference, stop, nullptr);
     }
-    /// The reference solution of a problem at `t_end`; only the quad engine is asked for it.
+    /// The reference solution of a problem at `t_end`; requested only from the quad engine.
     virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end,
                                 const std::stop_token&) const = 0;
-    /// Holds a reference against a computation of its state by the second route alone.
+    /// Compares a reference with a computation of its state by the second route.
     virtual ReferenceCheck check_reference(const std::string& name, const ParameterValues&, const Reference&) const = 0;
-    /// Identifies all code that decides a reference; methods are no part of it.
+    /// Identifies all code that affects a reference; methods are not part of it.
     virtual std::string reference_digest() const = 0;
 };
 

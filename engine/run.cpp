@@ -27,19 +27,19 @@ double thread_seconds() {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) / 1000000000;
 }
 
-/// Bytes on the heap of the whole process [glibc]: what others allocate meanwhile counts too, so that timed cells run
-/// alone. The allocator keeps blocks of earlier cells at hand and calls them used, so that some kilobytes are nothing to go
-/// by. Zero where malloc is not the C library's, under sanitizers.
+/// Bytes on the heap of the whole process [glibc]; other threads' allocations count too, so timed cells run one at a
+/// time. The allocator keeps blocks of earlier cells and counts them as used, so differences of a few kB are noise.
+/// Zero under sanitizers, where malloc is not the C library's.
 double heap_bytes() {
     const struct mallinfo2 info = mallinfo2();
     return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-/// Timed runs are repeated until the fastest can be trusted.
+/// Timed runs are repeated until the fastest is reliable.
 constexpr int least_repeats = 5;
 constexpr double least_seconds = 0.25;
 
-/// For a sentence: ten digits say where, whatever the precision.
+/// Ten digits, for messages, whatever the precision.
 std::string brief(const Real& x) {
     char text[32];
     std::snprintf(text, sizeof text, "%.10g", to_double(x));
@@ -56,7 +56,7 @@ std::string only_for(const std::string& who, const std::vector<std::string>& for
     return who + " runs for " + list + " only";
 }
 
-/// Sum of all entries: finite exactly where every entry is, but for overflow, which ends a run just the same.
+/// Sum of all entries: finite if and only if all entries are, except for overflow, which ends a run too.
 bool all_finite(const std::vector<Real>& y) {
     Real sum = 0;
 #pragma GCC unroll 3
@@ -64,7 +64,7 @@ bool all_finite(const std::vector<Real>& y) {
     return isfinite(sum);
 }
 
-/// A run in progress: everything that meets for one cell.
+/// A run in progress: all objects of one cell.
 class Run {
   public:
     explicit Run(const Cell& cell)
@@ -216,7 +216,8 @@ class Run {
             const bool found = find_joint_forces(t);
             bool known = found;
             if (known && outcome_.constraints.has_redundant_rows()) {  // they are not unique
-                for (const Real& x : joint_forces_->multipliers()) outcome_.constraints.least_norm.push_back(to_number(x));
+                for (const Real& x : joint_forces_->multipliers())
+                    outcome_.constraints.least_norm.push_back(to_number(x));
                 known = false;
             }
             system_.read(y_.data(), states_.data());
@@ -229,13 +230,13 @@ class Run {
         }
         outcome_.cost.output_evaluations += monitor_.evaluations();
         if (joint_forces_) outcome_.cost.output_evaluations += joint_forces_->evaluations();
-        // A run that failed in its first step has measured nothing but its start.
+        // A run that failed in its first step has measured only its start.
         const bool finished = outcome_.status == "ok";
         if (!finished && outcome_.steps_done == 0) return;
         for (auto& metric : monitor_.metrics(finished)) outcome_.metrics.push_back(std::move(metric));
     }
 
-    /// Past the horizon of a reference a distance from it says something only where it is far above the uncertainty.
+    /// Past the horizon of a reference, a distance from it is meaningful only if far above the uncertainty.
     bool is_known(const Reference& reference, const std::string& metric, const Real& error) const {
         if (cell_.t_end <= reference.horizon) return true;
         const auto uncertainty = reference.error.find(metric);

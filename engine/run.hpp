@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One cell: a problem, a formulation, a method and a projection meet, run, and are measured.
+// One cell: a problem, a formulation, a method and a projection, run and measured.
 #pragma once
 
 #include <stop_token>

@@ -3,7 +3,7 @@
 // Local coordinates u around a point q0 of a group: q = q0 psi(u), and the pull-back of q' = q v to them,
 // u' = (left-trivialised d psi_u)^{-1}(v). Munthe-Kaas methods run a Runge-Kutta scheme in such coordinates.
 //
-// A chart is a plain type, not a virtual interface, so that a step pays for the group's call alone:
+// A chart is a plain type, not a virtual interface, so that a step pays only for the group's call:
 //   append(q, u, out)      out = q psi(u)
 //   pull_back(u, v, out)   out = u' for q' = q v at q = q0 psi(u); false if u lies outside the chart
 #pragma once
@@ -42,8 +42,8 @@ class TruncatedExpChart {
     std::vector<Real> power_, sum_, coefficients_;
 };
 
-/// Cayley coordinates, psi = cay, whose inverse differential is a polynomial: there is nothing to truncate. The chart
-/// never ends: a rotation by pi lies at infinite u.
+/// Cayley coordinates, psi = cay, whose inverse differential is a polynomial: nothing is truncated. The chart is
+/// unbounded: a rotation by pi lies at infinite u.
 class CayleyChart {
   public:
     explicit CayleyChart(const Group& group) : group_(&group) {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A covering of a group G: the elements of G with real labels that tell sheets over G apart, such as the full turns of
-// an angle that an element of G forgets.
+// A covering of a group G: the elements of G with real labels that tell the sheets over G apart, such as the full turns
+// of an angle, which an element of G does not record.
 #pragma once
 
 #include "lie/group.hpp"
@@ -9,9 +9,9 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// G x R^k, with R^k as a discrete group: labels add, the identity has zeros, and the algebra is that of G. What is near
-/// an element lies on its sheet, so that exp, cay and every chart leave labels as they are: q exp(u) has those of q. They
-/// stand behind the element of G.
+/// G x R^k, with R^k as a discrete group: labels add, those of the identity are zero, and the algebra is that of G.
+/// Neighbours of an element lie on its sheet, so exp, cay and every chart leave labels unchanged: q exp(u) has those of
+/// q. They are stored behind the element of G.
 class Covering final : public Group {
   public:
     Covering(std::shared_ptr<const Group> base, int labels)
@@ -21,7 +21,7 @@ class Covering final : public Group {
     void identity(Real* q) const override;
     void multiply(const Real* a, const Real* b, Real* out) const override;
     void inverse(const Real* a, Real* out) const override;
-    /// Inverse of exp, on the sheet of the identity: labels say nothing.
+    /// Inverse of exp on the sheet of the identity; labels are ignored.
     void log(const Real* q, Real* u) const override { base_->log(q, u); }
     void bracket(const Real* u, const Real* v, Real* out) const override { base_->bracket(u, v, out); }
     void Ad(const Real* q, const Real* v, Real* out) const override { base_->Ad(q, v, out); }

@@ -70,31 +70,6 @@ class AdditiveGroup final : public Group {
     Real orthogonality_defect(const Real* q) const override;
 };
 
-/// Direct product of groups; owns its factors' storage order, shares the factors.
-class Product final : public Group {
-  public:
-    explicit Product(std::vector<std::shared_ptr<const Group>> factors);
-    void identity(Real* q) const override;
-    void multiply(const Real* a, const Real* b, Real* out) const override;
-    void inverse(const Real* a, Real* out) const override;
-    void log(const Real* q, Real* u) const override;
-    void bracket(const Real* u, const Real* v, Real* out) const override;
-    void Ad(const Real* q, const Real* v, Real* out) const override;
-    void dexp(const Real* u, const Real* v, Real* out) const override;
-    void append_exp(const Real* q, const Real* u, Real* out) const override;
-    void append_cay(const Real* q, const Real* u, Real* out) const override;
-    bool in_exp_chart(const Real* u) const override;
-    bool dexpinv_left(const Real* u, const Real* v, Real* out) const override;
-    void dcayinv_left(const Real* u, const Real* v, Real* out) const override;
-    Real orthogonality_defect(const Real* q) const override;
-
-  private:
-    /// Calls f(factor, offset in the element, offset in the algebra) for each factor.
-    template <class F>
-    void each(F f) const;
-    std::vector<std::shared_ptr<const Group>> factors_;
-};
-
 /// The state space TG = G x R^n of a configuration group G: element y = (q, v), algebra z = (q^{-1} q', v'). The
 /// velocity factor is additive, so its brackets vanish and only the factor G needs dexpinv [terzezlatarmueller, eq. 7].
 class TangentGroup final : public Group {

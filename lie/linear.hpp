@@ -13,7 +13,15 @@ namespace Eigen {
 /// Quad numbers are stored by value: Eigen may copy them like built-in types.
 template <>
 struct NumTraits<kreisel::Real> : GenericNumTraits<kreisel::Real> {
-    enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0, ReadCost = 2, AddCost = 30, MulCost = 40 };
+    enum {
+        IsComplex = 0,
+        IsInteger = 0,
+        IsSigned = 1,
+        RequireInitialization = 0,
+        ReadCost = 2,
+        AddCost = 30,
+        MulCost = 40
+    };
     static kreisel::Real epsilon() { return kreisel::epsilon; }
     static kreisel::Real dummy_precision() { return kreisel::epsilon * 1024; }
     static kreisel::Real highest() { return std::numeric_limits<kreisel::Real>::max(); }
@@ -31,7 +39,7 @@ using Mat3 = Eigen::Matrix<Real, 3, 3>;
 using VecX = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using MatX = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// For the innermost functions: inline every call in the body, which the compiler's own limits stop short of in Eigen.
+/// For the innermost functions: inline every call in the body, beyond the compiler's own limits.
 /// Not under sanitizers, whose checks in the flattened bodies take a compiler minutes and gigabytes.
 #if defined(__SANITIZE_ADDRESS__)
 #define KREISEL_HOT

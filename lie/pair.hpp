@@ -9,7 +9,7 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 template <class First, class Second>
-struct Pair {
+struct RunPair {
     static constexpr int dim = First::dim + Second::dim, size = First::size + Second::size;
     struct Algebra {
         typename First::Algebra first;
@@ -21,7 +21,9 @@ struct Pair {
     };
 
     static Element load(const Real* q) { return {First::load(q), Second::load(q + First::size)}; }
-    static Algebra load_algebra(const Real* u) { return {First::load_algebra(u), Second::load_algebra(u + First::dim)}; }
+    static Algebra load_algebra(const Real* u) {
+        return {First::load_algebra(u), Second::load_algebra(u + First::dim)};
+    }
     static void save(const Element& g, Real* q) { First::save(g.first, q), Second::save(g.second, q + First::size); }
     static void save_algebra(const Algebra& u, Real* p) {
         First::save_algebra(u.first, p), Second::save_algebra(u.second, p + First::dim);

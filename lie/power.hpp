@@ -75,7 +75,8 @@ class Power final : public Group {
     }
     bool in_exp_chart(const Real* u) const override {
         bool inside = true;
-        for (int i = 0; i < dim(); i += K::dim) inside &= K::squared_angle(K::load_algebra(u + i)) < largest_squared_angle;
+        for (int i = 0; i < dim(); i += K::dim)
+            inside &= K::squared_angle(K::load_algebra(u + i)) < largest_squared_angle;
         return inside;
     }
     KREISEL_HOT bool dexpinv_left(const Real* u, const Real* v, Real* out) const override {

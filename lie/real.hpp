@@ -48,8 +48,8 @@ using std::pow;
 using std::sin;
 using std::sqrt;
 
-/// Before a loop that may write over its input entry by entry, and overlaps it in no other way: the compiler then needs
-/// no guard against overlap to use vector instructions.
+/// Before a loop that writes over its input entry by entry or does not overlap it at all: vector instructions then need
+/// no overlap check.
 #define KREISEL_ELEMENTWISE _Pragma("GCC ivdep")
 
 /// Unit round-off spacing of Real at 1.

@@ -3,7 +3,7 @@
 // S^3, the unit quaternions, which cover the rotations twice.
 //   element   a = (w, x, y, z), |a| = 1; stored in this order
 //   algebra   R^3 scaled such that exp(u) turns by |u|: exp(u) = (cos t/2, sin t/2 u/t), t = |u|; bracket u x v
-// In this scaling the algebra is so(3), and what lives on it alone (dexp and its inverses) is that of SO(3).
+// In this scaling the algebra is so(3), and what depends only on it (dexp and its inverses) is that of SO(3).
 // Sources: [hairer2006, Sec. IV.7], [celledoni2003cf].
 #pragma once
 

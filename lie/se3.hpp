@@ -4,8 +4,8 @@
 //   element   (x, R): x in R^3, R in SO(3); 4x4 matrix [[R, x], [0, 1]]; stored x, then R column by column
 //   algebra   u = (p, w): p the translational part, w the rotational part; 4x4 matrix [[hat(w), p], [0, 0]]
 //   bracket   [(p1, w1), (p2, w2)] = (w1 x p2 - w2 x p1, w1 x w2)
-// se(3) is so(3) over the dual numbers w + eps p. So every map of SO(3) that is a polynomial in crosses with
-// coefficients in s = |w|^2 carries over by differentiation, d/d eps s = 2 w.p; that is how the formulas below arise.
+// se(3) is so(3) over the dual numbers w + eps p. Every map of SO(3) that is a polynomial in crosses with
+// coefficients in s = |w|^2 carries over by differentiation, d/d eps s = 2 w.p; this gives the formulas below.
 // Sources: [hairer2006, Sec. IV.7], [iserles2000], [bruelscardona2010]; the Cayley map is that of the 4x4 matrices
 // (the 6x6 representation has another one).
 #pragma once
@@ -54,8 +54,8 @@ struct SE3 {
     }
 
     /// v + f1 [u, v] + f2 [u, [u, v]] with coefficients f(s + eps 2 w.p) over the dual numbers.
-    static Algebra dual_polynomial(const Algebra& u, const Algebra& v, const Real& f1, const Real& f1_ds, const Real& f2,
-                                   const Real& f2_ds) {
+    static Algebra dual_polynomial(const Algebra& u, const Algebra& v, const Real& f1, const Real& f1_ds,
+                                   const Real& f2, const Real& f2_ds) {
         const Algebra uv = bracket(u, v), uuv = bracket(u, uv);
         const Real ds = 2 * u.w.dot(u.p);
         return {v.p + f1 * uv.p + f2 * uuv.p + ds * (f1_ds * uv.w + f2_ds * uuv.w), v.w + f1 * uv.w + f2 * uuv.w};

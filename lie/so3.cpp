@@ -6,8 +6,8 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Unit quaternion (w, x, y, z), w >= 0, by the branch whose pivot is largest: no cancellation at any angle. NaN where R
-/// is so far from a rotation that there is none.
+/// Unit quaternion (w, x, y, z), w >= 0, by the branch whose pivot is largest: no cancellation at any angle. NaN where
+/// R is too far from a rotation to have one.
 Eigen::Matrix<Real, 4, 1> quaternion(const Mat3& R) {
     Eigen::Matrix<Real, 4, 1> q;
     const Real trace = R.trace();

@@ -6,7 +6,7 @@
 //   matrices  exp, Ad, ad are those of the 3x3 representation
 // All differentials are left-trivialised where they act on a curve q(t) = q0 exp(u(t)): with q' = q hat(v),
 //   u' = dexp^{-1}_{-u}(v) = v + 1/2 [u, v] + 1/12 [u, [u, v]] - ...
-// `dexp`, `dexpinv` below are the right-trivialised maps of the literature; lie/chart.hpp turns them, in one place.
+// `dexp`, `dexpinv` below are the right-trivialised maps of the literature; lie/power.hpp converts them, in one place.
 // Sources: [hairer2006, Sec. IV.7 and IV.8], [iserles2000], [celledoniowren2003, App. B].
 #pragma once
 
@@ -50,8 +50,8 @@ struct SO3 {
         return rotation(u, s, sinc(s), cosc(s));
     }
 
-    /// Inverse of exp, |log R| <= pi; at pi the axis is determined up to sign. For R near SO(3) it is the logarithm of a
-    /// nearby rotation; NaN where R is not finite or far off.
+    /// Inverse of exp, |log R| <= pi; at pi the axis is determined up to sign. For R near SO(3) it is the logarithm of
+    /// a nearby rotation; NaN where R is not finite or far off.
     static Algebra log(const Element& R);
 
     /// dexp_u(v) = v + (1 - cos t)/t^2 u x v + (t - sin t)/t^3 u x (u x v).

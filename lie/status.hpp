@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Failure is a value: a step, a solve or a projection answers a Status, and whoever runs it records when and where.
+// Failure is a value: a step, a solve or a projection returns a Status, and the caller records when and where.
 #pragma once
 
 namespace kreisel {
@@ -13,7 +13,7 @@ enum class Status {
     singular_kkt,        ///< the constraint Jacobian has lost rank
     projection_failed,   ///< the projection onto the constraints did not converge
     newton_failed,       ///< the Newton iteration of an implicit step did not converge
-    turn_lost,           ///< how often a torsion spring has turned is not known: too long a step, or axes that parted
+    turn_lost,           ///< the turn count of a torsion spring is lost: the step is too long, or its axes have parted
 };
 
 constexpr const char* name(Status status) {

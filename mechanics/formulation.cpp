@@ -29,11 +29,12 @@ std::unique_ptr<System> make_pivoted(const Model& model) { return std::make_uniq
 const std::vector<Formulation>& formulations() {
     static const std::vector<Formulation> all = {
         {"SO3xR3", "rotation and position of each body apart: q = (x, R), v = (x', omega); joints are constraints",
-         always, make_bodies<MixedCoordinates>},
+         always, make_bodies<SO3xR3Coordinates>},
         {"SE3", "rigid displacement of each body: q = (x, R), v = (R^T x', omega); joints are constraints", always,
-         make_bodies<ScrewCoordinates>},
-        {"S3xR3", "unit quaternion and position of each body apart: q = (x, a), v = (x', omega); joints are constraints",
-         always, make_bodies<QuaternionCoordinates>},
+         make_bodies<SE3Coordinates>},
+        {"S3xR3",
+         "unit quaternion and position of each body apart: q = (x, a), v = (x', omega); joints are constraints", always,
+         make_bodies<S3xR3Coordinates>},
         {"SO3", "bodies that turn about a fixed point: q = R, v = omega; no constraint is left", PivotedBodies::why_not,
          make_pivoted},
     };

@@ -14,7 +14,7 @@ inline namespace KREISEL_PRECISION {
 
 struct Formulation {
     std::string name, summary;
-    /// Why the model has no such formulation; empty if it has.
+    /// Why the formulation does not apply to the model; empty if it does.
     std::string (*why_not)(const Model&);
     std::unique_ptr<System> (*make)(const Model&);
 };

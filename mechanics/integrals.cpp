@@ -77,7 +77,7 @@ Terms kovalevskaya(const KovalevskayaTop& top, const BodyState& s) {
     return sum;
 }
 
-/// What a name, a unit and a reason say of f(state) -> Terms.
+/// A first integral from f(state) -> Terms, with its name, unit and reason.
 template <class F>
 FirstIntegral integral(std::string name, const char* unit, std::string reason, F f) {
     return {std::move(name), unit, std::move(reason), [f](const MotionState& s) { return f(s).value; },
@@ -117,7 +117,8 @@ void add_momenta(const Shared& model, std::vector<FirstIntegral>& integrals) {
     for (int k = 0; k < 3; ++k) {
         const Vec3 e = Vec3::Unit(k);
         if (!is_invariant_under_translation(*model, e)) continue;
-        integrals.push_back(integral(std::string("momentum_") + axis_names[k], "N s", "no external force acts along this axis",
+        integrals.push_back(integral(std::string("momentum_") + axis_names[k], "N s",
+                                     "no external force acts along this axis",
                                      [model, e](const MotionState& s) { return momentum(*model, e, s.bodies); }));
     }
 }
@@ -134,9 +135,10 @@ void add_body_integrals(const Shared& model, std::vector<FirstIntegral>& integra
                                              return Terms{e.dot(spin), spin.norm()};
                                          }));
         if (const auto top = kovalevskaya_top(*model, static_cast<int>(i)))
-            integrals.push_back(integral("kovalevskaya" + suffix, "1/s^4",
-                                         "a heavy top with A = B = 2 C and its mass centre in the plane of A and B",
-                                         [top = *top, i](const MotionState& s) { return kovalevskaya(top, s.bodies[i]); }));
+            integrals.push_back(
+                integral("kovalevskaya" + suffix, "1/s^4",
+                         "a heavy top with A = B = 2 C and its mass centre in the plane of A and B",
+                         [top = *top, i](const MotionState& s) { return kovalevskaya(top, s.bodies[i]); }));
     }
 }
 

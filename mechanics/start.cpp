@@ -15,10 +15,10 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Share of its scale by which a start may violate a row: data of ten digits do.
+/// By how much of its scale a start may violate a row: data have about ten digits.
 const Real tolerance = Real(1) / 1000000000;
-/// Round-off of data that came through double precision, relative to distances from the origin and to speeds; and what
-/// arithmetic on them leaves.
+/// Round-off of data that came through double precision, relative to distances from the origin and to speeds; and
+/// the round-off of arithmetic on them.
 const Real data_round_off = Real(1) / 281474976710656, noise = Real(1) / 10000000000000;
 constexpr const char* coordinates = "SO3xR3";
 
@@ -74,19 +74,19 @@ class Start {
     /// Norm of a residual, each row divided by its scale.
     Real size_of(const VecX& residual) const { return residual.cwiseQuotient(scale_).norm(); }
 
-    /// Whether every row of Phi is at round-off of its terms.
+    /// Whether every row of Phi is round-off of its terms.
     bool is_round_off(const VecX& phi) {
         VecX terms = VecX::Zero(m_);
         system_->position_scale(q(), terms.data());
         return (phi.cwiseAbs().array() <= epsilon * terms.array()).all();
     }
-    /// Throws unless every row of Phi is at most 1e-9 of its scale, and round-off.
+    /// Throws unless every row of Phi is at most 1e-9 of its scale, plus round-off.
     void require_positions() {
         VecX terms = VecX::Zero(m_);
         system_->position_scale(q(), terms.data());
         require(position_residual(), tolerance * scale_ + data_round_off * terms, "position", "");
     }
-    /// Throws unless every row of C v + b is at most 1e-9 of its scale times the rate of the motion, and round-off.
+    /// Throws unless every row of C v + b is at most 1e-9 of its scale times the rate of the motion, plus round-off.
     void require_velocities() {
         VecX allowed = tolerance * rate() * scale_;
         const Real round_off = data_round_off * speed_round_off();
@@ -95,8 +95,8 @@ class Start {
         });
         require(velocity_residual(), allowed, "velocity", "/s");
     }
-    /// Rate of the motion (1/s): the largest of |omega| and |v| over the extent, of what drives rods, and of what the
-    /// forces make of rest, sqrt(|force| / (mass extent)) and sqrt(|torque| / moment of inertia).
+    /// Rate of the motion (1/s): the largest of |omega|, |v| over the extent, the frequencies of driven rods, and the
+    /// rates the forces cause from rest, sqrt(|force| / (mass extent)) and sqrt(|torque| / moment of inertia).
     Real rate() {
         VecX force(n_);
         system_->applied_force(0, q(), v(), force.data());
@@ -110,17 +110,17 @@ class Start {
         }
         return rate;
     }
-    /// Of |omega| and |v| over the extent alone (1/s).
+    /// The largest of |omega| and |v| over the extent (1/s).
     Real speed() {
         const Real linear = size_ > 0 ? Real(largest_part(0) / size_) : Real(0);
         return max(linear, largest_part(3));
     }
-    /// What projection leaves of a motion that the joints do not allow is no motion.
+    /// Projecting out a motion that the joints do not allow leaves round-off: zero it.
     void stop_noise(const Real& speed_before) {
         if (speed() <= noise * speed_before) velocities().setZero();
     }
-    /// Whether a correction is what arithmetic on the data leaves. A position's round-off turns a body by as much over the
-    /// size of the mechanism.
+    /// Whether a correction is round-off of arithmetic on the data. A position's round-off rotates a body by that
+    /// over the size of the mechanism.
     bool is_noise(const StartCorrection& moved) {
         const Real apart = size_ > 0 ? Real(1 + place_ / size_) : Real(1);
         return moved.position <= noise * max(size_, place_) && moved.rotation <= noise * apart &&
@@ -150,7 +150,7 @@ class Start {
         }
         return root;
     }
-    /// Rank of C, torques divided by lengths and rows by their norms: no matter of masses or units.
+    /// Rank of C, torques divided by lengths and rows by their norms: independent of masses and units.
     Eigen::Index geometric_rank(MatX C) const {
         const std::vector<Real> lengths = body_lengths(model_);
         for (std::size_t i = 0; i < lengths.size(); ++i)
@@ -160,7 +160,7 @@ class Start {
         qr.compute(MatX(C.transpose()).colwise().normalized());
         return qr.rank();
     }
-    /// A threshold between the pivots of A that gives it this rank.
+    /// A threshold between the pivots of A that yields this rank.
     static Real threshold_of(Eigen::Index rank, const MatX& A) {
         const Eigen::ColPivHouseholderQR<MatX> qr(A);
         const auto pivot = [&](Eigen::Index i) {
@@ -185,11 +185,13 @@ class Start {
     std::string by_joint(const VecX& residual, const char* second) const {
         std::vector<Real> lengths(model_.joints.size(), 0), directions = lengths;
         each_row([&](std::size_t joint, int k, Eigen::Index row) {
-            (is_direction_row(model_.joints[joint].type, k) ? directions : lengths)[joint] += residual[row] * residual[row];
+            (is_direction_row(model_.joints[joint].type, k) ? directions : lengths)[joint] +=
+                residual[row] * residual[row];
         });
         std::ostringstream out;
         for (std::size_t j = 0; j < model_.joints.size(); ++j) {
-            out << (j > 0 ? ", " : "") << model_.name_of_joint(j) << ": " << to_double(sqrt(lengths[j])) << " m" << second;
+            out << (j > 0 ? ", " : "") << model_.name_of_joint(j) << ": " << to_double(sqrt(lengths[j])) << " m"
+                << second;
             if (has_direction_rows(model_.joints[j].type))
                 out << " and " << to_double(sqrt(directions[j])) << (*second ? " 1" : "") << second;
         }
@@ -271,7 +273,7 @@ StartCorrection project_start(Model& model) {
 }
 
 void complete_velocities(Model& model, const std::vector<bool>& given) {
-    std::vector<Eigen::Index> unknown;  // columns of x' of the bodies that have none
+    std::vector<Eigen::Index> unknown;  // columns of x' of bodies without a given velocity
     for (std::size_t i = 0; i < given.size(); ++i) {
         if (given[i]) continue;
         model.bodies[i].start.v.setZero();
@@ -279,7 +281,7 @@ void complete_velocities(Model& model, const std::vector<bool>& given) {
     }
     if (unknown.empty() || model.joints.empty()) return;
     Start start(model);
-    // Rows that compare directions do not see x', and their residuals are of another unit.
+    // Rows that compare directions do not depend on x', and their residuals have another unit.
     const std::vector<Eigen::Index> rows = start.length_rows();
     const MatX C = start.jacobian();
     const VecX residual = start.velocity_residual();

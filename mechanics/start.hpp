@@ -8,21 +8,21 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// Checks that a model starts on its constraints: each row of Phi at most 1e-9 of its scale, each row of C v + b at most 1e-9
-/// of its scale times the rate of the motion (where all is at rest, that of what the forces make of it), both but for the
-/// round-off of data given in double precision, which grows with the distance from the origin; and rows that follow from
-/// others met by the accelerations. Throws ParameterError naming the joints and their residuals.
+/// Checks that a model starts on its constraints: each row of Phi is at most 1e-9 of its scale, each row of C v + b at
+/// most 1e-9 of its scale times the rate of the motion (at rest, the rate that the forces would cause), plus in both
+/// the round-off of data given in double precision, which grows with the distance from the origin; and the
+/// accelerations satisfy redundant rows. Throws ParameterError naming the joints and their residuals.
 void check_start(const Model& model);
 
-/// How far project_start moved the bodies: the largest distance (m), angle (rad), change of velocity (m/s) and of angular
-/// velocity (rad/s) of any of them.
+/// How far project_start moved the bodies: the largest distance (m), angle (rad), change of velocity (m/s) and of
+/// angular velocity (rad/s) of any of them.
 struct StartCorrection {
     Real position = 0, rotation = 0, velocity = 0, omega = 0;
     bool noise = true;  ///< no more than the round-off of data given in double precision
 };
 
-/// Moves the start onto the constraints, first positions, then velocities, by steps that are least in the metric M. Throws
-/// ParameterError, naming the joints and their residuals, where that does not converge.
+/// Moves the start onto the constraints, first positions, then velocities, by steps of least norm in the metric M.
+/// Throws ParameterError, naming the joints and their residuals, if that does not converge.
 StartCorrection project_start(Model& model);
 
 }  // namespace KREISEL_PRECISION

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is said of a start that is allowed: that it is a singular position, that the solves keep few digits, or that axes of a
+// Warnings about a start that is allowed: it is a singular position, the solves keep few digits, or axes of a
 // torsion spring may part.
 #include "mechanics/start_warnings.hpp"
 
@@ -25,7 +25,9 @@ std::string text(const Real& x) {
     return out.str();
 }
 
-ConstraintRank rank_at_start(const Model& model) { return JointSolver(model, SolverChoice::automatic).constraint_rank(); }
+ConstraintRank rank_at_start(const Model& model) {
+    return JointSolver(model, SolverChoice::automatic).constraint_rank();
+}
 
 /// A force of the size of the masses, in no particular direction.
 VecX some_force(const Model& model, int seed) {
@@ -34,13 +36,14 @@ VecX some_force(const Model& model, int seed) {
     for (Eigen::Index i = 0; i < force.size(); ++i) {
         const auto body = static_cast<std::size_t>(i / 6);
         const Real pattern = cos(Real(static_cast<int>(i) * (seed + 2) + seed));
-        force[i] = model.bodies[body].mass * pattern * (i % 6 < 3 ? extent(model) : Real(lengths[body] * lengths[body]));
+        force[i] =
+            model.bodies[body].mass * pattern * (i % 6 < 3 ? extent(model) : Real(lengths[body] * lengths[body]));
     }
     return force;
 }
 
-/// A velocity of size 1 that the joints allow at the start, in no particular direction, of the formulation SO3xR3; nothing
-/// where no motion is left.
+/// A velocity of size 1 that the joints allow at the start, in no particular direction, of the formulation SO3xR3;
+/// nothing where no motion is left.
 std::optional<VecX> some_motion(const Model& model, System& system, const std::vector<Real>& y, int seed) {
     const VecX force = some_force(model, seed), still = VecX::Zero(system.constraints());
     VecX a(force.size());
@@ -48,12 +51,12 @@ std::optional<VecX> some_motion(const Model& model, System& system, const std::v
     Real largest = 0;
     for (Eigen::Index i = 0; i < a.size(); i += 6)
         largest = max(largest, max(Real(a.segment<3>(i).norm() / extent(model)), Real(a.segment<3>(i + 3).norm())));
-    if (!(largest > sqrt(epsilon))) return std::nullopt;  // of forces of size 1: what is less is round-off
+    if (!(largest > sqrt(epsilon))) return std::nullopt;  // for forces of size 1: less is round-off
     return VecX(a / largest);
 }
 
-/// The model at rest beside its start, moved by some 1/64 as the joints allow, and back onto them; nothing where no motion
-/// is left, or where the way back is not found.
+/// The model at rest beside its start, moved by about 1/64 as the joints allow, and projected back; nothing where no
+/// motion is left, or the projection fails.
 std::optional<Model> beside(Model model, int seed) {
     const auto system = formulation("SO3xR3").make(model);
     std::vector<Real> y = initial_state(*system, model);
@@ -72,7 +75,7 @@ std::optional<Model> beside(Model model, int seed) {
     return model;
 }
 
-/// Ratio of the masses of two bodies that a joint links, the largest of all, and who they are.
+/// Ratio of the masses of two bodies that a joint links, the largest of all, and which bodies they are.
 std::string mass_ratio(const Model& model) {
     Real largest = 1;
     std::string who;
@@ -89,12 +92,13 @@ std::string mass_ratio(const Model& model) {
 }
 
 std::string of_conditioning(const Model& model, const Real& condition) {
-    // A solve loses the square of the condition: the light body between a heavy one and the ground is all that S sees.
+    // A solve loses the square of the condition: S contains only the light body between a heavy one and the ground.
     const Real left = epsilon * condition * condition;
     if (left <= Real(1) / 1000000) return "";
     int digits = 0;
     for (Real share = Real(1) / 10; share > left; share /= 10) ++digits;
-    return "constraint rows are nearly dependent in the metric of the masses: the pivots of M^(-1/2) C^T have a ratio of " +
+    return "constraint rows are nearly dependent in the metric of the masses: the pivots of M^(-1/2) C^T have a ratio "
+           "of " +
            text(condition) + ", so that accelerations and multipliers keep some " + std::to_string(digits) + " digits" +
            mass_ratio(model);
 }
@@ -107,12 +111,13 @@ std::string of_singularity(const Model& model, const ConstraintRank& here) {
         if (rank > here.rank)
             return "the start is a singular position: the rank of the constraints is " + std::to_string(here.rank) +
                    " there and " + std::to_string(rank) +
-                   " beside it, so that more than one motion follows from it; solves beside it may end with singular_kkt";
+                   " beside it, so that more than one motion follows from it; solves beside it may end with "
+                   "singular_kkt";
     }
     return "";
 }
 
-/// What the start makes of a vector in body axes, in space axes.
+/// A vector in body axes, rotated to space axes by the start.
 Vec3 in_space(const Model& model, int body, const Vec3& vector) {
     return body == ground ? vector : Vec3(model.bodies[static_cast<std::size_t>(body)].start.R * vector);
 }
@@ -133,9 +138,10 @@ std::vector<std::string> of_springs(const Model& model) {
         const Vec3 axis = in_space(model, spring.second, spring.axes_second.col(2));
         const Vec3 relative = turning(model, *motion, spring.second) - turning(model, *motion, spring.first);
         if (relative.cross(axis).norm() > sqrt(epsilon))
-            warnings.push_back(model.name_of_torsion_spring(i) +
-                               ": the joints do not keep its axes parallel: a run ends with turn_lost where they part so far "
-                               "that a turn is not defined");
+            warnings.push_back(
+                model.name_of_torsion_spring(i) +
+                ": the joints do not keep its axes parallel: a run ends with turn_lost where they part so far "
+                "that a turn is not defined");
     }
     return warnings;
 }

@@ -11,9 +11,9 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// What a model whose start is allowed is warned of: a singular position, where the rank of the constraints is less than
-/// beside it; rows so nearly dependent, in position or by the ratio of masses, that a solve keeps fewer than six digits (of
-/// at most 120 rows, both); a torsion spring whose axes the joints let part.
+/// Warnings about a model whose start is allowed: a singular position, where the rank of the constraints is lower than
+/// nearby; rows so nearly dependent, by position or by the ratio of masses, that a solve keeps fewer than six digits
+/// (both for at most 120 rows); a torsion spring whose axes the joints allow to part.
 std::vector<std::string> start_warnings(const Model& model);
 
 }  // namespace KREISEL_PRECISION

@@ -25,8 +25,8 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// What first integrals are functions of, the same in every formulation: the bodies, and the angles of the torsion springs
-/// (rad, all turns counted).
+/// What first integrals are functions of, the same in every formulation: the bodies, and the angles of the torsion
+/// springs (rad, all turns counted).
 struct MotionState {
     std::span<const BodyState> bodies;
     std::span<const Real> angles = {};
@@ -39,8 +39,8 @@ struct FirstIntegral {
     std::function<Real(const MotionState&)> size;  ///< sum of the sizes of its terms: what its round-off scales with
 };
 
-/// How many constraint rows there are and how many of them are independent in the initial configuration. Rows that follow
-/// from others are left out of the solves; the multipliers are then those of least norm, each row divided by its
+/// How many constraint rows there are and how many of them are independent in the initial configuration. Rows that
+/// follow from others are left out of the solves; the multipliers are then those of least norm, each row divided by its
 /// System::row_scale.
 struct ConstraintRank {
     int rows = 0, rank = 0;
@@ -63,7 +63,7 @@ class System {
     virtual int constraints() const { return 0; }                 ///< m, rows of C
     virtual int position_constraints() const { return constraints(); }  ///< rows of Phi, the first of C
 
-    /// v' at (q, v). Counted: this is the solve of the dynamics a method pays for.
+    /// v' at (q, v). Counted as a solve of the dynamics.
     Status evaluate(const Real& t, const Real* q, const Real* v, Real* dv) {
         ++evaluations_;
         return accelerations(t, q, v, dv, nullptr);
@@ -74,7 +74,7 @@ class System {
         for (int i = 0; i < velocities(); ++i) z[i] = v[i];
         return evaluate(t, y, v, z + velocities());
     }
-    /// For methods that evaluate the equations of motion instead of solving them: that counts alike.
+    /// For methods that evaluate the equations of motion instead of solving them: counted alike.
     void count_evaluation() { ++evaluations_; }
     /// Solves and other counted evaluations of the dynamics since construction.
     long evaluations() const { return evaluations_; }
@@ -84,15 +84,15 @@ class System {
     /// Solves [M C^T; C 0] [a; lambda] = [f; c] for given f (n), c (m).
     virtual Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda);
     /// The same for several right-hand sides at one (t, q): `prepare_kkt` factors, and until any other solve
-    /// `solve_prepared` at this (t, q) uses the factors. Where rows are redundant its multipliers are any that belong to a,
-    /// not those of least norm; lambda may be null.
+    /// `solve_prepared` at this (t, q) uses the factors. Where rows are redundant its multipliers are some that yield
+    /// a, not those of least norm; lambda may be null.
     virtual Status prepare_kkt(const Real&, const Real*) { return Status::ok; }
     virtual Status solve_prepared(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) {
         return solve_kkt(t, q, f, c, a, lambda);
     }
     /// Turns multipliers into those of least norm with the same C^T lambda.
     virtual Status minimise_multipliers(const Real&, const Real*, Real*) { return Status::ok; }
-    /// What a solution of the last KKT system is good to, relative to itself: eps by the condition of the complement.
+    /// Relative accuracy of a solution of the last KKT system: eps times the condition of the complement.
     virtual Real kkt_round_off() const { return epsilon; }
 
     /// Mass matrix: blocks of `mass_block()` rows, one after another, column by column.
@@ -100,7 +100,7 @@ class System {
     virtual bool mass_is_constant() const { return true; }
     virtual void mass(const Real* q, Real* blocks) const;
     virtual void solve_mass(const Real* q, const Real* f, Real* a) const;                     ///< a = M^{-1} f
-    /// Q = applied + gyroscopic; variational methods want only the first.
+    /// Q = applied + gyroscopic; variational methods need only the first.
     virtual void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const;
     virtual void gyroscopic_force(const Real* q, const Real* v, Real* f) const;
 
@@ -112,26 +112,26 @@ class System {
     virtual void velocity_bias(const Real& t, const Real* q, Real* b) const;                  ///< b = dPhi/dt
     virtual void velocity_residual(const Real&, const Real*, const Real*, Real*) const {}     ///< C v + b
     virtual void acceleration_bias(const Real&, const Real*, const Real*, Real*) const {}     ///< xi
-    /// Scale of each row (m, or 1 where it compares directions): residuals are small or large relative to it, wherever the
+    /// Scale of each row (m, or 1 where it compares directions): residuals are judged relative to it, wherever the
     /// mechanism is.
     virtual void row_scale(Real* scale) const;
-    /// Sum of the sizes of the terms of each row of Phi (m or 1), distances from the origin among them: what the round-off
-    /// of the row is relative to.
+    /// Sum of the sizes of the terms of each row of Phi (m or 1), distances from the origin among them: what the
+    /// round-off of the row is relative to.
     virtual void position_scale(const Real* q, Real* scale) const;
 
     virtual ConstraintRank constraint_rank() const { return {constraints(), constraints(), {}, {}}; }
-    /// What the rows of C belong to.
+    /// The joints and directions of the rows of C.
     virtual std::vector<ConstraintRow> constraint_rows() const {
         return std::vector<ConstraintRow>(static_cast<std::size_t>(constraints()));
     }
-    /// After a solve for lambda: whether the multiplier of a row is unique. It is not where the null space of C^T touches the
-    /// row.
+    /// After a solve for lambda: whether the multiplier of a row is unique. It is not if the null space of C^T involves
+    /// the row.
     virtual bool is_unique(int) const { return true; }
     /// What the joints of the model exert in its order under the multipliers lambda (m), those of another method or of
-    /// accelerations. Where the formulation eliminates the joints, Newton's law says it, and lambda is not read.
+    /// accelerations. Where the formulation eliminates the joints, it follows from Newton's law, and lambda is ignored.
     virtual Status reactions(const Real&, const Real*, const Real*, const Real*, JointReaction*) { return Status::ok; }
-    /// What lies behind the status of the last evaluation, in words: after singular_kkt where the constraints lost rank, after
-    /// turn_lost which spring and why. Empty where there is no more to say.
+    /// Explains the status of the last evaluation in words: after singular_kkt where the constraints lost rank, after
+    /// turn_lost which spring and why. Empty if there is nothing to add.
     virtual std::string reason(Status) const { return ""; }
 
     /// Torsion springs count full turns, which poses forget. q has a label for each behind the poses
@@ -141,15 +141,15 @@ class System {
     int torsion_springs() const { return group_->size() - poses_; }
     Real* labels(Real* q) const { return q + poses_; }
     const Real* labels(const Real* q) const { return q + poses_; }
-    /// Of a step by h from y(t): ok or turn_lost.
+    /// Before a step by h from y(t): returns ok or turn_lost.
     virtual Status begin_step(const Real& /*t*/, const Real& /*h*/, const Real* /*y*/) { return Status::ok; }
-    /// At its end y(t), where `result` is what the step answered: the same, or turn_lost.
+    /// After it, at y(t), where `result` is what the step returned: returns the same, or turn_lost.
     virtual Status end_step(Status result, const Real& /*t*/, Real* /*y*/) { return result; }
     /// The angles of the torsion springs outside a step.
     virtual void read_angles(const Real* /*q*/, SpringAngle* /*angles*/) const {}
 
-    /// Jacobian of the rows (Phi, C v + b) in ambient coordinates, where R is any 3x3 matrix: columns are the entries of
-    /// q and then v; 2m rows, column by column.
+    /// Jacobian of the rows (Phi, C v + b) in ambient coordinates, where R is any 3x3 matrix: columns are the entries
+    /// of q and then v; 2m rows, column by column.
     virtual bool has_ambient_jacobian() const { return false; }
     virtual void ambient_jacobian(const Real&, const Real*, const Real*, Real*) const {}
 
@@ -158,7 +158,8 @@ class System {
     virtual Real potential(const Real&, const Real*) const { return 0; }
 
     virtual int bodies() const { return 0; }
-    /// Reads the state of each body; writes one back (what is reported is always x, R, v, omega), labels staying as they are.
+    /// Reads the state of each body; writes one back (what is reported is always x, R, v, omega), labels staying as
+    /// they are.
     virtual void read(const Real*, BodyState*) const {}
     virtual void write(const BodyState*, Real*) const {}
 

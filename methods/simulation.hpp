@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The front door in C++: a model, the formulation of its state space, a method and a projection, and the state they move.
+// The front door in C++: a model, the formulation of its state space, a method and a projection, and the state they
+// move.
 //
 //   Simulation top(model, {.formulation = "SO3xR3", .method = "rkmk/rk4", .projection = "position_velocity"});
 //   if (top.advance(1, 1000) != Status::ok) std::cerr << top.failure();
@@ -18,7 +19,7 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// Who moves a model; options that are not given have their defaults.
+/// What moves a model; options not given have their defaults.
 struct Setup {
     std::string formulation = "SO3xR3", method = "rkmk/rk4";
     OptionValues options = {};
@@ -29,7 +30,7 @@ struct Setup {
 class Simulation {
   public:
     /// At the start of the model, t = 0. Throws std::out_of_range for names that are not registered and OptionError for
-    /// options that a method does not take; whether the formulation applies is for Formulation::why_not to say.
+    /// options that a method does not take; Formulation::why_not tells whether the formulation applies.
     Simulation(Model model, const Setup& setup);
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
@@ -49,13 +50,13 @@ class Simulation {
     /// The method's own multipliers after the last step, or null (Integrator::multipliers).
     const Real* multipliers() const { return integrator_->multipliers(); }
 
-    /// From the state y at time t on: what the method remembers of earlier steps is dropped. Needed before the first step of
-    /// a loop of one's own; `advance` does it by itself.
+    /// From the state y at time t on: what the method remembers of earlier steps is dropped. Needed before the first
+    /// step of a user's own loop; `advance` does it by itself.
     Status restart(const Real& t, const std::vector<Real>& y);
     Status restart() { return integrator_->start(t_, y_.data()); }
 
-    /// One step by h (s), then the projection; the time is t + h, or `end` where the caller knows it better than a sum does.
-    /// On any status but ok the time stays, and `failure` names the part that gave it.
+    /// One step by h (s), then the projection; the time is t + h, or `end` if given, which avoids accumulated
+    /// round-off. On any status but ok the time stays, and `failure` names the part that gave it.
     Status step(const Real& h) { return step(h, t_ + h); }
     Status step(const Real& h, const Real& end) {
         if (const Status status = integrator_->step(t_, h, y_.data()); status != Status::ok)
@@ -66,8 +67,8 @@ class Simulation {
         return Status::ok;
     }
 
-    /// `steps` steps from the time of the simulation to t_end (s), at the times t + i h. `observe(simulation)` is called
-    /// after each of them.
+    /// `steps` steps from the time of the simulation to t_end (s), at the times t + i h. `observe(simulation)` is
+    /// called after each of them.
     template <class Observer>
     Status advance(const Real& t_end, long steps, Observer observe) {
         const Real begin = t_, h = (t_end - begin) / Real(steps);
@@ -83,8 +84,8 @@ class Simulation {
         return advance(t_end, steps, [](const Simulation&) {});
     }
 
-    /// What the last status that is not ok came from, "step of rkmk/rk4"; and with the status and what the system knows of
-    /// it, "step of rkmk/rk4: left_chart".
+    /// What the last status that is not ok came from, "step of rkmk/rk4"; and with the status and the system's
+    /// explanation of it, "step of rkmk/rk4: left_chart".
     const std::string& failed_part() const { return failed_part_; }
     const std::string& failure() const { return failure_; }
 

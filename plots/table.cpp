@@ -18,7 +18,7 @@ namespace kreisel {
 
 namespace {
 
-// What a table is told by once, above it, when it is the same in every row.
+// Columns stated once, above a table, if they are the same in every row.
 std::vector<std::string> common_columns() {
     auto columns = CellNames::axes();
     columns.insert(columns.end(), {"steps", "h [s]", "defect", "integral", "status"});
@@ -62,7 +62,7 @@ Exit table_command(const std::filesystem::path& folder) {
     for (const std::string& damage : results.damage) { std::cerr << damage << "\n"; }
     print_counts(results);
     const auto tables = folder / "tables";
-    std::filesystem::remove_all(tables);  // a table of an earlier run must not survive beside those of this one
+    std::filesystem::remove_all(tables);  // tables of an earlier run must not remain beside these
     TableWriter writer(tables);
     const bool convergence = !error_metrics(results.rows).empty();
     if (convergence) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bricard's mechanism, problem A04 of the library of IFToMM [gonzalez2006]: five rods of 1 m and 1 kg, section 0.1 x 0.1 m,
-// between six hinges at (0,0,0), (1,0,0), (1,-1,0), (1,-1,1), (0,-1,1), (0,0,1), whose axes are along y, z, x, y, z, x. Counted
-// by rows it could not move: one of the 30 follows from the others. Released at rest, gravity along -y.
+// Bricard's mechanism, problem A04 of the library of IFToMM [gonzalez2006]: five rods of 1 m and 1 kg, section 0.1 x
+// 0.1 m, between six hinges at (0,0,0), (1,0,0), (1,-1,0), (1,-1,1), (0,-1,1), (0,0,1), whose axes are along y, z, x,
+// y, z, x. By counting rows it would be rigid, but one of the 30 is redundant. Released at rest, gravity along -y.
 #include "problems/shapes.hpp"
 
 namespace kreisel {
@@ -23,17 +23,19 @@ Model bricard(const Parameters& p) {
                                 .J = box_inertia(1, 1, width, width),
                                 .start = {.x = (hinges[i] + hinges[i + 1]) / 2, .R = axes_along(along, axes[i])}});
     }
-    for (int i = 0; i < 6; ++i) model.join(i == 0 ? ground : i - 1, i == 5 ? ground : i, hinges[i], JointType::revolute, axes[i]);
+    for (int i = 0; i < 6; ++i)
+        model.join(i == 0 ? ground : i - 1, i == 5 ? ground : i, hinges[i], JointType::revolute, axes[i]);
     model.gravity.g = p.vector("gravity");
     return model;
 }
 
 }  // namespace
 
-KREISEL_PROBLEM(bricard, {.name = "bricard",
-                          .summary = "Bricard's mechanism (IFToMM A04): six hinges in a loop, one redundant row, one freedom",
-                          .cites = {"gonzalez2006"},
-                          .parameters = {gravity_parameter({0, -9.81, 0})}});
+KREISEL_PROBLEM(bricard,
+                {.name = "bricard",
+                 .summary = "Bricard's mechanism (IFToMM A04): six hinges in a loop, one redundant row, one freedom",
+                 .cites = {"gonzalez2006"},
+                 .parameters = {gravity_parameter({0, -9.81, 0})}});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

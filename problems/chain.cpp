@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A chain of N equal rods on spherical joints, the first of them on the ground at the origin. It starts straight along x and
-// turns as one, then falls. The data are our own.
+// A chain of N equal rods on spherical joints, the first of them on the ground at the origin. It starts straight along
+// x, rotating rigidly, then falls. The data are our own.
 #include "problems/shapes.hpp"
 
 namespace kreisel {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a problem says of itself, free of `Real`: the driver lists, checks and documents problems from this alone.
+// The description of a problem, free of `Real`: the driver lists, checks and documents problems from this alone.
 #pragma once
 
 #include <string>
@@ -13,9 +13,10 @@ namespace kreisel {
 /// Largest number of the kind `count`.
 inline constexpr long largest_parameter_count = 1'000'000;
 
-/// The kind decides what a config may write: `count` is a whole number from 1 to 1,000,000, `inertia` three numbers or a
-/// symmetric 3x3 matrix, `rotation` a 3x3 matrix, `bodies`, `joints` and `forces` lists of objects, `flag` true or false;
-/// the alternative of ParameterValue follows from it (scalar, positive, count: double; inertia, rotation: Matrix3).
+/// The kind decides what a config may write: `count` is a whole number from 1 to 1,000,000, `inertia` three numbers or
+/// a symmetric 3x3 matrix, `rotation` a 3x3 matrix, `bodies`, `joints` and `forces` lists of objects, `flag` true or
+/// false; the alternative of ParameterValue follows from it (scalar, positive, count: double; inertia, rotation:
+/// Matrix3).
 enum class ParameterKind { scalar, positive, count, vector, inertia, rotation, bodies, joints, forces, flag };
 
 struct ParameterDescription {
@@ -23,8 +24,8 @@ struct ParameterDescription {
     ParameterKind kind = ParameterKind::scalar;
     std::string unit;
     std::string summary;
-    ParameterValue standard;  ///< holds where a config says nothing
-    bool required = false;    ///< a config must say it
+    ParameterValue standard;  ///< used if the config does not give it
+    bool required = false;    ///< required in a config
 };
 
 /// A quantity the exact flow preserves, and the reason why it does.
@@ -45,12 +46,12 @@ struct ProblemDescription {
     std::vector<std::string> cites;  ///< keys of paper/references.bib
     std::vector<ParameterDescription> parameters;
     bool closed_form = false;
-    /// Where parameters are required: values that show the problem at work, and the config in experiments/ that has them.
+    /// Where parameters are required: values for a demonstration, and the config in experiments/ that has them.
     ParameterValues demonstration = {};
     std::string demonstration_config = {};
 };
 
-/// What holds where a config says nothing.
+/// The value used if a config does not give one.
 inline ParameterValues default_parameters(const ProblemDescription& problem) {
     ParameterValues values;
     for (const ParameterDescription& parameter : problem.parameters) values[parameter.name] = parameter.standard;
@@ -64,7 +65,7 @@ inline ParameterValues demonstration_parameters(const ProblemDescription& proble
     return values;
 }
 
-/// The parameters that a config must say.
+/// The parameters that a config must give.
 inline std::vector<std::string> required_parameters(const ProblemDescription& problem) {
     std::vector<std::string> names;
     for (const ParameterDescription& parameter : problem.parameters)

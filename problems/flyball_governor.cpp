@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The stiff flyball governor, problem A05 of the library of IFToMM [gonzalez2006]: a vertical shaft, two rods hinged at its
-// top that carry 5 kg at their ends, and a slider on the shaft, held by springs of 8e5 N/m with dampers of 4e4 N s/m between it
-// and the middles of the rods. Shaft and rods 1 x 0.01 x 0.01 m, slider 0.1 m cubed, 3000 kg/m^3. All turns at 2 pi rad/s at
-// first, the rods 30 degrees below the horizontal, the slider 0.5 m below the top: there the springs have their free length,
-// 0.5 m.
+// The stiff flyball governor, problem A05 of the library of IFToMM [gonzalez2006]: a vertical shaft, two rods hinged at
+// its top that carry 5 kg at their ends, and a slider on the shaft, held by springs of 8e5 N/m with dampers of 4e4 N
+// s/m between it and the middles of the rods. Shaft and rods 1 x 0.01 x 0.01 m, slider 0.1 m cubed, 3000 kg/m^3.
+// Everything rotates at 2 pi rad/s at first, the rods 30 degrees below the horizontal, the slider 0.5 m below the top,
+// where the springs have their free length, 0.5 m.
 #include "problems/shapes.hpp"
 
 namespace kreisel {
@@ -12,7 +12,8 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// A rod along the body axis x, with a point mass at its end, about their common mass centre at `centre` from the hinge.
+/// A rod along the body axis x, with a point mass at its end, about their common mass centre at `centre` from the
+/// hinge.
 Body loaded_rod(const Real& length, const Real& width, const Real& density, const Real& ball, Real& centre) {
     const Real mass = density * length * width * width;
     Body body{.mass = mass + ball};
@@ -59,11 +60,12 @@ KREISEL_PROBLEM(governor,
                 {.name = "flyball_governor",
                  .summary = "stiff flyball governor (IFToMM A05): springs and dampers in place of coupler rods",
                  .cites = {"gonzalez2006"},
-                 .parameters = {{"speed", ParameterKind::scalar, "rad/s", "initial speed about the vertical", 6.283185307179586},
-                                {"ball", ParameterKind::positive, "kg", "mass at the end of each rod", 5.0},
-                                {"stiffness", ParameterKind::positive, "N/m", "of each spring", 8e5},
-                                {"damping", ParameterKind::scalar, "N s/m", "of each damper", 4e4},
-                                gravity_parameter({0, 0, -9.81})}});
+                 .parameters = {
+                     {"speed", ParameterKind::scalar, "rad/s", "initial speed about the vertical", 6.283185307179586},
+                     {"ball", ParameterKind::positive, "kg", "mass at the end of each rod", 5.0},
+                     {"stiffness", ParameterKind::positive, "N/m", "of each spring", 8e5},
+                     {"damping", ParameterKind::scalar, "N s/m", "of each damper", 4e4},
+                     gravity_parameter({0, 0, -9.81})}});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The acceptance problem without constraints: an asymmetric free body under a torque fixed in space and a force fixed in
-// the body, each times 1 + A sin(W t). The torque in body axes depends on the rotation, so the field is state dependent,
-// non-commuting and non-autonomous, and the force carries errors of the rotation into the position. Nothing is conserved.
-// The data are our own; with force and initial velocity zero the body also has the formulation SO3.
+// The acceptance problem without constraints: an asymmetric free body under a torque fixed in space and a force fixed
+// in the body, each times 1 + A sin(W t). The torque in body axes depends on the rotation, so the field is state
+// dependent, non-commuting and non-autonomous, and the force carries errors of the rotation into the position. Nothing
+// is conserved. The data are our own; with force and initial velocity zero the body also has the formulation SO3.
 #include "problems/problem.hpp"
 
 namespace kreisel {

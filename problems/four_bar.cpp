@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The four-bar mechanism with N windows, problem A02 of the library of IFToMM [gonzalez2006]: N + 1 cranks at (0, 0, 0),
-// (1, 0, 0), ..., N coupling bars between their tips, all of 1 kg and 1 m, on hinges along z; it starts upright, the tips
-// moving along x at 1 m/s. It passes through positions in which all bars lie in a line and the constraints lose rank. In space
-// each window has three rows too many besides. Section 0.1 m: only the moment about z counts, which is that of a thin rod.
+// The four-bar mechanism with N windows, problem A02 of the library of IFToMM [gonzalez2006]: N + 1 cranks at (0, 0,
+// 0), (1, 0, 0), ..., N coupling bars between their tips, all of 1 kg and 1 m, on hinges along z; it starts upright,
+// the tips moving along x at 1 m/s. It passes through positions in which all bars lie in a line and the constraints
+// lose rank. In space each window also has three redundant rows. Section 0.1 m: only the moment about z counts, which
+// is that of a thin rod.
 #include "problems/shapes.hpp"
 
 namespace kreisel {

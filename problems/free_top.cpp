@@ -2,7 +2,7 @@
 //
 // A rigid body on which nothing acts (Euler's top). Default: inertia (2, 1, 2/3) and body angular momentum
 // (cos 1.1, 0, sin 1.1), the data of [hairer2006, Fig. IV.1.1]; that inertia violates the triangle inequality
-// (2 > 1 + 2/3), so no body has it, which is a warning here and changes nothing in the equations.
+// (2 > 1 + 2/3), so no real body has it; this gives a warning and does not affect the equations.
 #include "problems/free_top_closed_form.hpp"
 #include "problems/problem.hpp"
 
@@ -36,8 +36,8 @@ KREISEL_PROBLEM(free_top,
                  .summary = "free rigid body (Euler's top), with a closed form",
                  .cites = {"hairer2006", "celledonifasso2008"},
                  .parameters = {{"mass", ParameterKind::positive, "kg", "mass", 1.0},
-                                {"inertia", ParameterKind::inertia, "kg m^2", "inertia about the mass centre, body axes",
-                                 diagonal(2, 1, 0.6666666666666667)},
+                                {"inertia", ParameterKind::inertia, "kg m^2",
+                                 "inertia about the mass centre, body axes", diagonal(2, 1, 0.6666666666666667)},
                                 {"omega", ParameterKind::vector, "rad/s", "initial angular velocity, body axes",
                                  Vector3{0.2267980607127887, 0, 1.336811040092153}},
                                 {"R", ParameterKind::rotation, "1", "initial rotation, body to space", identity3},

@@ -4,14 +4,14 @@
 //   m(t) = (A dn u, -B sn u, C cn u),   u = lambda t - nu.
 // This is case (i) of [celledonifasso2008], momentum circling about axis 1. Their case (ii), circling about axis 3, is
 // the same motion with the axes renamed (3, -2, 1); signs other than m1, m3 >= 0 are the same with two axes reversed;
-// the separatrix is k = 1. So every motion that is no rotation about a fixed axis takes one path, as do symmetric
+// the separatrix is k = 1. So every motion except rotation about a fixed axis uses the same code, as do symmetric
 // bodies (k = 0). The rotation is
 //   R(t) = R(0) P(m(0))^T Y(psi(t) - psi(0)) P(m(t)),
 // P the smallest rotation that brings m to axis 1, Y that about axis 1. (The 2007 preprint has lambda with the wrong
 // sign; lambda here follows from m' = m x omega.)
 //
 // Accuracy near the separatrix rests on the complementary modulus, k'^2 = I31 D2 / (D3 I21): it is computed without
-// cancellation, while k alone (all that the library's Jacobi functions take) forgets it. For the same reason Pi of
+// cancellation, which k (the only argument of the library's Jacobi functions) does not allow. For the same reason Pi of
 // negative characteristic is turned into one of positive characteristic, a sum of positive terms.
 #include "problems/free_top_closed_form.hpp"
 
@@ -181,7 +181,7 @@ Mat3 to_first_axis(const Vec3& u) {
     return P;
 }
 
-/// Components below the negligible are zero: they would reach the size of omega only after a turn of hundreds of
+/// Negligible components are set to zero: they would reach the size of omega only after a turn of hundreds of
 /// radians about the unstable axis, and their squares must not underflow.
 void flush(Vec3& omega) {
     Real negligible = 1;

@@ -9,11 +9,12 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-KREISEL_PROBLEM(top, {.name = "heavy_top",
-                      .summary = "rigid body on a spherical joint in constant gravity; default: the literature's fast top",
-                      .cites = {"bruelscardona2010", "terzezlatarmueller"},
-                      .parameters = top_parameters(15, diagonal(0.234375, 0.46875, 0.234375), {0, 1, 0},
-                                                   {0, 150, -4.61538})});
+KREISEL_PROBLEM(top,
+                {.name = "heavy_top",
+                 .summary = "rigid body on a spherical joint in constant gravity; default: the literature's fast top",
+                 .cites = {"bruelscardona2010", "terzezlatarmueller"},
+                 .parameters = top_parameters(15, diagonal(0.234375, 0.46875, 0.234375), {0, 1, 0},
+                                              {0, 150, -4.61538})});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

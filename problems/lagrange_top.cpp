@@ -2,8 +2,8 @@
 //
 // Lagrange's top: symmetric about the axis that carries the fixed point and the mass centre, in constant gravity: three
 // integrals, and a closed form by elliptic functions [goldstein2002, Sec. 5.7] (problems/lagrange_top_closed_form.hpp).
-// m = 1 kg, J = diag(0.2, 0.2, 0.3) kg m^2 about the mass centre, lever (0, 0, 0.5) m, inclined by acos 0.8: it nutates.
-// The numbers are our own choice.
+// m = 1 kg, J = diag(0.2, 0.2, 0.3) kg m^2 about the mass centre, lever (0, 0, 0.5) m, inclined by acos 0.8: it
+// nutates. The numbers are our own choice.
 #include "problems/top.hpp"
 
 namespace kreisel {

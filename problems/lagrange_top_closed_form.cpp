@@ -10,8 +10,9 @@
 // each term an elliptic integral of the third kind. The attitude is, in frames with third axes up and axis,
 // Rz(phi) Ry(theta) Rz(psi).
 //
-// Where the motion starts near a turning point, u2 - u(0) has no digits: the start of the phase is taken from u'(0). The
-// literature's fast top swings within 1e-12 of the downward vertical, where 1 + u1 has few digits: it is taken from f(-1).
+// Where the motion starts near a turning point, u2 - u(0) has no digits: the start of the phase is taken from u'(0).
+// The literature's fast top swings within 1e-12 of the downward vertical, where 1 + u1 has few digits: it is taken from
+// f(-1).
 #include "problems/lagrange_top_closed_form.hpp"
 
 #include <boost/math/special_functions/ellint_1.hpp>
@@ -39,7 +40,7 @@ Mat3 frame(const Vec3& e) {
     return Q;
 }
 
-/// f and what it is made of; sum = b + a and difference = b - a have digits of their own, which decide how near to the
+/// f and its coefficients; sum = b + a and difference = b - a are stored separately: they determine how near to the
 /// vertical the axis comes.
 struct Inclination {
     Real a, alpha, beta, sum, difference;
@@ -75,8 +76,8 @@ Roots roots_with(const Inclination& c, const Real& u0) {
     return {min(u0, other), max(u0, other), larger / c.beta, 0, 0};
 }
 
-/// From u(0) and u'(0). Next to a turning point, at a distance whose square is below round-off, f(u(0)) = u'(0)^2 has no
-/// digits, and the root is one Newton step away. f(1) and f(-1) tell how far u2 and u1 are from there.
+/// From u(0) and u'(0). Next to a turning point, at a distance whose square is below round-off, f(u(0)) = u'(0)^2 has
+/// no digits, and the root is one Newton step away. f(1) and f(-1) give the distances of u2 and u1 from there.
 Roots roots(const Inclination& c, const Real& u0, const Real& rate) {
     const Real slope = c.slope(u0), square = rate * rate;
     Roots r;

@@ -9,7 +9,7 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// A body that turns about a fixed point and is symmetric about the line from there to its mass centre.
+/// A body that rotates about a fixed point and is symmetric about the line from there to its mass centre.
 struct LagrangeTop {
     Real transverse, axial;  ///< moments of inertia A, C about the fixed point, kg m^2
     Vec3 axis;               ///< unit vector from the fixed point to the mass centre, body axes
@@ -37,7 +37,7 @@ struct SteadyPrecession {
 
 /// The slower and the faster steady precession of a top with attitude R that turns at `axial` (rad/s) about its axis:
 /// the roots Omega of A cos(theta) Omega^2 - C axial Omega + moment = 0, and spin = axial - Omega cos(theta). Throws
-/// std::domain_error where there is none, or where the axis is horizontal and the faster one is asked for.
+/// std::domain_error if there is none, or if the axis is horizontal and the faster one is requested.
 SteadyPrecession slow_precession(const LagrangeTop& top, const Mat3& R, const Real& axial);
 SteadyPrecession fast_precession(const LagrangeTop& top, const Mat3& R, const Real& axial);
 

@@ -17,7 +17,7 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Moves the start onto the joints and says by how much, unless that is round-off.
+/// Moves the start onto the joints and reports by how much, unless that is round-off.
 void project(Model& model) {
     using reading::text;
     const StartCorrection moved = project_start(model);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Two equal rods on parallel hinges along y, which keep the motion in a plane: 10 constraints in space for a system of two
-// degrees of freedom. Released at rest, horizontal and bent. The data are our own.
+// Two equal rods on parallel hinges along y, which keep the motion in a plane: 10 constraints in space for a system
+// with two degrees of freedom. Released at rest, horizontal and bent. The data are our own.
 #include "problems/shapes.hpp"
 
 namespace kreisel {
@@ -18,7 +18,8 @@ Model pendulum(const Parameters& p) {
     Mat3 tilted;
     tilted << bend, y, bend.cross(y);
     model.bodies.push_back({.name = "upper", .mass = mass, .J = J, .start = {.x = length / 2 * x}});
-    model.bodies.push_back({.name = "lower", .mass = mass, .J = J, .start = {.x = length * x + length / 2 * bend, .R = tilted}});
+    model.bodies.push_back(
+        {.name = "lower", .mass = mass, .J = J, .start = {.x = length * x + length / 2 * bend, .R = tilted}});
     model.join(ground, 0, Vec3::Zero(), JointType::revolute, y);
     model.join(0, 1, length * x, JointType::revolute, y);
     model.gravity.g = p.vector("gravity");

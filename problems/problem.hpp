@@ -19,7 +19,7 @@ class Parameters {
     explicit Parameters(const ParameterValues& values) : values_(values) {}
     Real scalar(const std::string& name) const { return decimal(std::get<double>(values_.at(name))); }
     Real mass(const std::string& name) const { return to_mass(std::get<double>(values_.at(name)), "/" + name); }
-    /// A number of the kind `count`. Throws ParameterError where it is none.
+    /// A number of the kind `count`. Throws ParameterError if it is not one.
     int count(const std::string& name) const;
     Vec3 vector(const std::string& name) const { return to_vec3(std::get<Vector3>(values_.at(name))); }
     Mat3 rotation(const std::string& name) const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A thin disk that rolls on a horizontal plane without slipping, inclined, so that it does not go straight: two of its three
-// constraints have no position level [neimarkfufaev1972, Sec. III.3]. Energy is constant although momenta are not. Mass 1 kg, radius 0.5 m,
-// moments of a uniform thin disk, m r^2/4 and m r^2/2. The numbers are our own choice.
+// A thin disk that rolls on a horizontal plane without slipping, inclined, so its path is curved: two of its three
+// constraints have no position level [neimarkfufaev1972, Sec. III.3]. Energy is conserved, momenta are not. Mass 1 kg,
+// radius 0.5 m, moments of a uniform thin disk, m r^2/4 and m r^2/2. The numbers are our own choice.
 #include "lie/so3.hpp"
 #include "problems/shapes.hpp"
 
@@ -30,14 +30,17 @@ Model disk(const Parameters& p) {
 
 }  // namespace
 
-KREISEL_PROBLEM(disk, {.name = "rolling_disk",
-                       .summary = "disk rolling on a plane without slipping: nonholonomic",
-                       .cites = {"neimarkfufaev1972"},
-                       .parameters = {{"mass", ParameterKind::positive, "kg", "mass", 1.0},
-                                      {"radius", ParameterKind::positive, "m", "radius", 0.5},
-                                      {"lean", ParameterKind::scalar, "rad", "inclination of the disk at first; 0 is upright", 0.3},
-                                      {"omega", ParameterKind::vector, "rad/s", "initial angular velocity, body axes; z is the axis of the disk", Vector3{0.2, 1, 6}},
-                                      {"gravity", ParameterKind::positive, "m/s^2", "against the normal of the plane", 9.81}}});
+KREISEL_PROBLEM(disk,
+                {.name = "rolling_disk",
+                 .summary = "disk rolling on a plane without slipping: nonholonomic",
+                 .cites = {"neimarkfufaev1972"},
+                 .parameters = {
+                     {"mass", ParameterKind::positive, "kg", "mass", 1.0},
+                     {"radius", ParameterKind::positive, "m", "radius", 0.5},
+                     {"lean", ParameterKind::scalar, "rad", "inclination of the disk at first; 0 is upright", 0.3},
+                     {"omega", ParameterKind::vector, "rad/s",
+                      "initial angular velocity, body axes; z is the axis of the disk", Vector3{0.2, 1, 6}},
+                     {"gravity", ParameterKind::positive, "m/s^2", "against the normal of the plane", 9.81}}});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

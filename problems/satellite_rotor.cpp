@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A satellite with a spinning rotor on a hinge along a principal axis through the common mass centre, without gravity: a
-// gyrostat. Energy, linear and angular momentum and the momentum of the rotor along its axis are constant. The data are our own.
+// A satellite with a spinning rotor on a hinge along a principal axis through the common mass centre, without gravity:
+// a gyrostat. Energy, linear and angular momentum and the momentum of the rotor along its axis are constant. The data
+// are our own.
 #include "problems/shapes.hpp"
 
 namespace kreisel {
@@ -25,16 +26,20 @@ Model satellite(const Parameters& p) {
 
 }  // namespace
 
-KREISEL_PROBLEM(satellite, {.name = "satellite_rotor",
-                            .summary = "free satellite with a spinning rotor (gyrostat)",
-                            .cites = {},
-                            .parameters = {{"mass", ParameterKind::positive, "kg", "mass of the hull", 100.0},
-                                           {"inertia", ParameterKind::inertia, "kg m^2", "of the hull", diagonal(40, 60, 50)},
-                                           {"omega", ParameterKind::vector, "rad/s", "initial angular velocity of the hull", Vector3{0.3, 0.1, 0.2}},
-                                           {"v", ParameterKind::vector, "m/s", "initial velocity, space axes", Vector3{0.1, -0.2, 0.05}},
-                                           {"rotor_mass", ParameterKind::positive, "kg", "mass of the rotor", 10.0},
-                                           {"rotor_inertia", ParameterKind::inertia, "kg m^2", "of the rotor, which turns about z", diagonal(0.6, 0.6, 1)},
-                                           {"spin", ParameterKind::scalar, "rad/s", "initial spin of the rotor relative to the hull", 20.0}}});
+KREISEL_PROBLEM(
+    satellite,
+    {.name = "satellite_rotor",
+     .summary = "free satellite with a spinning rotor (gyrostat)",
+     .cites = {},
+     .parameters = {
+         {"mass", ParameterKind::positive, "kg", "mass of the hull", 100.0},
+         {"inertia", ParameterKind::inertia, "kg m^2", "of the hull", diagonal(40, 60, 50)},
+         {"omega", ParameterKind::vector, "rad/s", "initial angular velocity of the hull", Vector3{0.3, 0.1, 0.2}},
+         {"v", ParameterKind::vector, "m/s", "initial velocity, space axes", Vector3{0.1, -0.2, 0.05}},
+         {"rotor_mass", ParameterKind::positive, "kg", "mass of the rotor", 10.0},
+         {"rotor_inertia", ParameterKind::inertia, "kg m^2", "of the rotor, which turns about z",
+          diagonal(0.6, 0.6, 1)},
+         {"spin", ParameterKind::scalar, "rad/s", "initial spin of the rotor relative to the hull", 20.0}}});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

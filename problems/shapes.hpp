@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bodies of simple shapes, and starts that move as one: what the mechanisms share.
+// Bodies of simple shapes, and rigidly moving starts, shared by the mechanisms.
 #pragma once
 
 #include "problems/problem.hpp"
@@ -23,7 +23,7 @@ inline Mat3 axes_along(const Vec3& x, const Vec3& z) {
     return R;
 }
 
-/// The state of a body in a system that turns as one with angular velocity w (space axes) about the point P.
+/// The state of a body in a system that rotates rigidly with angular velocity w (space axes) about the point P.
 inline BodyState turning(const Vec3& x, const Mat3& R, const Vec3& P, const Vec3& w) {
     return {x, R, w.cross(x - P), R.transpose() * w};
 }

@@ -2,11 +2,11 @@
 //
 // The spatial slider-crank of [haug1989, Sec. 12.2] with the data of the benchmark library of IFToMM ("Spatial rigid
 // slider-crank mechanism", https://www.iftomm-multibody.org/benchmark): a crank of 0.08 m that turns about x at
-// (0, 0.1, 0.12) m, a rod of 0.3 m, a slider along x. The crank starts upright at 6 rad/s, its mass centre in its middle.
-// Crank 0.12 kg, diag(1e-4, 1e-5, 1e-4) kg m^2; rod 0.5 kg, diag(4e-4, 4e-3, 4e-3) with x along the rod; slider 2 kg, 1e-4.
-// The rod is on a spherical joint at the crank and on a universal one at the slider, whose axes are the line of the slider
-// and the one perpendicular to it and to the rod. Solutions submitted to the library are what tests hold this to
-// (tests/methods/published_numbers.cpp).
+// (0, 0.1, 0.12) m, a rod of 0.3 m, a slider along x. The crank starts upright at 6 rad/s, its mass centre in its
+// middle. Crank 0.12 kg, diag(1e-4, 1e-5, 1e-4) kg m^2; rod 0.5 kg, diag(4e-4, 4e-3, 4e-3) with x along the rod; slider
+// 2 kg, 1e-4. The rod is on a spherical joint at the crank and on a universal one at the slider, whose axes are the
+// line of the slider and the one perpendicular to it and to the rod. Tests compare it with solutions submitted to the
+// library (tests/methods/published_numbers.cpp).
 #include "problems/shapes.hpp"
 
 namespace kreisel {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The N-fold spherical pendulum: N point masses of 1 kg on massless rods of length 5/N m, released at rest along x, as in
-// [celledoni2022, Sec. 4.3], where N = 2, ..., 20 and the end is at 3 s. The rods are distance joints.
+// The N-fold spherical pendulum: N point masses of 1 kg on massless rods of length 5/N m, released at rest along x, as
+// in [celledoni2022, Sec. 4.3], where N = 2, ..., 20 and the end is at 3 s. The rods are distance joints.
 #include "problems/shapes.hpp"
 
 namespace kreisel {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A rigid body on a spherical joint at the origin: what the heavy tops share.
+// A rigid body on a spherical joint at the origin: shared by the heavy tops.
 #pragma once
 
 #include "problems/problem.hpp"

@@ -114,7 +114,7 @@ std::optional<FinishedCell> read_journal_line(const std::string& line, const std
     if (cpu_at == std::string::npos || line.find(status_key) == std::string::npos || !sum_holds(line)) {
         return std::nullopt;
     }
-    // The sum holds, so this is a line as it was written.
+    // The check sum is right, so the line is intact.
     const auto value = nlohmann::json::parse(line);
     if (value.at("build") != build) { return std::nullopt; }
     FinishedCell cell;

@@ -10,7 +10,7 @@
 
 namespace kreisel {
 
-/// A cell that has come to an end. `line` is its result line, the same bytes on every run of one build.
+/// A finished cell. `line` is its result line, the same bytes on every run of one build.
 struct FinishedCell {
     std::string hash;
     std::string status;
@@ -22,8 +22,8 @@ struct FinishedCell {
     bool failed() const { return status != "ok" && status != "skipped"; }
 };
 
-/// `trajectory_sum`: of the samples, empty where there are none. Throws std::logic_error if the outcome holds a number that
-/// is not finite.
+/// `trajectory_sum`: of the samples, empty where there are none. Throws std::logic_error if the outcome holds a number
+/// that is not finite.
 FinishedCell finished_cell(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
                            const std::string& trajectory_sum = "");
 
@@ -33,7 +33,8 @@ std::string journal_line(const FinishedCell& cell, const std::string& build);
 /// What a journal line holds, or nothing if it is torn, damaged, or was written by another build.
 std::optional<FinishedCell> read_journal_line(const std::string& line, const std::string& build);
 
-/// The hash of the cell that an intact journal line is about, whichever build wrote it; nothing if it is torn or damaged.
+/// The hash of the cell that an intact journal line is about, whichever build wrote it; nothing if it is torn or
+/// damaged.
 std::optional<std::string> journalled_cell(const std::string& line);
 
 /// The result line with the identity members of `planned`, whose label may have changed since.

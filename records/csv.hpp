@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// results.csv, made from the result lines alone.
+// results.csv, made from the result lines only.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace kreisel {
 /// counts, each number with the digits of the line. Columns in order of first appearance within each group.
 std::string results_table(const std::vector<std::string>& lines);
 
-/// A field of a comma-separated file (RFC 4180): quoted where it must be.
+/// A field of a comma-separated file (RFC 4180): quoted if necessary.
 std::string csv_field(const std::string& text);
 
 }  // namespace kreisel

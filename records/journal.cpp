@@ -13,7 +13,7 @@ namespace kreisel {
 
 namespace {
 
-// A file of megabytes of damage should not print megabytes of complaints.
+// Limits the messages about a badly damaged file.
 constexpr std::size_t most_complaints = 10;
 
 void complain(JournalContents& contents, std::string text) {

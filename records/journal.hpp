@@ -15,14 +15,14 @@ namespace kreisel {
 
 struct JournalContents {
     std::map<std::string, FinishedCell> cells;  ///< by hash; of several lines of one cell the last
-    std::set<std::string> foreign;              ///< hashes of cells of which there are only lines of other builds
+    std::set<std::string> foreign;              ///< hashes of cells that have only lines of other builds
     std::vector<std::string> complaints;        ///< torn and damaged lines
 };
 
 /// `journal.jsonl`, or `journal.<shard>.jsonl`.
 std::filesystem::path journal_file(const std::filesystem::path& folder, const std::string& shard);
 
-/// Reads all journals of a folder. Torn and damaged lines, and those of other builds, are reported, never trusted.
+/// Reads all journals of a folder. Torn and damaged lines, and those of other builds, are reported and ignored.
 /// Throws FileError if a journal cannot be read.
 JournalContents read_journals(const std::filesystem::path& folder, const std::string& build);
 

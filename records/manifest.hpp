@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// manifest.json: how the results of a folder came about.
+// manifest.json: how the results of a folder were produced.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace kreisel {
 
-/// How many cells came to what.
+/// Numbers of cells by outcome.
 struct CellCounts {
     std::size_t total = 0, ok = 0, skipped = 0, failed = 0, missing = 0;
 };
@@ -40,7 +40,7 @@ struct ManifestContents {
     std::string build;
 };
 
-/// Throws UsageError if the file is no manifest.
+/// Throws UsageError if the file is not a manifest.
 ManifestContents read_manifest(const std::filesystem::path& file);
 
 }  // namespace kreisel

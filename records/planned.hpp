@@ -14,7 +14,7 @@ struct PlannedCell {
     std::string series;
     std::string label;
     std::string precision;
-    std::string hash;         ///< 16 hexadecimal digits over all that decides the numbers
+    std::string hash;         ///< 16 hexadecimal digits over all that determines the numbers
     std::string identity;     ///< the members that begin a result line, up to "t_end", without the closing brace
     std::string skip_reason;  ///< not empty: the cell does not apply, and why
     std::string reference;    ///< name of the reference solution it is compared with; empty: none
@@ -27,7 +27,7 @@ struct PlannedReference {
     std::string problem;
     ParameterValues parameters;
     double t_end = 0;
-    std::string content;  ///< all that decides its numbers, as JSON
+    std::string content;  ///< all that determines its numbers, as JSON
 };
 
 }  // namespace kreisel

@@ -63,7 +63,7 @@ Reference reference_of(const nlohmann::json& json) {
     return reference;
 }
 
-/// The text up to its check sum; nothing if that is wrong.
+/// The text up to its check sum; nothing if it is wrong.
 std::optional<std::string_view> checked(std::string_view text) {
     const auto end = text.rfind(sum_member);
     if (end == std::string_view::npos) { return std::nullopt; }
@@ -126,7 +126,7 @@ std::filesystem::path default_cache_folder() {
     if (const char* own = variable("KREISEL_CACHE")) { return own; }
     for (const auto& [name, below] : {std::pair("XDG_CACHE_HOME", "kreisel"), std::pair("HOME", ".cache/kreisel")}) {
         const char* folder = variable(name);
-        // The base directory specification: a relative path counts as none.
+        // The base directory specification: a relative path is ignored.
         if (folder != nullptr && std::filesystem::path(folder).is_absolute()) {
             return std::filesystem::path(folder) / below;
         }

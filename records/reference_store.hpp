@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reference solutions kept as files: a copy in the result folder, whole by itself, and one in a cache folder that all
-// results share. A file says of what, by what code and when it was computed, carries the error bound, and ends with
-// a check sum. What does not fit is no reference: it is computed again and written over.
+// Reference solutions kept as files: a self-contained copy in the result folder, and one in a cache folder that all
+// results share. A file records its content, code and time of computation and the error bound, and ends with
+// a check sum. A file that does not match is computed again and overwritten.
 #pragma once
 
 #include <filesystem>
@@ -49,7 +49,7 @@ class ReferenceStore {
         return stored_reference(planned, reference, digest_);
     }
     /// Writes it to both places, where it is not there yet. Throws FileError where the result folder cannot be written;
-    /// a cache that cannot be written is answered by the reason, for a note, and otherwise left alone.
+    /// for a cache that cannot be written the reason is returned, for a note.
     std::string keep(const PlannedReference& planned, const StoredReference& stored) const;
 
   private:

@@ -60,7 +60,7 @@ double norm_over_bodies(const json& final, const char* key) {
     return std::sqrt(sum);
 }
 
-// A size of zero says nothing of the size on the way: one unit stands for it.
+// A final size of zero says nothing about the size on the way: one unit is used.
 std::map<std::string, double> scales(const json& final) {
     const auto or_one = [](double size) { return size > 0 ? size : 1; };
     std::map<std::string, double> scale = {{"error.position", or_one(norm_over_bodies(final, "x"))},
@@ -107,7 +107,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
-// What differs from run to run stands in the journals alone.
+// What differs from run to run is only in the journals.
 void add_times(const std::filesystem::path& folder, Results& results) {
     if (!results.config.is_object() || results.config.value("kind", "") != "scaling") { return; }
     const JournalContents journals = read_journals(folder, read_manifest(folder / "manifest.json").build);
@@ -158,7 +158,7 @@ ResultRow read_result_line(const std::string& text) {
     const json line = json::parse(text);
     ResultRow row;
     row.cell = line.at("cell");
-    if (!is_hash(row.cell)) { throw std::invalid_argument("the cell's name is no hash"); }
+    if (!is_hash(row.cell)) { throw std::invalid_argument("the cell's name is not a hash"); }
     row.problem = line.at("problem");
     row.label = line.value("label", row.problem);
     if (row.label.empty()) { row.label = row.problem; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The results of a run as tables and figures need them: numbers rounded to double, damage reported and passed over.
+// The results of a run as tables and figures need them: numbers rounded to double, damage reported and skipped.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct ResultRow {
     std::map<std::string, std::string> options, projection_options;
     nlohmann::json parameters;
     long steps = 0;
-    long bodies = 0;  ///< 0 where the line does not tell
+    long bodies = 0;  ///< 0 if the line does not have it
     double h = 0, t_end = 0;
     double t_reached = 0;  ///< of a failed cell, s
     std::map<std::string, double> metrics;
@@ -26,9 +26,9 @@ struct ResultRow {
     double reference_horizon = 0;                   ///< s; 0 without a reference
     std::string lost_integral;                      ///< changed by more than 1 % of its terms; empty: none was
     double lost_share = 0;                          ///< by how much
-    bool past_horizon = false;                      ///< it ends past that: errors hold to 1 % only
+    bool past_horizon = false;                      ///< it ends past that: errors are accurate to 1 % only
     std::map<std::string, double> scale;            ///< by error.* metric: size of the final state, same unit
-    std::map<std::string, double> cost;             ///< of timed cells with what the journals tell: "step_s", "memory"
+    std::map<std::string, double> cost;             ///< of timed cells, from the journals: "step_s", "memory"
     std::map<std::string, int> declared_order;      ///< by error.* metric; empty where the method declares none
     bool has_trajectory = false;
 
@@ -42,11 +42,11 @@ struct Results {
     std::string name;                 ///< of the experiment
 };
 
-/// Reads DIR/results.jsonl and DIR/manifest.json, and for a scaling experiment the times in DIR/journal*.jsonl. A damaged line is left out and named in `damage`. Throws FileError
-/// where results.jsonl cannot be read.
+/// Reads DIR/results.jsonl and DIR/manifest.json, and for a scaling experiment the times in DIR/journal*.jsonl. A
+/// damaged line is skipped and named in `damage`. Throws FileError where results.jsonl cannot be read.
 Results read_results(const std::filesystem::path& folder);
 
-/// One line of results.jsonl. Throws std::exception on a line that is none.
+/// One line of results.jsonl. Throws std::exception on a line that is not one.
 ResultRow read_result_line(const std::string& line);
 
 /// A sampled trajectory by column.

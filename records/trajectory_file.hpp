@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The samples of a cell on their way to disk. A trajectory is a header of `name [unit]`, then one line per sample. While the
-// cell runs it grows in a part beside its place, and is moved there when the cell is done: what was sampled before a run
-// was stopped or killed can be read in the part.
+// Writes the samples of a cell to disk. A trajectory is a header of `name [unit]`, then one line per sample. While the
+// cell runs it grows in a part beside its place, and is moved there when the cell is done: samples taken before a run
+// was stopped or killed remain in the part.
 #pragma once
 
 #include <chrono>
@@ -41,15 +41,15 @@ class TrajectorySum : public SampleSink {
     bool sampled_ = false;
 };
 
-/// Writes the text to FILE.part: the first sample at once, the others about once a second. A part that is neither kept nor
-/// discarded stays. All functions throw FileError.
+/// Writes the text to FILE.part: the first sample at once, the others about once a second. A part that is neither kept
+/// nor discarded stays. All functions throw FileError.
 class TrajectoryFile final : public TrajectorySum {
   public:
     explicit TrajectoryFile(std::filesystem::path file) : file_(std::move(file)) {}
     void add(const std::string& row) override;
-    /// Writes what is not yet written.
+    /// Writes pending samples.
     void flush();
-    /// The part, which is complete now, becomes the file.
+    /// Renames the part, now complete, to the file.
     void keep();
     /// Removes the part.
     void discard();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Exit codes and the exceptions that lead to them.
+// Exit codes and the exceptions that cause them.
 #pragma once
 
 #include <stdexcept>

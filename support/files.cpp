@@ -64,7 +64,7 @@ std::string read_text(const std::filesystem::path& file) {
 }
 
 void write_atomically(const std::filesystem::path& file, std::string_view text) {
-    // Several programs may write the same file, into a shared folder.
+    // Several programs may write the same file in a shared folder.
     const std::filesystem::path temporary = fmt::format("{}.{}.part", file.string(), ::getpid());
     Descriptor descriptor(open_file(temporary, O_WRONLY | O_CREAT | O_TRUNC));
     if (!descriptor.valid()) { fail(temporary, "cannot be opened", errno); }

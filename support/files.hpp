@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Files that are complete or absent, and that notice a full disk. All functions throw FileError with the path and reason.
+// Files that are complete or absent, and that notice a full disk. All functions throw FileError with the path and
+// reason.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +19,7 @@ class Descriptor {
     Descriptor& operator=(const Descriptor&) = delete;
     int number() const { return number_; }
     bool valid() const { return number_ >= 0; }
-    /// Closes; true if the system had nothing to complain of (a full disk may show only here).
+    /// Closes; true unless the system reports an error (a full disk may show only here).
     bool close();
 
   private:
@@ -31,10 +32,10 @@ std::string read_text(const std::filesystem::path& file);
 /// Writes to a temporary file beside `file` and renames it, so that a reader never sees half a file.
 void write_atomically(const std::filesystem::path& file, std::string_view text);
 
-/// Appends whole lines. A line that could not be written completely is taken back where the system lets us.
+/// Appends whole lines. A line that could not be written completely is removed again if the system allows it.
 class LineAppender {
   public:
-    /// What becomes of lines that are there already.
+    /// What happens to existing lines.
     enum class Start { after_them, empty };
     explicit LineAppender(std::filesystem::path file, Start start = Start::after_them);
     void append(const std::string& line);

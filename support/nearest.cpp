@@ -8,7 +8,7 @@ namespace kreisel {
 
 namespace {
 
-constexpr std::size_t longest_word = 64;  // nobody mistypes more, and the work is bounded
+constexpr std::size_t longest_word = 64;  // longer words are not typing errors, and the work is bounded
 
 std::string folded(std::string_view word) {
     std::string text(word);
@@ -16,7 +16,7 @@ std::string folded(std::string_view word) {
     return text;
 }
 
-// A scheme without its family ("rk4" for "rkmk/rk4") is a frequent slip that the distance alone does not forgive.
+// A scheme without its family ("rk4" for "rkmk/rk4") is a frequent slip that is too far by edit distance.
 std::string only_name_ending_in(const std::string& word, const std::vector<std::string>& names) {
     std::string found;
     for (const std::string& name : names) {

@@ -7,7 +7,7 @@
 
 namespace kreisel {
 
-/// True if `name` fits `pattern`, in which `*` stands for any characters, none included. Whatever the pattern, it takes at
+/// True if `name` fits `pattern`, in which `*` matches any characters, or none. Whatever the pattern, it takes at
 /// most (length of pattern + 1) (length of name + 1) comparisons: names are short, so that it is linear in the pattern.
 inline bool matches(std::string_view pattern, std::string_view name) {
     // What follows the last star is tried at one place of the name after another. An earlier star need not be tried

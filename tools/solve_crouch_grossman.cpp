@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Solves the 13 conditions of order 4 for the 15 coefficients of the five-stage Crouch-Grossman method CG4a, by Newton's
-// method with minimum-norm corrections from the printed 16-digit table, in arithmetic of 100 digits; prints the rows of
-// `a` and then b with 44 decimals. Run it by tools/solve-crouch-grossman.
+// Solves the 13 conditions of order 4 for the 15 coefficients of the five-stage Crouch-Grossman method CG4a, by
+// Newton's method with minimum-norm corrections from the printed 16-digit table, in arithmetic of 100 digits; prints
+// the rows of `a` and then b with 44 decimals. Run it by tools/solve-crouch-grossman.
 #include <Eigen/LU>
 #include <iostream>
 #include <stdexcept>
@@ -26,14 +26,14 @@ Vector100 read(const PrintedTableau& printed) {
 
 Float100 largest(const Vector100& x) { return x.cwiseAbs().maxCoeff(); }
 
-/// Printed with `decimals` decimals and read back: what a tableau holds.
+/// Printed with `decimals` decimals and read back: the value in a tableau.
 Vector100 rounded(const Vector100& x) {
     Vector100 y(x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) y[i] = Float100(x[i].str(decimals, std::ios_base::fixed));
     return y;
 }
 
-/// Throws where Newton's method does not come below 1e-90.
+/// Throws if Newton's method does not get below 1e-90.
 Vector100 solve(Vector100 x) {
     for (int iteration = 0; iteration < 12; ++iteration) {
         const Vector100 residual = conditions(x, stages, order);

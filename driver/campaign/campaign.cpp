@@ -29,7 +29,7 @@ void remove_results(const std::filesystem::path& folder) {
     std::filesystem::remove_all(folder / "trajectories");
 }
 
-// Starts the workers and waits; true if some of them did not stop in time.
+// Starts the workers and waits; true if some did not stop in time.
 bool run_workers(const std::shared_ptr<Campaign>& campaign, unsigned workers, double grace, Progress& progress) {
     std::vector<std::jthread> threads;
     campaign->working = workers;
@@ -141,7 +141,7 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
                    count_cells(plan, campaign->finished(), settings));
     Progress progress(messages, plan.config.name, settings.terminal);
     const auto start = std::chrono::steady_clock::now();
-    // Timed cells beside each other would measure each other's memory and share the caches.
+    // Concurrent timed cells would measure each other's memory and share the caches.
     const unsigned workers = plan.config.is_timed() ? 1 : settings.workers;
     report.workers_left_behind = run_workers(campaign, workers, settings.grace, progress);
     if (const auto error = campaign->error()) { std::rethrow_exception(error); }

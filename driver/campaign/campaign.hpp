@@ -22,7 +22,7 @@ struct RunSettings {
     std::string build;                  ///< identifies the code; results of another build are never reused
     std::filesystem::path cache;        ///< where references are kept for all results; empty: nowhere
     bool terminal = false;              ///< progress as one line that rewrites itself
-    double grace = 1.5;                 ///< s that interrupted workers have before they are left behind
+    double grace = 1.5;                 ///< s that interrupted workers get to finish before they are abandoned
 };
 
 struct CampaignReport {
@@ -34,7 +34,7 @@ struct CampaignReport {
     bool interrupted = false;
     bool workers_left_behind = false;          ///< the process must end without waiting for them
     std::vector<std::filesystem::path> parts;  ///< samples of cells that were interrupted, this time or before
-    std::vector<std::string> notes;            ///< what is to be known of cells that are ok, one line each
+    std::vector<std::string> notes;            ///< notes on cells that are ok, one line each
 };
 
 /// "", or "I-of-N".
@@ -43,8 +43,8 @@ std::string shard_name(const RunSettings& settings);
 /// Throws UsageError if the folder holds results and the settings neither resume nor overwrite.
 void check_output_folder(const std::filesystem::path& folder, const RunSettings& settings);
 
-/// Runs what is not there yet. Writes journal, manifest, results, trajectories and references. Throws FileError on
-/// input/output errors; what was journalled before stays valid.
+/// Runs the cells that have no result yet. Writes journal, manifest, results, trajectories and references. Throws
+/// FileError on input/output errors; what was journalled before stays valid.
 CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
                             const RunSettings& settings, std::ostream& messages);
 

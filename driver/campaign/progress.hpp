@@ -16,7 +16,7 @@ struct ProgressState {
     double weight_done = 0, weight_total = 0;  ///< of the cells to be computed, for the estimate of the time left
 };
 
-/// On a terminal one line that rewrites itself; elsewhere a line every few seconds. Says nothing of short runs.
+/// On a terminal one line that rewrites itself; elsewhere a line every few seconds. Silent for short runs.
 class Progress {
   public:
     Progress(std::ostream& out, std::string name, bool terminal);

@@ -13,7 +13,7 @@
 
 namespace kreisel {
 
-/// results.jsonl and results.csv of the cells that are there, in the order of the plan.
+/// results.jsonl and results.csv of the finished cells, in the order of the plan.
 void write_results(const Plan& plan, const std::map<std::string, FinishedCell>& finished,
                    const std::filesystem::path& folder);
 
@@ -24,7 +24,7 @@ CellCounts count_cells(const Plan& plan, const std::map<std::string, FinishedCel
 /// What the manifest says of a plan.
 ManifestSubject manifest_subject(const Plan& plan);
 
-/// What there is to say of a failed cell on one line.
+/// A failed cell, described on one line.
 std::string failure_text(const PlannedCell& planned, const FinishedCell& finished);
 
 }  // namespace kreisel

@@ -11,7 +11,7 @@ namespace kreisel {
 
 namespace {
 
-// What did not come from the numbers alone is tried again.
+// Outcomes that are not due to the numerics only are tried again.
 bool is_repeatable(const FinishedCell& cell) {
     return cell.status != "exception" && cell.status != "reference_failed" && cell.status != "interrupted";
 }
@@ -31,7 +31,7 @@ Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Referen
         return engine.run(planned.cell, reference, stop, samples);
     } catch (const FileError&) { throw; } catch (const std::exception& error) {
         return thrown(error.what());
-    } catch (...) { return thrown("something that is no std::exception was thrown"); }
+    } catch (...) { return thrown("something other than a std::exception was thrown"); }
 }
 
 bool Campaign::trajectory_is_whole(const FinishedCell& cell) const {
@@ -107,7 +107,7 @@ void Campaign::compute_reference(const std::string& hash, const std::stop_token&
 void Campaign::compute_cell(const PlannedCell& planned, const std::stop_token& token) {
     const Reference* reference = nullptr;
     std::string reference_error;
-    if (token.stop_requested()) { return; }  // its reference may have been given up
+    if (token.stop_requested()) { return; }  // its reference may have been abandoned
     if (!planned.reference.empty()) {
         const std::lock_guard lock(mutex_);
         const auto found = references_.find(planned.reference);

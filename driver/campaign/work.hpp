@@ -23,11 +23,11 @@ namespace kreisel {
 
 using Finished = std::map<std::string, FinishedCell>;
 
-/// Runs one cell; what it throws becomes its status, but for a FileError of `samples`, which may be null.
+/// Runs one cell; an exception becomes its status, except a FileError of `samples`, which may be null.
 Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Reference* reference,
                  const std::stop_token& stop, SampleSink* samples);
 
-/// All that the workers share. It outlives run_campaign if a worker has to be left behind, so it is held by shared_ptr.
+/// All that the workers share. It outlives run_campaign if a worker has to be abandoned, so it is held by shared_ptr.
 class Campaign {
   public:
     Campaign(const Plan& plan, const Engines& engines, std::filesystem::path folder, const RunSettings& settings)
@@ -38,7 +38,7 @@ class Campaign {
           store_(folder_, settings.cache, engines.binary128.reference_digest()),
           journal_(journal_file(folder_, shard_name(settings))) {}
 
-    /// Takes over what an earlier run left, if it is whole.
+    /// Takes over the results of an earlier run, if complete.
     std::size_t reuse(const JournalContents& earlier, const RunSettings& settings);
     void enqueue();
     void work(const std::stop_token& stop);

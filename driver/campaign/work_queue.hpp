@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the workers of a run take their work from: reference solutions first, then cells, long ones first, each cell as
-// soon as the reference it needs is there.
+// The queue from which workers take their work: reference solutions first, then cells, long ones first, each cell as
+// soon as its reference is available.
 #pragma once
 
 #include <condition_variable>
@@ -28,9 +28,10 @@ class WorkQueue {
     /// Cells are handed out in the order they are added.
     void add_cell(std::size_t index, const std::string& needs) { cells_.push_back({index, needs}); }
 
-    /// The next item that can be worked on; waits for a reference if need be. Nothing when all is done or stop is asked for.
+    /// The next item that is ready; waits for a reference if necessary. Nothing when all is done or a stop is
+    /// requested.
     std::optional<WorkItem> take(const std::stop_token& stop);
-    /// A reference has been computed, or has failed: the cells that wait for it can go on.
+    /// A reference has been computed, or has failed: the cells that wait for it become ready.
     void reference_done(const std::string& hash);
 
   private:

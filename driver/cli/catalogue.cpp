@@ -116,7 +116,7 @@ std::string keys_text(const ElementType& type) {
     return text;
 }
 
-// How the entries of its lists are written.
+// The format of the entries of its lists.
 void print_elements(std::ostream& out, const ProblemDescription& problem) {
     std::vector<NamedText> meanings;
     std::set<std::string> told;
@@ -139,7 +139,7 @@ void print_elements(std::ostream& out, const ProblemDescription& problem) {
     if (!meanings.empty()) { print_rows(out, "Keys of entries", meanings); }
 }
 
-// What stands in for defaults where parameters are required.
+// The values used instead of defaults for required parameters.
 void print_demonstration(std::ostream& out, const ProblemDescription& problem) {
     if (problem.demonstration.empty()) { return; }
     std::vector<NamedText> rows;
@@ -208,7 +208,7 @@ std::vector<std::string> integral_names(const Engine& engine) {
     return {names.begin(), names.end()};
 }
 
-// The family of a name such as invariant.energy.slope, and in which problems it holds.
+// The family of a name such as invariant.energy.slope, and the problems that have it.
 bool describe_invariant(const Engine& engine, const std::string& name, std::ostream& out) {
     for (const InvariantSuffix& suffix : invariant_suffixes()) {
         for (const auto& [problem, integrals] : integrals_by_problem(engine)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// `kreisel list` and `kreisel info`: what there is, told from the registries.
+// `kreisel list` and `kreisel info`: what is available, according to the registries.
 #pragma once
 
 #include <iosfwd>

@@ -38,12 +38,13 @@ constexpr const char* config_help =
     "kreisel was built from. A file of that path comes first.";
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed, a figure could not be drawn, or results\n"
+    "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed, a figure could not be drawn, or "
+    "results\n"
     "differ (verify, diff);\n"
     "2 bad config or usage, nothing was run; 3 a file or folder could not be read or written, or is damaged;\n"
     "4 internal error; 130 interrupted.";
 
-// What the command line fills in.
+// The values set by the command line.
 struct Arguments {
     std::string topic, name, shard = "1/1";
     Paths configs, folders;

@@ -122,7 +122,7 @@ Exit run_command(const Paths& written, const std::filesystem::path& output, cons
         if (outcome.workers_left_behind) {
             terminal.out.flush();
             terminal.messages.flush();
-            // Workers that do not listen still run: an orderly end would pull the objects they use from under them.
+            // Unresponsive workers still run: an orderly exit would destroy objects they use.
             std::_Exit(static_cast<int>(Exit::interrupted));
         }
         if (one == Exit::interrupted) { return one; }

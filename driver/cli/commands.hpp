@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The commands of the program. Each prints and returns how it went; usage and file errors are thrown.
+// The commands of the program. Each prints and returns an exit code; usage and file errors are thrown.
 #pragma once
 
 #include <filesystem>

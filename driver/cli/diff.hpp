@@ -13,12 +13,12 @@ namespace kreisel {
 
 struct DiffSettings {
     std::filesystem::path a, b;
-    std::filesystem::path csv;     ///< where every difference goes as CSV; empty: nowhere
+    std::filesystem::path csv;     ///< CSV file for every difference; empty: none
     std::optional<double> within;  ///< see compare_cells; positive
 };
 
-/// `kreisel diff A B`: prints what differs. Exit::ok where nothing does, Exit::cells_failed where something does,
-/// Exit::io where lines are damaged: what is said then is of the others. Throws FileError.
+/// `kreisel diff A B`: prints the differences. Exit::ok if there are none, Exit::cells_failed if there are some,
+/// Exit::io if lines are damaged; the output then covers the other lines. Throws FileError.
 Exit diff_command(const DiffSettings& settings, std::ostream& out, std::ostream& messages);
 
 }  // namespace kreisel

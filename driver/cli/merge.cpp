@@ -56,7 +56,7 @@ void copy_references(const std::filesystem::path& from, const std::filesystem::p
     }
 }
 
-// So that the merged folder can be resumed, and merged again, like any other.
+// Lets the merged folder be resumed, and merged again, like any other.
 void write_journal(const std::filesystem::path& folder, const std::map<std::string, FinishedCell>& finished,
                    const std::string& build) {
     std::string text;

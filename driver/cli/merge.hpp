@@ -10,7 +10,7 @@
 
 namespace kreisel {
 
-/// Puts the journals of several folders or shards together; the results go to `output`, by default the first folder.
+/// Merges the journals of several folders or shards; the results go to `output`, by default the first folder.
 Exit merge_command(const Paths& folders, const std::filesystem::path& output, const std::string& build,
                    const Engines& engines, const Terminal& terminal);
 

@@ -55,8 +55,8 @@ std::string recomputed(const PlannedCell& planned, const Plan& plan, const std::
     return finished_cell(planned, outcome, known, outcome.status == "exception" ? "" : samples.sum()).line;
 }
 
-/// What is wrong with a reference: the first quantity further from the second route than its bound says. Other
-/// compilers and machines round differently, which a factor of ten allows for.
+/// What is wrong with a reference: the first quantity that differs from the second route by more than its bound. Other
+/// compilers and machines round differently, for which a factor of ten is allowed.
 std::string fault(const Reference& reference, const ReferenceCheck& check) {
     constexpr double slack = 10;
     for (const auto& [metric, bound] : reference.error) {
@@ -69,7 +69,7 @@ std::string fault(const Reference& reference, const ReferenceCheck& check) {
     return "";
 }
 
-/// All that a reference is, in full precision.
+/// All numbers of a reference, in full precision.
 std::string numbers_of(const Reference& reference) {
     std::string text =
         fmt::format("{} {} {}", reference.route, json_number(reference.horizon), json_value(reference.state, true));
@@ -77,12 +77,12 @@ std::string numbers_of(const Reference& reference) {
     return text;
 }
 
-/// What came of the references of a folder.
+/// The verdicts on the references of a folder.
 struct ReferenceCounts {
     std::size_t confirmed = 0, wrong = 0, again = 0, different = 0;
 };
 
-/// Counts one reference, and prints what there is to say of it.
+/// Counts one reference and prints its verdict.
 void verify_reference(const std::string& hash, const PlannedReference& planned, const std::filesystem::path& folder,
                       const Engine& engine, std::ostream& out, ReferenceCounts& counts) {
     const auto say = [&](const std::string& what) {
@@ -105,8 +105,8 @@ void verify_reference(const std::string& hash, const PlannedReference& planned, 
     if (numbers_of(again) != numbers_of(stored->reference)) { ++counts.different, say("comes out different"); }
 }
 
-/// Holds every stored reference against the second route, and computes again those that this code has made; answers how
-/// many are missing, damaged or wrong.
+/// Compares every stored reference with the second route, and recomputes those made by this code; returns how many are
+/// missing, damaged or wrong.
 std::size_t verify_references(const Plan& plan, const std::filesystem::path& folder, const Engines& engines,
                               std::ostream& out) {
     ReferenceCounts counts;

@@ -11,7 +11,7 @@
 namespace kreisel {
 
 /// Computes `count` randomly chosen cells of a folder again and compares their result lines byte for byte;
-/// holds every stored reference against the second route.
+/// compares every stored reference with the second route.
 Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsigned seed, const std::string& build,
                     const Engines& engines, const Terminal& terminal);
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr long most_samples = 10'000'000;
 
-// A file name on every system: no separator, no leading dot or dash, no surprise.
+// A file name on every system: no separator, no leading dot or dash.
 bool is_plain_name(const std::string& name) {
     const auto plain = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
@@ -42,12 +42,6 @@ void read_kind(const Node& root, Config& config) {
     const std::vector<std::string>& kinds = runnable_kinds();
     const auto node = root.require("kind", "one of " + listed(kinds));
     if (!node) { return; }
-    const auto& reserved = reserved_kinds();
-    if (node->is_string() && std::find(reserved.begin(), reserved.end(), node->json()) != reserved.end()) {
-        node->error("a kind this version runs (" + listed(kinds) + ")",
-                    in_quotes(node->json().get<std::string>()) + ", which this version does not run yet");
-        return;
-    }
     config.kind = node->name("a kind", kinds).value_or("");
 }
 
@@ -68,7 +62,7 @@ std::vector<std::string> read_names(const Node& root, const std::string& key, co
     return result;
 }
 
-// "precision" alone may also be a bare string.
+// Only "precision" may also be a bare string.
 std::vector<std::string> read_precisions(const Node& root) {
     const std::vector<std::string> names = {"double", "quad"};
     const auto node = root.find("precision");
@@ -98,7 +92,7 @@ const Description* described(const Node& entry, const std::string& what, const s
 std::string read_label(const Node& entry, const std::string& standard) {
     const auto node = entry.is_object() ? entry.find("label") : std::nullopt;
     const auto label = node ? node->text("a label") : std::nullopt;
-    // Spreadsheets take a cell that begins so for a formula.
+    // Spreadsheets read a cell with such a first character as a formula.
     if (label && std::string_view("=+-@").find(label->front()) != std::string_view::npos) {
         node->mismatch("a label that does not begin with '=', '+', '-' or '@'");
     }
@@ -150,7 +144,7 @@ void read_problems(const Node& root, const Registry& registry, Config& config) {
     }
 }
 
-// What an entry of the list names: one description, or by "*" and "family/*" several.
+// The descriptions that an entry of the list names: one, or several by "*" and "family/*".
 template <class Description>
 std::vector<const Description*> described_by(const Node& entry, const std::string& what,
                                              const std::vector<Description>& known) {
@@ -250,15 +244,15 @@ void read_metrics(const Node& root, Config& config) {
     }
 }
 
-// What would be measured along the way would be measured with the steps.
+// Other measurements on the way would be timed with the steps.
 void check_timed(const Node& root, const Config& config) {
     if (!config.is_timed()) { return; }
     if (!config.metrics.empty()) {
-        root.find("metrics")->error("no metrics (an empty list, or none): this kind measures the steps alone",
+        root.find("metrics")->error("no metrics (an empty list, or none): this kind measures only the steps",
                                     listed(config.metrics));
     }
     if (config.samples > 0) {
-        root.find("output")->find("samples")->error("0: this kind measures the steps alone",
+        root.find("output")->find("samples")->error("0: this kind measures only the steps",
                                                     fmt::format("{}", config.samples));
     }
 }
@@ -280,11 +274,6 @@ void read_description(const Node& root, Config& config) {
 
 const std::vector<std::string>& runnable_kinds() {
     static const std::vector<std::string> kinds = {"trajectory", "convergence", "drift", "scaling"};
-    return kinds;
-}
-
-const std::vector<std::string>& reserved_kinds() {
-    static const std::vector<std::string> kinds = {"work_precision"};
     return kinds;
 }
 

@@ -17,7 +17,7 @@ struct ProblemEntry {
     std::string series;          ///< the label as written; entries that one list of values made share it
     std::string label;           ///< of its own: the series, and the values of listed parameters
     ParameterValues parameters;  ///< complete
-    std::string pointer;         ///< where it stands in the config
+    std::string pointer;         ///< its position in the config
 };
 
 /// A method or a projection with one value for each of its options.
@@ -40,9 +40,9 @@ struct Config {
     std::vector<long> steps;
     long samples = 0;
     std::vector<std::string> metrics;
-    bool metrics_given = false;  ///< false: the defaults of the kind hold
-    nlohmann::json figure;       ///< as written; null where there is none
-    /// True if cells measure the time and memory of their steps: then they run one at a time.
+    bool metrics_given = false;  ///< false: the defaults of the kind apply
+    nlohmann::json figure;       ///< as written; null if absent
+    /// True if cells measure the time and memory of their steps; they then run one at a time.
     bool is_timed() const { return kind == "scaling"; }
 };
 
@@ -53,7 +53,5 @@ Config read_config(const Document& document, const Registry& registry);
 const std::vector<std::string>& config_keys();
 /// The kinds that can be run.
 const std::vector<std::string>& runnable_kinds();
-/// The kinds that are reserved for later versions.
-const std::vector<std::string>& reserved_kinds();
 
 }  // namespace kreisel

@@ -76,7 +76,7 @@ void read_vectors(const Node& entry, const std::string& one, const std::string& 
               [](const Node& node) { return read_vector(node, expectation(ValueKind::vector)); });
 }
 
-// R of a unit quaternion; the norm is divided out.
+// R of a quaternion, which is normalised first.
 std::optional<Matrix3> read_quaternion(const Node& node) {
     const std::string expected = expectation(ValueKind::quaternion);
     if (!node.is_array() || node.json().size() != 4) {
@@ -121,7 +121,9 @@ BodyData read_body(const Node& node, const ElementType& type, std::size_t) {
 JointData read_joint(const Node& node, const ElementType& type, std::size_t index) {
     JointData joint;
     joint.type = static_cast<JointType>(index);
-    if (const auto name = node.find("name")) { assign(joint.name, name->text(expectation(ValueKind::label), longest_name)); }
+    if (const auto name = node.find("name")) {
+        assign(joint.name, name->text(expectation(ValueKind::label), longest_name));
+    }
     read_between(node, joint.between);
     read_vectors(node, "point", "points", joint.points);
     if (type.has("axes")) { read_vectors(node, "axis", "axes", joint.axes); }
@@ -157,7 +159,7 @@ ForceData read_force(const Node& node, const ElementType& type, std::size_t inde
     return force;
 }
 
-// Unknown keys, missing ones, and two of which one would do.
+// Unknown keys, missing keys, and pairs of keys that exclude each other.
 void check_keys(const Node& node, const ElementList& list, const ElementType& type) {
     node.only_keys(keys_of(type), fmt::format(" of a {} of type {}", list.what, in_quotes(type.name)));
     for (const ElementKey& key : type.keys) {
@@ -221,19 +223,19 @@ void check_names(const Node& node, const std::vector<Data>& named, const std::st
 
 }  // namespace
 
-std::optional<ParameterValue> read_bodies(const Node& node) {
+std::optional<ParameterValue> parse_bodies(const Node& node) {
     auto bodies = read_list(node, ParameterKind::bodies, 1, read_body);
     if (bodies) { check_names(node, std::get<std::vector<BodyData>>(*bodies), "bodies"); }
     return bodies;
 }
 
-std::optional<ParameterValue> read_joints(const Node& node) {
+std::optional<ParameterValue> parse_joints(const Node& node) {
     auto joints = read_list(node, ParameterKind::joints, 0, read_joint);
     if (joints) { check_names(node, std::get<std::vector<JointData>>(*joints), "joints"); }
     return joints;
 }
 
-std::optional<ParameterValue> read_forces(const Node& node) {
+std::optional<ParameterValue> parse_forces(const Node& node) {
     return read_list(node, ParameterKind::forces, 0, read_force);
 }
 

@@ -11,8 +11,8 @@
 namespace kreisel {
 
 /// Lists of bodies, joints and forces; the types and keys are those of records/json/model_keys.hpp.
-std::optional<ParameterValue> read_bodies(const Node& node);
-std::optional<ParameterValue> read_joints(const Node& node);
-std::optional<ParameterValue> read_forces(const Node& node);
+std::optional<ParameterValue> parse_bodies(const Node& node);
+std::optional<ParameterValue> parse_joints(const Node& node);
+std::optional<ParameterValue> parse_forces(const Node& node);
 
 }  // namespace kreisel

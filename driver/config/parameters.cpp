@@ -35,11 +35,11 @@ std::optional<ParameterValue> read_value(const Node& node, ParameterKind kind) {
         case ParameterKind::rotation:
             return widened(read_matrix(node, expectation(kind)));
         case ParameterKind::bodies:
-            return read_bodies(node);
+            return parse_bodies(node);
         case ParameterKind::joints:
-            return read_joints(node);
+            return parse_joints(node);
         case ParameterKind::forces:
-            return read_forces(node);
+            return parse_forces(node);
         case ParameterKind::flag:
             return widened(node.flag());
     }

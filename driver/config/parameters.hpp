@@ -17,7 +17,7 @@ struct ParameterPoint {
     std::string listed;      ///< ", links = 8": the values of the parameters that vary
 };
 
-/// Fills in what `written` (an object) gives; what it does not give keeps its default. A number given as a list is an
+/// Fills in the values of `written` (an object); others keep their defaults. A number given as a list is an
 /// axis: all combinations, the last parameter of the description varying fastest.
 std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDescription& problem);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What there is to choose from, asked from the engine once.
+// The available names, requested from the engine once.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::vector<std::string> names_of(const std::vector<Description>& all) {
     return names;
 }
 
-/// What stands for several names at once: "*" for all, "family/*" for those of a family.
+/// Patterns for several names: "*" for all, "family/*" for those of a family.
 template <class Description>
 std::vector<std::string> wildcards_of(const std::vector<Description>& all) {
     std::vector<std::string> wildcards = {"*"};

@@ -9,7 +9,7 @@
 
 namespace kreisel {
 
-/// The config with all defaults written out. It is a config itself and leads to the same plan.
+/// The config with all defaults written out. It is itself a config and gives the same plan.
 std::string resolved_config(const Config& config);
 
 }  // namespace kreisel

@@ -149,7 +149,7 @@ Schema problem_object(const ProblemDescription& problem) {
                   required.empty() ? std::vector<std::string>{"name"} : std::vector<std::string>{"name", "parameters"});
 }
 
-// Problems that a config can name without saying anything of their parameters.
+// Problems that a config can name without giving parameters.
 std::vector<std::string> names_of_complete(const std::vector<ProblemDescription>& problems) {
     std::vector<std::string> names;
     for (const ProblemDescription& problem : problems) {
@@ -206,7 +206,7 @@ Schema time() {
     return schema;
 }
 
-// A kind other than scaling, or nothing measured beside the steps.
+// A kind other than scaling, or no measurements besides the steps.
 Schema not_timed() { return {{"properties", {{"kind", {{"not", {{"const", "scaling"}}}}}}}}; }
 Schema measures_nothing_else() {
     return {{"properties",

@@ -10,7 +10,7 @@
 namespace kreisel {
 
 /// Draft-07. What depends on several places at once (samples that divide steps, labels of their own, steps that divide
-/// the end time), what a figure may say, and physical validity are beyond it: the reader is stricter there and nowhere else.
+/// the end time), what a figure may say, and physical validity are beyond it: only there the reader is stricter.
 nlohmann::ordered_json config_schema(const Registry& registry);
 
 }  // namespace kreisel

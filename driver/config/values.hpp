@@ -11,7 +11,7 @@
 
 namespace kreisel {
 
-/// What a parameter of this kind is written as, in words.
+/// How a parameter of this kind is written, in words.
 std::string expectation(ParameterKind kind);
 
 /// Vectors, matrices row by row, and inertias (three numbers or a symmetric matrix).

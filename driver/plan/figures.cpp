@@ -25,7 +25,7 @@ std::vector<std::string> entry_names(const std::vector<OptionedEntry>& entries) 
     return names;
 }
 
-// What `select` may name under a key; nothing where the values are not known before the run (names with options).
+// The values `select` may name under a key; nothing if the values are not known before the run (names with options).
 std::vector<std::string> selectable(const std::string& key, const Config& config) {
     std::vector<std::string> values;
     if (key == "steps") {

@@ -15,7 +15,7 @@ struct InvariantSuffix {
     std::string name, unit, summary;
 };
 
-/// Suffixes of `invariant.<integral>` and what they say.
+/// Suffixes of `invariant.<integral>` and their meanings.
 const std::vector<InvariantSuffix>& invariant_suffixes();
 
 /// True if some `error.*` metric fits one of the patterns, so that a reference is needed.

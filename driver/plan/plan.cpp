@@ -18,7 +18,7 @@ namespace kreisel {
 
 namespace {
 
-constexpr double quad_cost = 40;  // relative to double, roughly: it only orders the work
+constexpr double quad_cost = 40;  // relative to double, roughly: used only to order the work
 
 // The place of a parameter error: below "parameters" where the config writes them, at the entry otherwise.
 std::string parameter_pointer(const ProblemEntry& problem, const std::string& path) {
@@ -31,7 +31,7 @@ std::string suggestion(const ParameterError& error) {
     return nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?";
 }
 
-// Builds the system of each problem in each formulation and precision; a start or an inertia that cannot be is an error.
+// Builds the system of each problem in each formulation and precision; an inadmissible start or inertia is an error.
 void summarise(const Config& config, const Engines& engines, Diagnostics& sink, Plan& plan) {
     for (const ProblemEntry& problem : config.problems) {
         std::set<std::string> said;
@@ -75,7 +75,8 @@ bool has_rows_of(const ConstraintSummary& constraints, MetricRows rows) {
     return false;
 }
 
-// Whether some cell can measure a metric: what is said of constraints needs some, and of multipliers unique ones.
+// Whether some cell can measure a metric: metrics of constraints need constraints, and those of multipliers unique
+// ones.
 bool can_be_measured(const Plan& plan, const std::string& name) {
     const MetricDescription* metric = find_metric(name);
     return std::any_of(plan.systems.begin(), plan.systems.end(), [&](const auto& entry) {
@@ -90,7 +91,7 @@ bool can_be_measured(const Plan& plan, const std::string& name) {
     });
 }
 
-// A plain name must exist; a pattern may fit nothing, and a metric may be of no use here: both are said.
+// A plain name must exist; a pattern that matches nothing and a metric that cannot be measured here give warnings.
 void check_metrics(const Document& document, const std::vector<std::string>& names, Diagnostics& sink, Plan& plan) {
     if (!plan.config.metrics_given) { return; }
     std::vector<std::string> suggestions = names;
@@ -125,7 +126,7 @@ void name_reference(PlannedCell& planned, Plan& plan) {
     plan.references.insert({planned.reference, {cell.problem, cell.parameters, cell.t_end, content}});
 }
 
-// Everything that decides the numbers, with keys and lists in a fixed order; the label decides none.
+// Everything that determines the numbers, with keys and lists in a fixed order; not the label.
 std::string content_of(const PlannedCell& planned) {
     const Cell& cell = planned.cell;
     std::vector<std::string> metrics = cell.metrics;

@@ -22,9 +22,9 @@ struct Plan {
     std::size_t skipped() const;
 };
 
-/// Crosses the axes and asks the engines what each combination comes to. The order is problems, formulations, methods,
-/// projections, precisions, steps, the last varying fastest. Throws UsageError where parameters describe no system, an
-/// option cannot be had, or a metric does not exist.
+/// Crosses the axes and asks the engines about each combination. The order is problems, formulations, methods,
+/// projections, precisions, steps, the last varying fastest. Throws UsageError if parameters do not describe a system,
+/// an option value is not allowed, or a metric does not exist.
 Plan make_plan(const Document& document, const Config& config, const Engines& engines);
 
 /// read_config and make_plan.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A plan for people and for scripts.
+// A plan as text and as JSON.
 #pragma once
 
 #include <iosfwd>
@@ -16,7 +16,7 @@ std::string options_text(const OptionValues& options);
 /// "24 cells: 20 to run, 4 skipped; 2 reference solutions".
 std::string plan_summary(const Plan& plan);
 
-/// A table of the cells, the reasons of those that are skipped, and the summary.
+/// A table of the cells, the reasons for skipped ones, and the summary.
 void print_plan(const Plan& plan, std::ostream& out);
 
 /// One JSON object: name, cells with their identity and skip reason, references, warnings.

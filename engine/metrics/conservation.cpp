@@ -34,7 +34,7 @@ std::optional<LostIntegral> Conservation::lost(const Real* y) {
     Real largest = most_lost;
     for (std::size_t i = 0; i < now.size(); ++i) {
         const Real share = abs(now[i].now - start_[i].now) / max(now[i].size, start_[i].size);
-        if (!(share > largest) || !isfinite(share)) continue;  // 0/0 of an integral without terms: nothing is lost
+        if (!(share > largest) || !isfinite(share)) continue;  // 0/0 of an integral without terms: it is conserved
         largest = share;
         worst = LostIntegral{system_.integrals()[i].name, to_double(share)};
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether a run has kept the first integrals of its system at all, whatever metrics it was asked for.
+// Whether a run conserves the first integrals of its system at all, independent of the metrics requested.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ class Conservation {
     /// At the start y; refers to the system.
     Conservation(System& system, const Real* y);
 
-    /// The integral that y is farthest from, |I - I_0| over the larger sum of the sizes of its terms (dimensionless);
+    /// The integral that y violates most, by |I - I_0| over the larger sum of the sizes of its terms (dimensionless);
     /// nothing where that is at most 1/100 of each.
     std::optional<LostIntegral> lost(const Real* y);
 

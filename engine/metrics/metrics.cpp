@@ -92,13 +92,14 @@ void Monitor::measure(Level level, const Real& t, const Real* y) {
 Real Monitor::norm(bool direction) const {
     Real sum = 0;
     for (std::size_t i = 0; i < directions_.size(); ++i)
-        if (const Real& row = rows_[static_cast<Eigen::Index>(i)]; directions_[i].direction == direction) sum += row * row;
+        if (const Real& row = rows_[static_cast<Eigen::Index>(i)]; directions_[i].direction == direction)
+            sum += row * row;
     return sqrt(sum);
 }
 
 namespace {
 
-/// worst = max(worst, now), where NaN and infinity stay: the maximum of what was not a number is not a number.
+/// worst = max(worst, now), in which NaN and infinity persist.
 void keep_worst(Real& worst, const Real& now) {
     if (isfinite(worst) && !(now <= worst)) worst = now;
 }
@@ -109,7 +110,8 @@ void Monitor::observe(const Real& t, const Real* y) {
     const Defect* before = nullptr;
     for (Defect& defect : defects_) {
         if (!before || before->level != defect.level) measure(defect.level, t, y);
-        defect.now = defect.level == Level::orthogonality ? system_.group().orthogonality_defect(y) : norm(defect.direction);
+        defect.now =
+            defect.level == Level::orthogonality ? system_.group().orthogonality_defect(y) : norm(defect.direction);
         keep_worst(defect.worst, defect.now);
         before = &defect;
     }
@@ -122,7 +124,7 @@ void Monitor::observe(const Real& t, const Real* y) {
         const Real value = integral.source->value(state);
         if (!started_) {
             integral.start = value;
-            // Below round-off of its terms a start value is zero, and relative to it nothing can be said.
+            // A start value below the round-off of its terms is zero, and relative values are undefined.
             integral.has_relative = abs(value) > 100 * epsilon * integral.source->size(state);
         }
         integral.now = value - integral.start;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is measured along a run, step by step: constraint defects on three levels, orthogonality, first integrals. Only
-// what was asked for is computed.
+// Measurements along a run, step by step: constraint defects on three levels, orthogonality, first integrals. Only
+// requested metrics are computed.
 #pragma once
 
 #include <string>
@@ -34,8 +34,8 @@ class Monitor {
     bool idle() const { return defects_.empty() && integrals_.empty(); }
     /// Measures the state y at time t; the first call fixes the initial values of the integrals.
     void observe(const Real& t, const Real* y);
-    /// The metrics asked for, in a fixed order. Of a run that did not finish only the maxima, which hold for the part that
-    /// was run: there is no final value, and a slope over another span would not compare.
+    /// The requested metrics, in a fixed order. For an unfinished run only the maxima, which hold for the part that
+    /// was run: there is no final value, and slopes over different spans are not comparable.
     std::vector<std::pair<std::string, Number>> metrics(bool finished) const;
     /// Columns and current values for a trajectory: each quantity and its running maximum.
     std::vector<Column> columns() const;

@@ -33,10 +33,10 @@ class Extrapolation {
     /// Writes f(t, w) to its last argument.
     using Rate = std::function<Status(const Real& t, const Real* w, Real* rate)>;
 
-    /// Throws std::invalid_argument if a row has an odd number of substeps, or no row is there.
+    /// Throws std::invalid_argument if a row has an odd number of substeps, or there are no rows.
     Extrapolation(ExtrapolationTable table, int dimension, Rate rate);
 
-    /// w <- T_kk over [t, t + H]; unchanged unless the answer is Status::ok.
+    /// w <- T_kk over [t, t + H]; unchanged unless it returns Status::ok.
     Status step(const Real& t, const Real& H, Real* w);
 
     /// T_kk - T_{k,k-1} of the last step: the error of the next lower order, 2k - 2 (zeros where k = 1).

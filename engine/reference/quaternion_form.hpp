@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A model as an ordinary differential equation in R^{13 n}, n bodies, each w = (x, a, v, omega) with a quaternion a:
-//   x' = v,   a' = 1/2 a (0, omega),   (v', omega') from the index-1 form,
-// which no method under test uses. R(a) is the rotation of a/|a|, so the right-hand side is defined for every a != 0
-// and does not depend on |a|; the exact flow keeps |a|, and nothing renormalises it. Behind the bodies stands the angle
-// of each torsion spring with theta' as its rate: it tells the full turns, and nothing else is taken from it.
+//   x' = v,   a' = 1/2 a (0, omega),   (v', omega') from the index-1 form.
+// R(a) is the rotation of a/|a|, so the right-hand side is defined for every a != 0 and does not depend on |a|; the
+// exact flow keeps |a|, and it is not renormalised. The bodies are followed by the angle of each torsion spring with
+// theta' as its rate: only its full turns are used.
 #pragma once
 
 #include <memory>
@@ -43,8 +43,8 @@ class QuaternionForm {
         Real position, velocity;
     };
     Residual residual(const Real& t, const Real* w);
-    /// What accelerations are made of: norms over all bodies of the sums of sizes of all forces over the mass, and of
-    /// all moments times |J^{-1}|. Where these cancel, as in a joint that holds fast, velocities are round-off of them.
+    /// Sizes of the terms of accelerations: norms over all bodies of the sums of sizes of all forces over the mass, and
+    /// of all moments times |J^{-1}|. Where these cancel, as in a body held at rest, velocities are round-off of them.
     struct AccelerationScale {
         Real linear = 0, angular = 0;
     };

@@ -26,7 +26,7 @@ constexpr int columns = 8;
 /// next lower order, so the true one is far smaller; less would be round-off, which extrapolation amplifies.
 Real tolerance() { return 65536 * epsilon; }
 
-/// Parts of w that are measured each by its own size: x, quaternion, v, omega of all bodies.
+/// Parts of w that are each measured relative to their own size: x, quaternion, v, omega of all bodies.
 struct Part {
     int begin, end;
 };
@@ -45,7 +45,7 @@ Sizes norms(const Real* w, int bodies) {
     return sizes;
 }
 
-/// Largest a_p / b_p; a part that is zero throughout counts nothing.
+/// Largest a_p / b_p; a part that is always zero is ignored.
 Real largest_ratio(const Sizes& a, const Sizes& b) {
     Real ratio = 0;
     for (std::size_t p = 0; p < a.size(); ++p)
@@ -57,7 +57,7 @@ void enlarge(Sizes& sizes, const Sizes& others) {
     for (std::size_t p = 0; p < sizes.size(); ++p) sizes[p] = max(sizes[p], others[p]);
 }
 
-/// One run: times and states of its big steps, the start included, as far as it came.
+/// One run: times and states of its big steps, the start included, up to where it stopped.
 struct Run {
     std::vector<Real> times;
     std::vector<std::vector<Real>> states;
@@ -118,8 +118,8 @@ bool Integration::append(Run& run, const Real& t, const Real& allowed) {
     return true;
 }
 
-/// The local error is that of H^{2k-1}. Steps shrink no further than to 2^-40 of the whole: what fails there has met a
-/// singularity, and what is inaccurate there is taken as it is; the halved run tells the error.
+/// The local error is that of H^{2k-1}. Steps shrink no further than to 2^-40 of the whole: a failure there is a
+/// singularity, and an inaccurate step is accepted; the halved run gives the error.
 Run Integration::adaptive(const Real& t_end, Real H, const std::stop_token& stop) {
     using std::pow;
     Run run = begin(H);

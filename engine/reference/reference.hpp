@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reference solutions: extrapolation of high order on quaternion coordinates, another integrator family and another
-// description of the motion than any method under test.
+// Reference solutions: extrapolation of high order on quaternion coordinates. No method under test is of this family;
+// the model, its System and (in S3xR3 and the quaternion baseline) the coordinates are shared.
 #pragma once
 
 #include <stop_token>
@@ -28,31 +28,32 @@ struct ReferencePoint {
 
 /// The state at t_end and what is known of its error. Errors are the differences between big steps H and H/2, each in
 /// the unit and norm of its metric (Euclidean over all bodies, rotation by the norm of the logarithm: m, rad, m/s,
-/// rad/s; multipliers in N and N m over their rows); position and velocity at least the constraint residuals |Phi|, |C v + b|.
-/// Past the horizon they are the largest differences since: two solutions that have both lost their way may meet again.
-/// If the equations of motion fail on the way (a singular configuration, NaN), `stopped` names the status and there
-/// are no states and no multipliers.
+/// rad/s; multipliers in N and N m over their rows); position and velocity at least the constraint residuals |Phi|,
+/// |C v + b|. Past the horizon they are the largest differences since: two solutions that have both diverged may meet
+/// again. If the equations of motion fail on the way (a singular configuration, NaN), `stopped` names the status and
+/// there are no states and no multipliers.
 struct ReferenceSolution {
     std::vector<BodyState> states;
     std::vector<SpringAngle> angles;  ///< of the torsion springs
-    std::vector<Real> multipliers;  ///< rows in space axes, joints in the order of the model; none if rows are redundant
+    std::vector<Real>
+        multipliers;  ///< rows in space axes, joints in the order of the model; none if rows are redundant
     Real position_error = 0, rotation_error = 0, velocity_error = 0, omega_error = 0;
     MultiplierDistance multiplier_error;
     Real horizon = 0;     ///< s; last big step up to which both runs agree to 1e-12 of each quantity's largest size
-    bool compared = true;  ///< false: a second route could not be followed to t_end, and the errors are not known
-    /// The largest ones of the finer run, at least what the forces would do to free bodies within a thousandth of a big
-    /// step: a body that is held fast moves by round-off alone.
+    bool compared = true;  ///< false: a second route did not reach t_end, so the errors are unknown
+    /// The largest ones of the finer run, at least the effect of the forces on free bodies within a thousandth of a big
+    /// step: a body held at rest moves only by round-off.
     MotionSize sizes;
     std::vector<ReferencePoint> path;    ///< the big steps up to the horizon, the start included
     std::vector<ReferencePoint> beyond;  ///< those after it
     std::string route;                   ///< how it was computed
     std::string stopped;                 ///< empty, or the name of the Status that ended the integration
-    bool interrupted = false;            ///< it was asked to stop, and nothing else is filled in
+    bool interrupted = false;            ///< it was asked to stop; all else is empty
 };
 
 /// Integrates from t = 0 to t_end (s), which may be negative: once with big steps chosen by their local error, and once
-/// with each of these halved. A stop request is heard after each big step. Throws std::invalid_argument if t_end is not
-/// finite.
+/// with each of these halved. A stop request is checked after each big step. Throws std::invalid_argument if t_end is
+/// not finite.
 ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop = {});
 
 /// Makes the errors of a reference at least as large as its distance from another solution.

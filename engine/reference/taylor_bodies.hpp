@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A body as power series in time. With R in R^{3x3} (nothing orthonormalises it), the force f and the moment n about
+// A body as power series in time. With R in R^{3x3} (never orthonormalised), the force f and the moment n about
 // the mass centre, both in space axes,
 //   x' = v,   R' = R hat(omega),   m v' = f,   J omega' = R^T n - omega x J omega.
 #pragma once
@@ -11,7 +11,7 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// Series of a body, or of the ground, which has coefficient 0 alone. At stage k the coefficients up to k of v and
+/// Series of a body, or of the ground, which has only coefficient 0. At stage k the coefficients up to k of v and
 /// omega and up to k + 1 of x and R are known; forces act, and `advance` gives one more of each, and one more again of
 /// x and R.
 class BodySeries {
@@ -30,10 +30,10 @@ class BodySeries {
         turned_ = turned_ || (n.array() != 0).any();
         if (k == 0) notice(f, n);
     }
-    /// Counts one of the parts of which the acceleration is made.
+    /// Adds the size of one term of the acceleration.
     void notice(const Vec3& f, const Vec3& n) { force_size_ += f.norm(), moment_size_ += n.norm(); }
     /// Sums of the sizes of all forces over the mass and of all moments times |J^{-1}|: where these cancel, as in a
-    /// joint that holds fast, velocities are round-off of them.
+    /// body held at rest, velocities are round-off of them.
     Real acceleration_size() const { return force_size_ / mass_; }
     Real turning_size() const { return moment_size_ * inverse_inertia_.norm(); }
     /// v_{k+1}, omega_{k+1}, x_{k+2} and R_{k+2} from force_k and moment_k.

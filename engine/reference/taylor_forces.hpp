@@ -17,7 +17,8 @@ class ForceSeries {
     virtual void start(const Real& /*t*/) {}
     /// Adds coefficient k to the bodies it acts on.
     virtual void act(std::size_t k) = 0;
-    /// Before the next expansion, at a time s after the last one: keeps what poses and velocities do not know.
+    /// Before the next expansion, at a time s after the last one: keeps the state that poses and velocities do not
+    /// contain.
     virtual void move_on(const Real& /*s*/) {}
     /// Whether the force is not defined a time s after the expansion point.
     virtual bool has_parted(const Real& /*s*/) const { return false; }
@@ -70,14 +71,14 @@ class SpringSeries final : public ForceSeries {
 
 /// With u = R_second e_1 and x, y its components along the first two axes of the first frame,
 ///   theta' = (x y' - y x') / (x^2 + y^2),   gradient = u x (x f_2 - y f_1) / (x^2 + y^2).
-/// theta_0 is atan2(y, x) and as many full turns as bring it nearest to the angle that the last series has led to.
+/// theta_0 is atan2(y, x) plus the full turns that bring it nearest to the angle at the end of the last series.
 class TorsionSpringSeries final : public ForceSeries {
   public:
     TorsionSpringSeries(const TorsionSpring& spring, BodySeries& first, BodySeries& second);
     void start(const Real& t) override;
     void act(std::size_t k) override;
     void move_on(const Real& s) override;
-    /// The angle winds about a pose that has none.
+    /// The angle winds about a pose where it is undefined.
     bool has_parted(const Real& s) const override;
 
   private:

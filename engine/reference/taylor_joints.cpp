@@ -7,7 +7,7 @@ inline namespace KREISEL_PRECISION {
 namespace {
 
 Vectors vectors(const BodySeries& body) { return Vectors(body.R.size(), Vec3::Zero()); }
-/// Of an arm or of the body, whichever is more; the ground has neither.
+/// Of an arm or of the body, whichever is larger; the ground has neither.
 Real length_on(const BodySeries& body, const Vec3& arm) {
     return body.is_fixed() ? Real(0) : max(body.radius(), Real(arm.norm()));
 }
@@ -67,7 +67,8 @@ void JointSeries::add_rows() {
 }
 
 Real JointSeries::scale(int row) const {
-    const Real largest = max(joint_.length, max(length_on(first_, joint_.r_first), length_on(second_, joint_.r_second)));
+    const Real largest =
+        max(joint_.length, max(length_on(first_, joint_.r_first), length_on(second_, joint_.r_second)));
     return is_force(row) && largest > 0 ? largest : Real(1);
 }
 

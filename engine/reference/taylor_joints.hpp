@@ -5,7 +5,7 @@
 // length, a cosine, or for two rows of a rolling joint a velocity), and its multiplier lambda exerts on the first body
 //   -lambda n at the joint's point and the couple -lambda t,
 // the opposite on the second, where n and t are the gradients of the residual. Accelerations enter through coefficients
-// of x and R alone: nothing is differentiated by hand.
+// of x and R only: nothing is differentiated by hand.
 #pragma once
 
 #include <initializer_list>
@@ -22,7 +22,7 @@ class JointSeries {
     JointSeries(const Joint& joint, BodySeries& first, BodySeries& second);
 
     int rows() const { return static_cast<int>(forces_.size() + turns_.size()); }
-    /// The length by which a row and its residuals are divided where multipliers of least norm are asked for: that of
+    /// The length by which a row and its residuals are divided when multipliers of least norm are requested: that of
     /// the longest arm on a moving body, of the rod or the radius, or the largest radius of gyration; 1 for rows that
     /// compare directions, and between points that have none of these.
     Real scale(int row) const;
@@ -34,18 +34,18 @@ class JointSeries {
     void start(const Real& t);
     /// Stage k: what the multipliers of lower coefficients exert on the bodies.
     void react(std::size_t k);
-    /// Coefficients k + 2 of what stands on x and R; after each change of these.
+    /// Coefficients k + 2 of quantities that depend on x and R; after each change of these.
     void update(std::size_t k) { follow(k + 2); }
     /// Coefficient k of the second derivative of a row's residual, or of the first one where that is a velocity.
     Real acceleration(int row, std::size_t k) const;
-    /// What a unit multiplier exerts at the expansion point, with the opposite sign: on the first body and on the
+    /// The wrench of a unit multiplier at the expansion point, with the opposite sign: on the first body and on the
     /// second.
     struct Wrench {
         Vec3 force, moment;
     };
     Wrench on_first(int row) const;
     Wrench on_second(int row) const;
-    /// Sets lambda_k, which also exerts force and moment of its own: the caller corrects the bodies.
+    /// Sets lambda_k, which adds a force and a moment directly: the caller corrects the bodies.
     void set_multiplier(int row, std::size_t k, const Real& lambda);
     const Real& multiplier(int row) const { return lambda_[static_cast<std::size_t>(row)][0]; }
 
@@ -53,7 +53,7 @@ class JointSeries {
     BodySeries& second() const { return second_; }
 
   private:
-    /// What holds the points: no difference, none along axes of the second body, a length, or a disk's contact.
+    /// Rows on the points: no difference, none along axes of the second body, a length, or a disk's contact.
     enum class Hold { coincidence, along, distance, contact };
     struct ForceRow {
         Vec3 axis;  ///< n where it is fixed in space or, of `along`, in the second body

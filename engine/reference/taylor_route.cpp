@@ -33,7 +33,7 @@ Agreement follow(TaylorRoute& route, const ReferenceSolution& first, const std::
     return agreement;
 }
 
-/// From there to the end: the largest distance of the routes on the way.
+/// The largest distance between the routes from there to the end.
 void go_beyond(TaylorRoute& route, const ReferenceSolution& first, const std::stop_token& stop, Agreement& agreement) {
     const auto meet = [&](const ReferencePoint& point) {
         if (abs(point.t) <= abs(agreement.horizon) || agreement.status != Status::ok || route.interrupted()) return;
@@ -105,7 +105,8 @@ ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, con
     std::vector<Real> lambda;
     if (route.multipliers(lambda) != Status::ok || lambda.size() != out.multipliers.size()) return out;
     const MultiplierDistance apart = multiplier_distance(constraint_rows(model), lambda, out.multipliers);
-    out.multiplier_error = {max(out.multiplier_error.force, apart.force), max(out.multiplier_error.torque, apart.torque)};
+    out.multiplier_error = {max(out.multiplier_error.force, apart.force),
+                            max(out.multiplier_error.torque, apart.torque)};
     return out;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The second route to a reference: integration by Taylor series in rotation matrices. It shares the model's data with
-// the first route (extrapolation on quaternions, mass and constraints through System) and nothing else.
+// The second route to a reference: integration by Taylor series in rotation matrices. It shares only the model's data
+// with the first route (extrapolation on quaternions, mass and constraints through System).
 #pragma once
 
 #include <stop_token>
@@ -24,8 +24,8 @@ class TaylorRoute {
   public:
     explicit TaylorRoute(const Model& model);
 
-    /// Moves on to time t. The answer is singular_kkt also where steps shrink below 2^-40 of the way: the motion has
-    /// met a singularity.
+    /// Moves on to time t. Returns singular_kkt also if steps shrink below 2^-40 of the way: the motion has
+    /// reached a singularity.
     Status advance(const Real& t, const std::stop_token& stop);
     bool interrupted() const { return interrupted_; }
 
@@ -47,8 +47,9 @@ class TaylorRoute {
 };
 
 /// reference_solution confirmed by the second route: each error is the larger one of the difference between two step
-/// sizes and that between the routes (past the horizon the largest since), and the horizon the last big step up to which these agree to 1e-12 as
-/// well. Where the second route fails, the horizon ends, the errors at t_end are not known, and `route` says so.
+/// sizes and that between the routes (past the horizon the largest since), and the horizon the last big step up to
+/// which these agree to 1e-12 as well. Where the second route fails, the horizon ends, the errors at t_end are unknown,
+/// and `route` says so.
 ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop = {});
 
 }  // namespace KREISEL_PRECISION

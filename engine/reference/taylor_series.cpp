@@ -13,7 +13,8 @@ namespace {
 
 /// Below this ratio of pivots a row counts as dependent: a start may violate its joints by 1e-9.
 const Real dependence = Real(1) / 10000000;
-/// Pivots of S are squares of those, but for the masses: below this share of its diagonal, look closer.
+/// Pivots of S are squares of those, except for the masses: below this fraction of its diagonal, rank is determined
+/// anew.
 const Real doubtful = Real(1) / 10000000000;
 
 }  // namespace
@@ -85,7 +86,7 @@ bool TaylorSeries::decompose() {
     return decomposition.rank() == rank;
 }
 
-/// Of C^T with torques over lengths of their bodies and columns of length 1: no matter of masses and units.
+/// Of C^T with torques over lengths of their bodies and columns of length 1: independent of masses and units.
 Eigen::Index TaylorSeries::geometric_rank() const {
     MatX C = MatX::Zero(A_.rows(), A_.cols());
     for (std::size_t c = 0; c < rows_.size(); ++c) {
@@ -146,14 +147,14 @@ VecX TaylorSeries::terms() const {
     return sizes;
 }
 
-/// Whether more than round-off and drift of the residual and of its terms lies outside the range of S.
+/// Whether the residual has a part outside the range of S above round-off and drift of its terms.
 bool TaylorSeries::contradicts(const VecX& residual) const {
     if (rank_ == A_.cols()) return false;
     const Real rest = (residual - A_.transpose() * (inverse_.transpose() * residual)).norm();
     return rest > (residual.norm() + terms().norm()) / 1000000;
 }
 
-/// Coefficient k of the multipliers, and what they change.
+/// Coefficient k of the multipliers, and their effects.
 Status TaylorSeries::react(std::size_t k) {
     for (JointSeries& joint : joints_) joint.update(k);
     if (k == 0 && !decompose()) return Status::singular_kkt;

@@ -6,9 +6,9 @@
 //   residual      Phi_{k+2} of every joint row, from x_{k+2} and R_{k+2} of that motion,
 //   multipliers   S lambda_k = (k+1) (k+2) Phi_{k+2},  S = C M^{-1} C^T at the expansion point,
 //   reaction      v', omega' -= M^{-1} C^T lambda_k.
-// S is the same for every k: it is decomposed once [hairer1993, Sec. I.8]. Rows may depend on each other, which is decided
-// by geometry alone, torques on a body divided by a length of it: multipliers are those of least norm, each row divided by
-// its scale. Steps end where the last terms sink into round-off
+// S is the same for every k: it is factored once [hairer1993, Sec. I.8]. Rows may be dependent, which is decided
+// by geometry only, torques on a body divided by a length of it: multipliers are those of least norm, each row divided
+// by its scale. Steps end where the last terms sink into round-off
 // [jorbazou2005].
 #pragma once
 
@@ -31,17 +31,17 @@ class TaylorSeries {
     TaylorSeries(const TaylorSeries&) = delete;
     TaylorSeries& operator=(const TaylorSeries&) = delete;
 
-    /// The series of the motion that passes through `states` at time t (s). The answer is singular_kkt where the rank
-    /// of the constraints is not that of the first expansion, or where rows that depend on each other contradict each
-    /// other; turn_lost where the axes of a torsion spring have parted so far that turns have no meaning.
+    /// The series of the motion that passes through `states` at time t (s). Returns singular_kkt if the rank
+    /// of the constraints is not that of the first expansion, or if dependent rows contradict each
+    /// other; turn_lost if the axes of a torsion spring have parted so far that turns are undefined.
     Status expand(const Real& t, const std::vector<BodyState>& states);
-    /// Before the next expansion, if that goes on with this motion a time s after the last one: angles then count on.
+    /// Before the next expansion, if it continues this motion a time s after the last one: full turns are then kept.
     void move_on(const Real& s);
 
     /// The largest s = limit, 7/8 limit, ... for which the last two terms of x, R, v and omega (each over all bodies)
     /// are below round-off of their largest terms; negative for a negative limit.
     Real reach(const Real& limit) const;
-    /// Whether the axes of a torsion spring have parted a time s after the expansion, so that turns have no meaning there.
+    /// Whether the axes of a torsion spring have parted a time s after the expansion, so that turns are undefined.
     bool has_parted(const Real& s) const;
     /// The states at a time s after that of the expansion; |s| within reach.
     std::vector<BodyState> states(const Real& s) const;
@@ -57,7 +57,7 @@ class TaylorSeries {
     Eigen::Index geometric_rank() const;
     /// Smallest pivot of S relative to its diagonal, not positive where there are no factors.
     Real factor();
-    /// Sizes of what meets in each row, over its scale (1/s^2).
+    /// Sizes of the terms of each row, over its scale (1/s^2).
     VecX terms() const;
     VecX solve(const VecX& residual) const;
     bool contradicts(const VecX& residual) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What holds the bodies of a run at one instant, as it is reported: the multipliers, row by row, and the reaction of each
-// joint. Where rows are redundant, both are those of least norm, and it is said which of them are unique all the same.
+// Joint forces of a run at one instant, as reported: the multipliers, row by row, and the reaction of each
+// joint. Where rows are redundant, both are those of least norm, with a flag for those that are still unique.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ inline namespace KREISEL_PRECISION {
 class JointForces {
   public:
     JointForces(System& system, const Model& model);
-    /// At (t, y), from the multipliers of a method or, where these are null, of the index-1 form; false where that cannot
-    /// be solved.
+    /// At (t, y), from the multipliers of a method or, where these are null, of the index-1 form; false where that
+    /// cannot be solved.
     bool find(const Real& t, const Real* y, const Real* own);
     /// Of the last find that succeeded.
     const std::vector<Real>& multipliers() const { return multipliers_; }
@@ -48,7 +48,7 @@ struct MultiplierDistance {
 };
 MultiplierDistance multiplier_distance(const std::vector<ConstraintRow>& rows, const std::vector<Real>& a,
                                        const std::vector<Real>& b);
-/// Names the distances as metrics; a kind that no row is of has none.
+/// Names the distances as metrics; a kind without rows has none.
 void add_multiplier_errors(const std::vector<ConstraintRow>& rows, const MultiplierDistance& distance,
                            std::map<std::string, Number>& errors);
 

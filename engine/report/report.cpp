@@ -19,8 +19,12 @@ Number to_number(const Real& x) { return {to_double(x), to_text(x)}; }
 Real from_number(const Number& x) { return from_text(x.text); }
 
 ConstraintSummary to_summary(const ConstraintRank& rank) {
-    ConstraintSummary summary{
-        .rows = rank.rows, .rank = rank.rank, .directions = 0, .redundant = rank.redundant, .condition = {}, .least_norm = {}};
+    ConstraintSummary summary{.rows = rank.rows,
+                              .rank = rank.rank,
+                              .directions = 0,
+                              .redundant = rank.redundant,
+                              .condition = {},
+                              .least_norm = {}};
     if (rank.condition) summary.condition = to_double(*rank.condition);
     return summary;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Between Real and the text in which numbers leave and enter the engine.
+// Conversion between Real and the text in which numbers leave and enter the engine.
 #pragma once
 
 #include <vector>
@@ -22,14 +22,14 @@ ReportedState to_report(const Real& t, const std::vector<BodyState>& states, con
 std::vector<std::string> names_of_torsion_springs(const Model& model);
 std::vector<BodyState> from_report(const ReportedState& report);
 
-/// The distances behind error.*: Euclidean norms over all bodies of x, v, omega (m, m/s, rad/s), and of log(R_b^T R_a) (rad).
-/// Where an R is off SO(3) by more than 1/10 it has no angle, and rotation is NaN: not measured.
+/// The distances behind error.*: Euclidean norms over all bodies of x, v, omega (m, m/s, rad/s), and of log(R_b^T R_a)
+/// (rad). Where an R is off SO(3) by more than 1/10 it has no angle, and rotation is NaN (not measured).
 struct Distance {
     Real position = 0, rotation = 0, velocity = 0, omega = 0;
 };
 Distance distance(const std::vector<BodyState>& a, const std::vector<BodyState>& b);
 
-/// |a - b| of two vectors of one size.
+/// |a - b| of two vectors of equal size.
 Real norm_of_difference(const std::vector<Real>& a, const std::vector<Real>& b);
 
 }  // namespace KREISEL_PRECISION

@@ -15,7 +15,7 @@ Wrench force_at(const Motion& body, const Vec3& force, const Vec3& r) {
 
 }  // namespace
 
-/// Where the frames share their third axis, that is the gradient.
+/// This is the gradient if the frames share their third axis.
 Turn turn(const TorsionSpring& spring, const Motion& first, const Motion& second) {
     const Vec3 u = second.direction(spring.axes_second.col(0));
     const Vec3 f1 = first.direction(spring.axes_first.col(0)), f2 = first.direction(spring.axes_first.col(1));

@@ -14,7 +14,7 @@ struct WrenchPair {
     Wrench first, second;
 };
 
-/// What two poses and velocities say of the angle of a torsion spring.
+/// The angle of a torsion spring, from two poses and velocities.
 struct Turn {
     Real principal;  ///< theta up to full turns, in (-pi, pi]
     Vec3 gradient;   ///< theta' = gradient . (omega_second - omega_first) in space axes
@@ -56,14 +56,15 @@ inline bool has_forces(const Model& model) {
     return !model.loads.empty() || !model.springs.empty() || !model.torsion_springs.empty();
 }
 
-/// Whether all forces, gravity among them, follow from a potential that does not depend on time.
+/// Whether all forces, gravity included, follow from a potential that does not depend on time.
 bool is_conservative(const Model& model);
 
 /// Energy stored in the springs; theta(i) is the angle of torsion spring i.
 template <class MotionOf, class AngleOf>
 Real stored_energy(const Model& model, MotionOf motion, AngleOf theta) {
     Real sum = 0;
-    for (const Spring& spring : model.springs) sum += stored_energy(spring, motion(spring.first), motion(spring.second));
+    for (const Spring& spring : model.springs)
+        sum += stored_energy(spring, motion(spring.first), motion(spring.second));
     for (std::size_t i = 0; i < model.torsion_springs.size(); ++i)
         sum += stored_energy(model.torsion_springs[i], theta(i));
     return sum;

@@ -15,7 +15,7 @@ Real floor_of(const Real& x) {
     return floor(x);
 }
 
-/// How many turns lie between an angle and its representative nearest to another.
+/// Full turns between an angle and its representative nearest to another.
 Real turns_to(const Real& angle, const Real& near) { return floor_of((near - angle) / full_turn + Real(1) / 2); }
 
 std::string text(const Real& x) {
@@ -30,7 +30,7 @@ Real nearest_turn(const Real& angle, const Real& near) { return angle + full_tur
 
 SpringAngle Turns::counted(const Real& principal, const Real& near) {
     const Real turns = turns_to(principal, near);
-    const bool countable = abs(turns) < Real(1L << 62);  // false where it is not a number
+    const bool countable = abs(turns) < Real(1L << 62);  // false for NaN
     return {principal + full_turn * turns, countable ? static_cast<long>(turns) : 0};
 }
 
@@ -39,7 +39,7 @@ std::shared_ptr<const Group> configurations(std::shared_ptr<const Group> poses, 
     return std::make_shared<Covering>(std::move(poses), static_cast<int>(model.torsion_springs.size()));
 }
 
-/// Comparisons with what is not a number are false: whoever solves finds that by himself.
+/// Comparisons with NaN are false: the solver detects it by itself.
 void Turns::judge(std::size_t spring, const Turn& turn, const Real& distance) const {
     const bool finite = isfinite(Real(turn.rate + distance));
     const Real turning = abs(h_ * turn.rate);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How often torsion springs have turned. Poses know angles up to full turns; the configuration group of a model with torsion
-// springs is therefore a covering (lie/covering.hpp) with a label for each spring: its angle at the last accepted step. The
-// angle at a pose is the representative nearest to what is expected there,
+// Full turns of torsion springs. Poses determine angles up to full turns; the configuration group of a model with
+// torsion springs is therefore a covering (lie/covering.hpp) with a label for each spring: its angle at the last
+// accepted step. The angle at a pose is the representative nearest to what is expected there,
 //   outside a step   the label,
 //   in a step        theta_n + (t - t_n) theta'_n, from the start of the step,
-// and has no jump where it passes pi. Labels need not be exact. The count is lost, and the answer turn_lost, where a step
-// sees less than the turning: |h theta'| >= pi, or an angle farther than pi/2 from what is expected in a step; and where the
-// axes of a spring have parted so far that the angle winds about a pose that has none (Turn::shadow below 1/2).
+// and has no jump where it passes pi. Labels need not be exact. The count is lost, and the status is turn_lost, if a
+// step cannot resolve the turning: |h theta'| >= pi, or an angle farther than pi/2 from what is expected in a step; or
+// if the axes of a spring have parted so far that the angle winds about a pose where it is undefined (Turn::shadow
+// below 1/2).
 #pragma once
 
 #include <memory>
@@ -21,7 +22,7 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// An angle (rad) with all its turns, and how many these are: theta less 2 pi turns lies in (-pi, pi].
+/// An angle (rad) with all its turns, and their number: theta less 2 pi turns lies in (-pi, pi].
 struct SpringAngle {
     Real theta = 0;
     long turns = 0;
@@ -33,13 +34,13 @@ Real nearest_turn(const Real& angle, const Real& near);
 /// The configuration group of a model whose poses form the group `poses`.
 std::shared_ptr<const Group> configurations(std::shared_ptr<const Group> poses, const Model& model);
 
-/// Part of a system; refers to its model. `labels` are those of a configuration, motion(body) is the Motion of a body or of
-/// the ground.
+/// Part of a system; refers to its model. `labels` are those of a configuration, motion(body) is the Motion of a body
+/// or of the ground.
 class Turns {
   public:
     explicit Turns(const Model& model) : model_(model), steps_(model.torsion_springs.size()) {}
 
-    /// theta of a spring at time t. One evaluation asks for all springs, in their order; what is wrong with it stays until
+    /// theta of a spring at time t. One evaluation asks for all springs, in their order; its fault remains until
     /// the next one.
     Real angle(std::size_t spring, const Turn& turn, const Real& t, const Real* labels) const {
         if (spring == 0) fault_ = {};
@@ -48,7 +49,7 @@ class Turns {
         if (fault_.kind == Fault::none) judge(spring, turn, theta - expected);
         return theta;
     }
-    /// turn_lost if the last evaluation has lost a turn. An angle that is not finite is no fault here.
+    /// turn_lost if the last evaluation has lost a turn. An angle that is not finite is not a fault here.
     Status status() const { return fault_.kind == Fault::none ? Status::ok : Status::turn_lost; }
     /// The fault of the last evaluation in words.
     std::string reason() const;
@@ -62,7 +63,7 @@ class Turns {
         return status();
     }
 
-    /// What becomes of the status of a step to time t; if it is ok, the labels are the angles there.
+    /// The status of a step to time t, given that of the method; if it is ok, the labels become the angles there.
     template <class MotionOf>
     Status end_step(Status result, const Real& t, Real* labels, MotionOf motion) {
         if (result == Status::ok) result = status();
@@ -109,7 +110,7 @@ class Turns {
     std::vector<Step> steps_;
     bool stepping_ = false;
     Real t_ = 0, h_ = 0;
-    mutable Fault fault_;  // of the last evaluation: forces are evaluated by functions that change nothing else
+    mutable Fault fault_;  // of the last evaluation: set by const functions
 };
 
 }  // namespace KREISEL_PRECISION

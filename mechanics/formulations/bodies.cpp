@@ -153,7 +153,8 @@ void Bodies<Coordinates>::complement_diagonal(const Real& t, const Real* q, Real
             return inverse_mass(model_.bodies[i]) * force.squaredNorm() + torque.dot(J_inverse_[i] * torque);
         };
         for (int k = 0; k < rows.count; ++k)
-            diagonal[row(j, k)] = mobility(model_.joints[j].first, rows.first, k) + mobility(model_.joints[j].second, rows.second, k);
+            diagonal[row(j, k)] =
+                mobility(model_.joints[j].first, rows.first, k) + mobility(model_.joints[j].second, rows.second, k);
     });
 }
 
@@ -172,9 +173,11 @@ void Bodies<Coordinates>::row_velocities(const Real& t, const Real* q, const Rea
         for (int k = 0; k < rows.count; ++k) {
             Real sum = share * rows.rate_bias[k];
             if (joint.first != ground)
-                sum += rows.first.template block<3, 1>(0, k).dot(first.V) + rows.first.template block<3, 1>(3, k).dot(first.omega);
+                sum += rows.first.template block<3, 1>(0, k).dot(first.V) +
+                       rows.first.template block<3, 1>(3, k).dot(first.omega);
             if (joint.second != ground)
-                sum += rows.second.template block<3, 1>(0, k).dot(second.V) + rows.second.template block<3, 1>(3, k).dot(second.omega);
+                sum += rows.second.template block<3, 1>(0, k).dot(second.V) +
+                       rows.second.template block<3, 1>(3, k).dot(second.omega);
             residual[row(j, k)] = sum;
         }
     });
@@ -229,16 +232,18 @@ void Bodies<Coordinates>::acceleration_bias(const Real& t, const Real* q, const 
         const Joint& joint = model_.joints[j];
         const auto turning = [&](int body, const Mat6& side, int k) -> Real {
             if (body == ground) return 0;
-            return -side.template block<3, 1>(0, k).dot(Coordinates::gyroscopic(Real(1), angular(v, body), linear(v, body)));
+            return -side.template block<3, 1>(0, k).dot(
+                Coordinates::gyroscopic(Real(1), angular(v, body), linear(v, body)));
         };
         for (int k = 0; k < rows.count; ++k)
-            xi[row(j, k)] = -rows.acceleration_bias[k] - turning(joint.first, rows.first, k) - turning(joint.second, rows.second, k);
+            xi[row(j, k)] = -rows.acceleration_bias[k] - turning(joint.first, rows.first, k) -
+                            turning(joint.second, rows.second, k);
     });
 }
 
 template <class Coordinates>
 bool Bodies<Coordinates>::has_ambient_jacobian() const {
-    return std::is_same_v<Coordinates, MixedCoordinates> && spherical_;
+    return std::is_same_v<Coordinates, SO3xR3Coordinates> && spherical_;
 }
 
 template <class Coordinates>
@@ -269,7 +274,8 @@ void Bodies<Coordinates>::ambient_jacobian(const Real&, const Real* q, const Rea
 }
 
 template <class Coordinates>
-Status Bodies<Coordinates>::reactions(const Real& t, const Real* q, const Real*, const Real* lambda, JointReaction* out) {
+Status Bodies<Coordinates>::reactions(const Real& t, const Real* q, const Real*, const Real* lambda,
+                                      JointReaction* out) {
     std::array<Real, most_rows> mine{};
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
         const Joint& joint = model_.joints[j];
@@ -293,7 +299,8 @@ void Bodies<Coordinates>::position_scale(const Real* q, Real* size) const {
     for (std::size_t j = 0; j < places_.size(); ++j) {
         const Joint& joint = model_.joints[j];
         const Real length = reach(joint.first, joint.r_first) + reach(joint.second, joint.r_second) + joint.length;
-        for (int k = 0; k < places_[j].position; ++k) size[row(j, k)] = is_direction_row(joint.type, k) ? Real(2) : length;
+        for (int k = 0; k < places_[j].position; ++k)
+            size[row(j, k)] = is_direction_row(joint.type, k) ? Real(2) : length;
     }
 }
 
@@ -363,9 +370,9 @@ void Bodies<Coordinates>::read_angles(const Real* q, SpringAngle* angles) const 
         angles[i] = turns_.read(i, labels(q), [&](int body) { return motion(q, nullptr, body); });
 }
 
-template class Bodies<MixedCoordinates>;
-template class Bodies<ScrewCoordinates>;
-template class Bodies<QuaternionCoordinates>;
+template class Bodies<SO3xR3Coordinates>;
+template class Bodies<SE3Coordinates>;
+template class Bodies<S3xR3Coordinates>;
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

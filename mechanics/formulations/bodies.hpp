@@ -91,7 +91,7 @@ class Bodies : public System, public SpaceAxes {
     Model model_;
     std::vector<Mat3> J_inverse_;
     Turns turns_;
-    bool spherical_;  // no other joints: then the residuals are those of points, for any 3x3 matrices R
+    bool spherical_;  // only spherical joints: then the residuals are those of points, for any 3x3 matrices R
     std::vector<Place> places_;
     int rows_ = 0, position_rows_ = 0;
 };

@@ -41,11 +41,11 @@ struct SplitCoordinates {
     /// d(linear velocity)/dt - its body-axis image is A: the centripetal part of the body frame, none here.
     static Vec3 gyroscopic(const Real&, const Vec3&, const Vec3&) { return Vec3::Zero(); }
 };
-using MixedCoordinates = SplitCoordinates<SO3, MatrixStorage>;
-using QuaternionCoordinates = SplitCoordinates<S3, QuaternionStorage>;
+using SO3xR3Coordinates = SplitCoordinates<SO3, MatrixStorage>;
+using S3xR3Coordinates = SplitCoordinates<S3, QuaternionStorage>;
 
 /// SE(3) per body: q = (x, R), v = (V, omega) with V = R^T x'.
-struct ScrewCoordinates {
+struct SE3Coordinates {
     using Factor = SE3;
     using Rotations = MatrixStorage;
     static Vec3 space_velocity(const auto& R, const Vec3& linear) { return R * linear; }
@@ -55,7 +55,9 @@ struct ScrewCoordinates {
     static Vec3 from_space(const auto& R, const Vec3& a) { return R.transpose() * a; }
     static Vec3 to_space(const auto& R, const Vec3& a) { return R * a; }
     /// V' = R^T x'' - omega x V.
-    static Vec3 acceleration(const auto&, const Vec3& A, const Vec3& omega, const Vec3& V) { return A - omega.cross(V); }
+    static Vec3 acceleration(const auto&, const Vec3& A, const Vec3& omega, const Vec3& V) {
+        return A - omega.cross(V);
+    }
     static Vec3 from_space_acceleration(const auto& R, const Vec3& a, const Vec3& omega, const Vec3& V) {
         return R.transpose() * a - omega.cross(V);
     }

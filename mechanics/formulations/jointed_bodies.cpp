@@ -89,13 +89,14 @@ Status JointedBodies<Coordinates>::solve_prepared(const Real&, const Real*, cons
         a += 6;
     }
     if (lambda)
-        each_row([&](int row, Eigen::Index at) { lambda[row] = solver_.basic_multipliers()[at] * solver_.mass_unit(); });
+        each_row(
+            [&](int row, Eigen::Index at) { lambda[row] = solver_.basic_multipliers()[at] * solver_.mass_unit(); });
     return isfinite(sum) ? Status::ok : Status::non_finite;
 }
 
-template class JointedBodies<MixedCoordinates>;
-template class JointedBodies<ScrewCoordinates>;
-template class JointedBodies<QuaternionCoordinates>;
+template class JointedBodies<SO3xR3Coordinates>;
+template class JointedBodies<SE3Coordinates>;
+template class JointedBodies<S3xR3Coordinates>;
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -19,7 +19,7 @@ class JointedBodies final : public Bodies<Coordinates> {
     Status prepare_kkt(const Real& t, const Real* q) override;
     Status solve_prepared(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override;
     Status minimise_multipliers(const Real& t, const Real* q, Real* lambda) override;
-    /// The complement loses the square of what its rows lose.
+    /// The complement loses twice the digits that its rows lose.
     Real kkt_round_off() const override { return epsilon / solver_.pivot(); }
     ConstraintRank constraint_rank() const override { return solver_.constraint_rank(); }
     std::string reason(Status status) const override {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bodies that each turn about a fixed point: q = R, v = omega, no constraint left. With the lever c from the point to
+// Bodies that each turn about a fixed point: q = R, v = omega, no constraints. With the lever c from the point to
 // the mass centre (body axes) and J_O = J + m (|c|^2 I - c c^T),
 //   J_O omega' = c x (m R^T g + force) + torque - omega x J_O omega,   x = P + R c,   x' = R (omega x c),
 // force and torque being those of loads and springs in body axes. The point exerts the force m (x'' - g) - R force.
@@ -20,7 +20,7 @@ inline namespace KREISEL_PRECISION {
 
 class PivotedBodies final : public System, public SpaceAxes {
   public:
-    /// Why this model has no such formulation; empty if it has.
+    /// Why the formulation does not apply to this model; empty if it does.
     static std::string why_not(const Model& model);
     explicit PivotedBodies(Model model);
 

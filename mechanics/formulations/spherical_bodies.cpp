@@ -320,9 +320,9 @@ void SphericalBodies<Coordinates>::report_multipliers(Real* lambda) const {
         if (node.joint != none) store(Vec3(node.sign * (node.M * node.a + node.f)), lambda + 3 * node.joint);
 }
 
-template class SphericalBodies<MixedCoordinates>;
-template class SphericalBodies<ScrewCoordinates>;
-template class SphericalBodies<QuaternionCoordinates>;
+template class SphericalBodies<SO3xR3Coordinates>;
+template class SphericalBodies<SE3Coordinates>;
+template class SphericalBodies<S3xR3Coordinates>;
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

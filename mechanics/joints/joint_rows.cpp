@@ -48,7 +48,8 @@ class RowWriter {
         for (int k = 0; k < 3; ++k) {
             const Vec3 e = Vec3::Unit(k);
             push(d_[k], 0, bias_[k]);
-            act(first_, e, joint_.r_first, column(rows_.first)), act(second_, -e, joint_.r_second, column(rows_.second));
+            act(first_, e, joint_.r_first, column(rows_.first)),
+                act(second_, -e, joint_.r_second, column(rows_.second));
         }
     }
 
@@ -139,7 +140,8 @@ void write_rows(const Joint& joint, const Real& t, const Motion& first, const Mo
         case JointType::revolute: return write.coincidence(), write.orthogonal(2, 0), write.orthogonal(2, 1);
         case JointType::universal: return write.coincidence(), write.orthogonal(2, 2);
         case JointType::prismatic:
-            return write.along(0), write.along(1), write.orthogonal(2, 0), write.orthogonal(2, 1), write.orthogonal(0, 1);
+            return write.along(0), write.along(1), write.orthogonal(2, 0), write.orthogonal(2, 1),
+                   write.orthogonal(0, 1);
         case JointType::cylindrical:
             return write.along(0), write.along(1), write.orthogonal(2, 0), write.orthogonal(2, 1);
         case JointType::planar: return write.along(2), write.orthogonal(2, 0), write.orthogonal(2, 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The rows of a joint. With the points p of the two bodies, d = p_first - p_second, the axes a_k = R axes_k of the first
-// body and b_k of the second (k = 1, 2, 3; a_3, b_3 along the axis of the joint), all in space axes:
+// The rows of a joint. With the points p of the two bodies, d = p_first - p_second, the axes a_k = R axes_k of the
+// first body and b_k of the second (k = 1, 2, 3; a_3, b_3 along the axis of the joint), all in space axes:
 //
 //   spherical    d = 0                                             3 rows (N), space axes
 //   revolute     d = 0,  a_3.b_1 = 0,  a_3.b_2 = 0                 5 rows (N, then N m)
@@ -13,15 +13,15 @@
 //   distance     |d| = L (1 + A sin(W t))                          1 row
 //   rolling      a_3.(P - p - c) = 0,  -a_k.(v_p + omega x c) = 0 (k = 1, 2, no position level)   3 rows
 //
-// Each row is what the first body has minus what the second has, so that lambda of a row along e (a space axis, b_k, a_k of
-// a rolling joint) is the force lambda e on the second body, that of |d| a tension, and that of a_i.b_k the torque
-// lambda a_i x b_k on the second body. The first gets the opposite.
+// Each row is what the first body has minus what the second has, so that lambda of a row along e (a space axis, b_k,
+// a_k of a rolling joint) is the force lambda e on the second body, that of |d| a tension, and that of a_i.b_k the
+// torque lambda a_i x b_k on the second body. The first gets the opposite.
 // A rolling joint is a disk of radius L, its centre p and its axis b_3 on the second body, on the plane through P with
 // normal a_3 that the ground carries; c = -L s/|s| with s = a_3 - (a_3.b_3) b_3 leads from the centre to the contact.
 // The three rows together say that the point of the disk in contact is at rest.
 // Axis rows vanish for opposite axes too; a motion cannot pass from the one to the other.
-// Sources: [haug1989, Sec. 9.4] for the kinds of rows (dot-1, dot-2, spherical, distance), [neimarkfufaev1972, Sec. III.3]
-// for the disk.
+// Sources: [haug1989, Sec. 9.4] for the kinds of rows (dot-1, dot-2, spherical, distance),
+// [neimarkfufaev1972, Sec. III.3] for the disk.
 #pragma once
 
 #include "mechanics/joints/reaction.hpp"
@@ -36,14 +36,14 @@ inline constexpr int most_rows = 6;  ///< of one joint
 /// Rows of a joint, in its order; the first `position_rows` of them have a position level.
 int rows_of(JointType type);
 int position_rows_of(JointType type);
-/// Whether a model has spherical joints alone.
+/// Whether a model has only spherical joints.
 bool all_spherical(const Model& model);
 
 using Mat6 = Eigen::Matrix<Real, 6, 6>;
 using Vec6 = Eigen::Matrix<Real, 6, 1>;
 
 /// The rows of a joint at (t, q, v). Column k of `first` and `second` is row k of C with respect to (V, omega) of that
-/// body, or the force and the torque in body axes that make up C^T; nobody reads those of the ground.
+/// body, or the force and the torque in body axes that make up C^T; those of the ground are not used.
 ///   C v + b = first^T (V, omega) + second^T (V, omega) + rate_bias
 ///   d/dt (C v + b) = first^T (A, omega') + second^T (A, omega') + acceleration_bias,  A = R^T x''
 struct JointRows {
@@ -52,7 +52,7 @@ struct JointRows {
     Vec6 phi, rate_bias, acceleration_bias;
 };
 
-/// Fills `rows`; entries beyond `count` are left alone. The motion of the ground is Motion().
+/// Fills `rows`; entries beyond `count` are left unchanged. The motion of the ground is Motion().
 void write_rows(const Joint& joint, const Real& t, const Motion& first, const Motion& second, JointRows& rows);
 
 /// Rows that compare directions have no unit; their multipliers are torques.
@@ -62,8 +62,9 @@ inline bool has_direction_rows(JointType type) { return is_direction_row(type, r
 /// The rows of C of a model: joints in its order, rows without a position level after all others.
 std::vector<ConstraintRow> constraint_rows(const Model& model);
 
-/// What a joint exerts under the multipliers of its rows, in its order.
-JointReaction reaction_of(const Joint& joint, const Real& t, const Motion& first, const Motion& second, const Real* lambda);
+/// The wrench of a joint for given multipliers of its rows, in its order.
+JointReaction reaction_of(const Joint& joint, const Real& t, const Motion& first, const Motion& second,
+                          const Real* lambda);
 
 /// Scale of a row: the joint's length (m, mechanics/model/scales.hpp), 1 for rows that compare directions. Residuals
 /// are large or small relative to it, and rows divided by it are all of one unit.

@@ -20,8 +20,8 @@ using Matrix3 = std::array<double, 9>;  ///< row by row
 inline constexpr Matrix3 identity3 = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 /// A rigid body: inertia about its mass centre in body axes (kg m^2), x and v in space axes (m, m/s), R body to
-/// space, omega in body axes (rad/s). Without v, the velocity follows from the joints. A point mass has no inertia, and
-/// neither R nor omega of it means anything.
+/// space, omega in body axes (rad/s). Without v, the velocity follows from the joints. A point mass has no inertia;
+/// its R and omega have no meaning.
 struct BodyData {
     std::string name;
     double mass = 1;
@@ -75,13 +75,14 @@ using ParameterValue =
     std::variant<double, Vector3, Matrix3, std::vector<BodyData>, bool, std::vector<JointData>, std::vector<ForceData>>;
 using ParameterValues = std::map<std::string, ParameterValue>;
 
-/// A parameter that describes no system. `path` is a JSON pointer below the parameters, such as "/inertia/2". Where it is a
-/// name that does not exist, `written` is that name and `known` those that do.
+/// A parameter that does not describe a system. `path` is a JSON pointer below the parameters, such as "/inertia/2".
+/// Where it is an unknown name, `written` is that name and `known` are the valid ones.
 struct ParameterError : std::invalid_argument {
     std::string path;
     std::string written;
     std::vector<std::string> known;
-    ParameterError(std::string where, const std::string& what, std::string name = {}, std::vector<std::string> names = {})
+    ParameterError(std::string where, const std::string& what, std::string name = {},
+                   std::vector<std::string> names = {})
         : std::invalid_argument(what), path(std::move(where)), written(std::move(name)), known(std::move(names)) {}
 };
 

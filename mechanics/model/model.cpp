@@ -52,7 +52,8 @@ std::string Model::name_of(int body) const {
 
 std::string Model::name_of_joint(std::size_t joint) const {
     const Joint& j = joints[joint];
-    return "joint " + std::to_string(joint) + " (" + name_of(j.first) + " - " + name_of(j.second) + ", " + name(j.type) + ")";
+    return "joint " + std::to_string(joint) + " (" + name_of(j.first) + " - " + name_of(j.second) + ", " +
+           name(j.type) + ")";
 }
 
 std::vector<std::string> Model::joint_names() const {
@@ -125,17 +126,19 @@ Mat3 to_rotation(const Matrix3& m, const std::string& path) {
     return R;
 }
 
-Mat3 to_inertia(const Matrix3& m, const std::string& path, TriangleInequality rule, std::vector<std::string>& warnings) {
+Mat3 to_inertia(const Matrix3& m, const std::string& path, TriangleInequality rule,
+                std::vector<std::string>& warnings) {
     const Mat3 J = to_mat3(m);
     if (J != J.transpose()) throw ParameterError(path, "expected a symmetric inertia matrix");
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(J, Eigen::EigenvaluesOnly);
     const Vec3& moments = principal.eigenvalues();  // in increasing order
-    const std::string got = "got principal moments " + text(to_double(moments[0])) + ", " + text(to_double(moments[1])) +
-                            ", " + text(to_double(moments[2])) + " kg m^2";
+    const std::string got = "got principal moments " + text(to_double(moments[0])) + ", " +
+                            text(to_double(moments[1])) + ", " + text(to_double(moments[2])) + " kg m^2";
     if (!(moments[0] > 0)) throw ParameterError(path, "expected a positive definite inertia, " + got);
     const Real slack = Real(1) / 1000000000000;
     if (moments[0] + moments[1] < moments[2] * (1 - slack)) {
-        const std::string what = "no body has this inertia: each principal moment is at most the sum of the others, " + got;
+        const std::string what =
+            "no body has this inertia: each principal moment is at most the sum of the others, " + got;
         if (rule == TriangleInequality::required) throw ParameterError(path, what);
         warnings.push_back(what);
     }
@@ -145,7 +148,8 @@ Mat3 to_inertia(const Matrix3& m, const std::string& path, TriangleInequality ru
 const std::string& to_name(const std::string& name, const std::string& path) {
     const auto allowed = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
     if (name.empty() || name == "ground" || !std::all_of(name.begin(), name.end(), allowed))
-        throw ParameterError(path, "expected a name of letters, digits, _ and - other than \"ground\", got \"" + name + "\"");
+        throw ParameterError(path,
+                             "expected a name of letters, digits, _ and - other than \"ground\", got \"" + name + "\"");
     return name;
 }
 

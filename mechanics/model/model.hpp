@@ -27,7 +27,7 @@ struct Body {
     Real mass = 1;
     Mat3 J = Mat3::Identity();
     BodyState start;
-    bool point = false;  ///< a point mass: J is the identity and no moment ever acts, so that it keeps its rotation
+    bool point = false;  ///< a point mass: J is the identity and no moment acts, so its rotation is constant
 };
 
 /// Inertia about a point, J + m (|c|^2 I - c c^T), with c from the point to the mass centre.
@@ -35,7 +35,7 @@ inline Mat3 inertia_about(const Body& body, const Vec3& c) {
     return body.J + body.mass * (c.squaredNorm() * Mat3::Identity() - c * c.transpose());
 }
 
-/// 1/m; no number where m is infinite, whose limit 1/m = 0 would be a motion of its own.
+/// 1/m; NaN for an infinite mass: treating 1/m as 0 would silently fix the body.
 inline Real inverse_mass(const Body& body) {
     return isfinite(body.mass) ? Real(1 / body.mass) : std::numeric_limits<Real>::quiet_NaN();
 }
@@ -89,8 +89,8 @@ struct Load {
     }
 };
 
-/// Along the line of two points, of length l: tension stiffness (l - length) + damping l'. With length = 0 the points may
-/// meet, unless there is damping.
+/// Along the line of two points, of length l: tension stiffness (l - length) + damping l'. With length = 0 the points
+/// may meet, unless there is damping.
 struct Spring {
     int first = ground, second = 0;
     Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
@@ -118,19 +118,20 @@ struct Model {
     std::vector<TorsionSpring> torsion_springs;
     std::vector<std::string> warnings;
 
-    /// A point and axes in space coordinates of the initial configuration, as a body (or the ground) carries them.
+    /// A point and axes in space coordinates of the initial configuration, attached to a body (or the ground).
     Vec3 point_of(int body, const Vec3& point) const;
     Mat3 axes_of(int body, const Mat3& axes) const;
-    /// Joint at a point, about an axis of any length (space coordinates of the initial configuration), the same for both
-    /// bodies. Not for universal joints, which have two axes, nor for distance joints, which have two points.
+    /// Joint at a point, about an axis of any length (space coordinates of the initial configuration), the same for
+    /// both bodies. Not for universal joints, which have two axes, nor for distance joints, which have two points.
     void join(int first, int second, const Vec3& point, JointType type = JointType::spherical,
               const Vec3& axis = Vec3::UnitZ());
     std::string name_of(int body) const;
     /// "joint 2 (crank - rod, revolute)".
     std::string name_of_joint(std::size_t joint) const;
-    /// What results call the joints, no two alike: a joint's own name, or "crank-rod"; where that is taken, "crank-rod-2".
+    /// The names of the joints in results, all different: a joint's own name, or "crank-rod"; where that is taken,
+    /// "crank-rod-2".
     std::vector<std::string> joint_names() const;
-    /// "torsion spring 0 (ground - wheel)", counted without other forces.
+    /// "torsion spring 0 (ground - wheel)", counting torsion springs only.
     std::string name_of_torsion_spring(std::size_t spring) const;
 };
 
@@ -138,13 +139,13 @@ const char* name(JointType type);
 /// A rotation whose third column is the direction of `axis`, which is not zero.
 Mat3 axes_about(const Vec3& axis);
 
-/// What an inertia must satisfy beyond being positive definite. The triangle inequality J1 + J2 >= J3 of the principal
+/// What an inertia must satisfy besides being positive definite. The triangle inequality J1 + J2 >= J3 of the principal
 /// moments (relative slack 1e-12; equality is a flat body) holds for every mass distribution; published test data
-/// sometimes violate it, so a problem may ask for a warning only.
+/// sometimes violate it, so a problem may reduce this to a warning.
 enum class TriangleInequality { required, warned };
 
 Vec3 to_vec3(const Vector3& v);
-/// Reads a rotation; one that is orthonormal to 1e-9 is orthonormalised to the last bit of Real.
+/// Reads a rotation; one orthonormal to 1e-9 is orthonormalised to the precision of Real.
 /// Throws ParameterError at `path`.
 Mat3 to_rotation(const Matrix3& R, const std::string& path);
 /// Checks symmetry, definiteness and the triangle inequality. Throws ParameterError at `path`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pose and velocity of a body as joints and forces see it, the same in every formulation.
+// Pose and velocity of a body as joints and forces use it, the same in every formulation.
 #pragma once
 
 #include "lie/linear.hpp"
@@ -17,7 +17,8 @@ struct Motion {
     /// Of a point r fixed in the body (body axes), in space axes.
     Vec3 point(const Vec3& r) const { return x + R * r; }
     Vec3 point_velocity(const Vec3& r) const { return R * (V + omega.cross(r)); }
-    /// Of a direction b fixed in the body (body axes), in space axes: R b, its rate, and its second rate where omega' = 0.
+    /// Of a direction b fixed in the body (body axes), in space axes: R b, its rate, and its second rate where
+    /// omega' = 0.
     Vec3 direction(const Vec3& b) const { return R * b; }
     Vec3 direction_rate(const Vec3& b) const { return R * omega.cross(b); }
     Vec3 direction_bias(const Vec3& b) const { return R * omega.cross(omega.cross(b)); }

@@ -31,7 +31,7 @@ Real radius_of_gyration(const Body& body) {
 
 Real extent(const Model& model) {
     if (model.bodies.empty()) return 0;
-    const Vec3 near = model.bodies[0].start.x;  // differences from a point of the mechanism: its place drops out
+    const Vec3 near = model.bodies[0].start.x;  // differences from a point of the mechanism: its place cancels
     Vec3 sum = Vec3::Zero();
     Real count = 0, radius = 0, largest = 0;
     each_point(model, [&](const Vec3& point) { sum += point - near, count += 1; });

@@ -11,7 +11,7 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Data written as decimals meet such conditions to round-off, or do not mean to.
+/// Data written as decimals satisfy such conditions to round-off if they are meant to.
 const Real slack = 64 * epsilon;
 
 bool parallel(const Vec3& a, const Vec3& e) { return a.cross(e).norm() <= slack * a.norm() * e.norm(); }
@@ -21,7 +21,7 @@ bool meets(const Line& line, const Vec3& point) {
     return d.cross(line.e).norm() <= slack * max(Real(point.norm()), Real(line.P.norm()));
 }
 
-/// What a joint to the ground has there.
+/// The ground side of a joint.
 struct Anchor {
     JointType type;
     Vec3 point, axis;
@@ -85,12 +85,13 @@ const Vec3& end(const Element& element, int body) {
     return element.first == body ? element.r_first : element.r_second;
 }
 
-/// Whether the point of a joint or spring lies on the axis e through the mass centre of its body, to round-off of the size
-/// of the body.
+/// Whether the point of a joint or spring lies on the axis e through the mass centre of its body, to round-off of the
+/// size of the body.
 template <class Element>
 bool is_central(const Model& model, const Element& element, int body, const Vec3& e) {
     const Vec3& r = end(element, body);
-    return r.cross(e).norm() <= 16 * epsilon * (r.norm() + radius_of_gyration(model.bodies[static_cast<std::size_t>(body)]));
+    return r.cross(e).norm() <=
+           16 * epsilon * (r.norm() + radius_of_gyration(model.bodies[static_cast<std::size_t>(body)]));
 }
 
 /// Whether the joint exerts no moment about the axis e through the mass centre of the body.
@@ -141,15 +142,18 @@ std::optional<Vec3> free_spin_axis(const Model& model, int body) {
     if (mine.point) return std::nullopt;
     const auto axis = symmetry_axis(mine.J);
     if (!axis) return std::nullopt;
-    const auto spins = [&](const Joint& joint) { return !touches(joint, body) || leaves_spin(model, joint, body, *axis); };
+    const auto spins = [&](const Joint& joint) {
+        return !touches(joint, body) || leaves_spin(model, joint, body, *axis);
+    };
     const auto central = [&](const Spring& spring) {
         return !touches(spring, body) || is_central(model, spring, body, *axis);
     };
-    const bool free = std::all_of(model.joints.begin(), model.joints.end(), spins) &&
-                      std::all_of(model.springs.begin(), model.springs.end(), central) &&
-                      std::none_of(model.torsion_springs.begin(), model.torsion_springs.end(),
-                                   [&](const TorsionSpring& spring) { return touches(spring, body); }) &&
-                      std::none_of(model.loads.begin(), model.loads.end(), [&](const Load& load) { return load.body == body; });
+    const bool free =
+        std::all_of(model.joints.begin(), model.joints.end(), spins) &&
+        std::all_of(model.springs.begin(), model.springs.end(), central) &&
+        std::none_of(model.torsion_springs.begin(), model.torsion_springs.end(),
+                     [&](const TorsionSpring& spring) { return touches(spring, body); }) &&
+        std::none_of(model.loads.begin(), model.loads.end(), [&](const Load& load) { return load.body == body; });
     return free ? axis : std::nullopt;
 }
 

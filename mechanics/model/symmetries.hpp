@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rigid motions of a whole system that its gravity and its ties to the ground do not notice: each has a momentum that is
-// constant (Noether). Ties between moving bodies never matter.
+// Rigid motions of a whole system that leave its gravity and its ties to the ground unchanged: each has a momentum that
+// is constant (Noether). Ties between moving bodies do not restrict them.
 #pragma once
 
 #include <optional>
@@ -12,23 +12,24 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 /// A line through P along the unit vector e.
-struct Line {
+struct FittedLine {
     Vec3 P, e;
 };
 
 bool is_invariant_under_rotation(const Model& model, const Line& axis);
 bool is_invariant_under_translation(const Model& model, const Vec3& e);
 
-/// Where an axis of rotation must pass: the first ground point of a joint or spring that fixes one; the origin if none does.
+/// Where an axis of rotation must pass: the first ground point of a joint or spring that fixes one; the origin if none
+/// does.
 Vec3 pivot(const Model& model);
 
-/// Unit axis about which a body is symmetric and through which all it is tied to acts, so that its angular momentum along
+/// Unit axis about which a body is symmetric and through which all forces on it act, so that its angular momentum along
 /// it is constant; nothing for a point mass.
 std::optional<Vec3> free_spin_axis(const Model& model, int body);
 
 /// Kovalevskaya's case of a heavy top, A = B = 2 C about the fixed point with the mass centre in the plane of A and B:
 /// the axes e_1 (to the mass centre), e_2, e_3 (of C) as columns, in body axes, and c = m g l/C (1/s^2)
-/// [audin1996, Sec. I.2]; nothing where the body is no such top.
+/// [audin1996, Sec. I.2]; nothing if the body is not such a top.
 struct KovalevskayaTop {
     Mat3 axes;
     Real c;

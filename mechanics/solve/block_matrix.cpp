@@ -16,11 +16,13 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class DenseSolver final : public BlockSolver {
   public:
-    explicit DenseSolver(const BlockMatrix& pattern) : matrix_(MatX::Zero(pattern.size, pattern.size)), factors_(pattern.size) {}
+    explicit DenseSolver(const BlockMatrix& pattern)
+        : matrix_(MatX::Zero(pattern.size, pattern.size)), factors_(pattern.size) {}
 
     Real factor(const BlockMatrix& S) override {
         for (std::size_t j = 0; j < S.rows.size(); ++j)
-            matrix_.block(S.offset[j], S.offset[j], S.rows[j], S.rows[j]) = S.diagonal[j].topLeftCorner(S.rows[j], S.rows[j]);
+            matrix_.block(S.offset[j], S.offset[j], S.rows[j], S.rows[j]) =
+                S.diagonal[j].topLeftCorner(S.rows[j], S.rows[j]);
         for (std::size_t e = 0; e < S.entries.size(); ++e) {
             const std::size_t row = at(S.entries[e].row), col = at(S.entries[e].col);
             matrix_.block(S.offset[row], S.offset[col], S.rows[row], S.rows[col]) =
@@ -57,7 +59,7 @@ class GraphSolver final : public BlockSolver {
     struct Update {
         std::size_t target, left, right, left_row, right_row;
     };
-    /// Where an entry of the matrix goes.
+    /// The place of an entry of the matrix.
     struct Source {
         std::size_t entry, block;
         bool transposed;
@@ -96,7 +98,8 @@ GraphSolver::GraphSolver(const BlockMatrix& pattern) : rhs_(pattern.size) {
         for (const Below& right : columns_[k])
             for (const Below& left : columns_[k])
                 if (left.row >= right.row)
-                    updates_[k].push_back({block.at({left.row, right.row}), left.block, right.block, left.row, right.row});
+                    updates_[k].push_back(
+                        {block.at({left.row, right.row}), left.block, right.block, left.row, right.row});
     for (std::size_t e = 0; e < pattern.entries.size(); ++e) {
         const std::size_t row = at(order.position[at(pattern.entries[e].row)]);
         const std::size_t col = at(order.position[at(pattern.entries[e].col)]);
@@ -108,7 +111,7 @@ GraphSolver::GraphSolver(const BlockMatrix& pattern) : rhs_(pattern.size) {
     diagonal_.resize(joints);
 }
 
-/// Cholesky factors of the pivot block, and its inverse from them. Answers the smallest relative pivot.
+/// Cholesky factors of the pivot block, and its inverse from them. Returns the smallest relative pivot.
 Real GraphSolver::invert_pivot(std::size_t k) {
     const int n = rows_[k];
     Mat6 L = Mat6::Zero();
@@ -150,7 +153,9 @@ Real GraphSolver::factor(const BlockMatrix& S) {
         const int n = rows_[k];
         for (const Below& below : columns_[k])
             scaled_[below.block].topLeftCorner(rows_[below.row], n) =
-                blocks_[below.block].topLeftCorner(rows_[below.row], n).lazyProduct(inverse_pivots_[k].topLeftCorner(n, n));
+                blocks_[below.block]
+                    .topLeftCorner(rows_[below.row], n)
+                    .lazyProduct(inverse_pivots_[k].topLeftCorner(n, n));
         for (const Update& update : updates_[k])
             blocks_[update.target].topLeftCorner(rows_[update.left_row], rows_[update.right_row]) -=
                 scaled_[update.left].topLeftCorner(rows_[update.left_row], n).lazyProduct(
@@ -170,7 +175,8 @@ void GraphSolver::solve(VecX& b) {
         auto x = b.segment(offset_[k], rows_[k]);
         x = inverse_pivots_[k].topLeftCorner(rows_[k], rows_[k]).lazyProduct(part(k));
         for (const Below& below : columns_[k])
-            x -= scaled_[below.block].topLeftCorner(rows_[below.row], rows_[k]).transpose().lazyProduct(part(below.row));
+            x -=
+                scaled_[below.block].topLeftCorner(rows_[below.row], rows_[k]).transpose().lazyProduct(part(below.row));
         part(k) = x;
     }
 }
@@ -216,7 +222,7 @@ class SparseSolver final : public BlockSolver {
 
 constexpr int most_dense_rows = 24;
 
-/// Blocks that elimination adds to those of the matrix: none for chains and trees, however many joints meet in a body.
+/// Fill-in of the elimination, in blocks: none for chains and trees, however many joints meet in a body.
 std::size_t fill(const BlockMatrix& pattern) {
     std::vector<std::set<int>> adjacent(pattern.rows.size());
     for (const auto& [row, col] : pattern.entries) adjacent[at(row)].insert(col), adjacent[at(col)].insert(row);
@@ -235,7 +241,9 @@ void BlockMatrix::add_joint(int count) {
 
 std::unique_ptr<BlockSolver> dense_solver(const BlockMatrix& pattern) { return std::make_unique<DenseSolver>(pattern); }
 std::unique_ptr<BlockSolver> graph_solver(const BlockMatrix& pattern) { return std::make_unique<GraphSolver>(pattern); }
-std::unique_ptr<BlockSolver> sparse_solver(const BlockMatrix& pattern) { return std::make_unique<SparseSolver>(pattern); }
+std::unique_ptr<BlockSolver> sparse_solver(const BlockMatrix& pattern) {
+    return std::make_unique<SparseSolver>(pattern);
+}
 
 std::unique_ptr<BlockSolver> make_solver(const BlockMatrix& pattern, SolverChoice choice) {
     switch (choice) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A sparse symmetric positive definite matrix of small dense blocks, one row of blocks per joint, and three ways to solve
-// with it. Vectors hold the entries of one joint after those of another.
+// A sparse symmetric positive definite matrix of small dense blocks, one row of blocks per joint, and three ways to
+// solve with it. Vectors hold their entries joint by joint.
 #pragma once
 
 #include <memory>
@@ -31,8 +31,8 @@ struct BlockMatrix {
 class BlockSolver {
   public:
     virtual ~BlockSolver() = default;
-    /// Factors S and answers the smallest pivot relative to the diagonal entry it came from: 0 or less, or NaN, where S is
-    /// not positive definite; then solve() may not be called.
+    /// Factors S and returns the smallest pivot relative to the diagonal entry it came from: 0 or less, or NaN, where S
+    /// is not positive definite; then solve() may not be called.
     virtual Real factor(const BlockMatrix& S) = 0;
     /// Solves S x = b in place.
     virtual void solve(VecX& b) = 0;

@@ -9,7 +9,7 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Bodies and, as the last one, the ground, in sets that grow together.
+/// Disjoint sets of bodies and, as the last element, the ground (union-find).
 class Sets {
   public:
     explicit Sets(const Model& model) : root_(model.bodies.size() + 1) {
@@ -20,7 +20,7 @@ class Sets {
         while (root_[i] != i) i = root_[i] = root_[root_[i]];
         return i;
     }
-    /// False where the two were together already.
+    /// False if the two are in one set already.
     bool unite(int first, int second) {
         const std::size_t a = find(first), b = find(second);
         root_[a] = b;
@@ -44,7 +44,8 @@ std::vector<std::size_t> islands(const Model& model) {
     for (const Joint& joint : model.joints)
         if (joint.first != ground && joint.second != ground) sets.unite(joint.first, joint.second);
     std::vector<std::size_t> island;
-    for (const Joint& joint : model.joints) island.push_back(sets.find(joint.first == ground ? joint.second : joint.first));
+    for (const Joint& joint : model.joints)
+        island.push_back(sets.find(joint.first == ground ? joint.second : joint.first));
     return island;
 }
 

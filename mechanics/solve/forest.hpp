@@ -10,11 +10,12 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// Whether the joint graph, the ground one of its vertices, has no cycle. Then all rows are independent: in an order from the
-/// leaves inwards, each joint meets a body that no later joint touches, and its rows are independent on that body alone.
+/// Whether the joint graph, with the ground as a vertex, has no cycle. Then all rows are independent: in order from the
+/// leaves inwards, each joint has a body that no later joint touches, and its rows are independent on that body.
 bool is_forest(const Model& model);
 
-/// For each joint a moving body that stands for its mechanism: the same for joints that are linked through moving bodies.
+/// For each joint a moving body that represents its mechanism: the same for joints that are linked through moving
+/// bodies.
 std::vector<std::size_t> islands(const Model& model);
 
 /// A body in a forest, with the joint to its parent.

@@ -16,14 +16,14 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Pivots of S are squares of those of M^{-1/2} C^T: below this the rows kept are chosen anew.
+/// Pivots of S are squares of those of M^{-1/2} C^T. Below this, the rows to keep are chosen again.
 const Real doubtful_pivot = Real(1) / 10000000000;
-/// By this share of the terms in its mechanism a row that was left out may be violated by accelerations: drift does so a
-/// little. A row that was kept is met to more digits, or the solve is no solution.
-const Real noticeable = Real(1) / 1000, unmet = Real(1) / 1000000000;
-/// What of scale omega^2 counts as a term where the terms themselves vanish. A small share only: about a symmetry axis a body
-/// spins fast without any acceleration, and beside all of omega^2 a contradiction of its joints would pass unnoticed.
-const Real spinning = Real(1) / 10000;
+/// By how much accelerations may violate a dropped row, relative to the terms in its mechanism: drift violates it
+/// slightly. A kept row is satisfied to more digits, or the solve has failed.
+const Real dropped_row_rel_tol = Real(1) / 1000, kept_row_rel_tol = Real(1) / 1000000000;
+/// Fraction of scale omega^2 that counts as a term where the terms themselves vanish. It is small because a body spins
+/// fast about a symmetry axis without any acceleration: all of omega^2 would hide contradictory joints.
+const Real spin_term_share = Real(1) / 10000;
 
 }  // namespace
 
@@ -97,7 +97,8 @@ MatX JointSolver::transpose(Weigh weigh) const {
     MatX A = MatX::Zero(6 * static_cast<Eigen::Index>(nodes_.size()), matrix_.size);
     for (const End& end : ends_)
         for (int k = 0; k < matrix_.rows[end.joint]; ++k)
-            A.block<6, 1>(6 * static_cast<Eigen::Index>(end.body), at(end.joint, k)) += weigh(end.body, Vec6(end.W->col(k)));
+            A.block<6, 1>(6 * static_cast<Eigen::Index>(end.body), at(end.joint, k)) +=
+                weigh(end.body, Vec6(end.W->col(k)));
     return A;
 }
 
@@ -108,7 +109,7 @@ MatX JointSolver::geometric_transpose() const {
     });
 }
 
-/// Of M^{-1/2} C^T in the rows kept.
+/// Of M^{-1/2} C^T in the kept rows.
 Real JointSolver::condition() const {
     std::vector<Mat3> roots;
     for (const BodyNode& node : nodes_) roots.push_back(node.J.llt().matrixL());
@@ -142,7 +143,7 @@ void JointSolver::assemble() {
     }
     for (Mat6& block : matrix_.diagonal) block.setZero();
     for (Mat6& block : matrix_.lower) block.setZero();
-    for (const Pair& pair : pairs_) {
+    for (const EndPair& pair : pairs_) {
         const End &a = ends_[pair.row_end], &b = ends_[pair.col_end];
         const int rows = matrix_.rows[a.joint], cols = matrix_.rows[b.joint];
         Mat6& block = pair.diagonal ? matrix_.diagonal[pair.block] : matrix_.lower[pair.block];
@@ -150,7 +151,7 @@ void JointSolver::assemble() {
     }
 }
 
-/// Puts unit rows where a row is left out, and factors.
+/// Inserts unit rows for dropped rows, and factors.
 Real JointSolver::factor() {
     assemble();
     if (!complete_) {
@@ -162,7 +163,8 @@ Real JointSolver::factor() {
                 matrix_.diagonal[j](k, k) = 1;
             }
         for (std::size_t e = 0; e < matrix_.entries.size(); ++e) {
-            const auto row = static_cast<std::size_t>(matrix_.entries[e].row), col = static_cast<std::size_t>(matrix_.entries[e].col);
+            const auto row = static_cast<std::size_t>(matrix_.entries[e].row),
+                       col = static_cast<std::size_t>(matrix_.entries[e].col);
             for (int k = 0; k < most_rows; ++k) {
                 if (left_out(row, k)) matrix_.lower[e].row(k).setZero();
                 if (left_out(col, k)) matrix_.lower[e].col(k).setZero();
@@ -172,7 +174,7 @@ Real JointSolver::factor() {
     return solver_->factor(matrix_);
 }
 
-/// As many rows as before, those that are most independent at the present configuration.
+/// As many rows as before: the most independent ones at the present configuration.
 Status JointSolver::choose_again() {
     const MatX A = geometric_transpose();
     if (!A.allFinite()) return Status::non_finite;
@@ -185,7 +187,7 @@ Status JointSolver::choose_again() {
     choice_ = fresh;
     complete_ = choice_.rank == matrix_.size;
     pivot_ = factor();
-    if (pivot_ > 0) return Status::ok;  // doubtful but independent rows are solved with
+    if (pivot_ > 0) return Status::ok;  // nearly dependent rows are used
     singularity_ = "the masses differ so much that the rows kept cannot be told apart in this precision";
     return isfinite(pivot_) ? Status::singular_kkt : Status::non_finite;
 }
@@ -216,7 +218,7 @@ void JointSolver::add_terms(bool bias) {
         for (int k = 0; k < matrix_.rows[end.joint]; ++k) {
             const Eigen::Index row = at(end.joint, k);
             sizes_[row] += end.W->col(k).head<3>().norm() * linear + end.W->col(k).tail<3>().norm() * angular;
-            if (bias) sizes_[row] += spinning * scale_[row] * node.motion.omega.squaredNorm();
+            if (bias) sizes_[row] += spin_term_share * scale_[row] * node.motion.omega.squaredNorm();
         }
     }
     if (bias) sizes_ += bias_.cwiseAbs();
@@ -227,7 +229,7 @@ void JointSolver::compare_terms() {
     for (std::size_t j = 0; j < rows_.size(); ++j)
         for (int k = 0; k < matrix_.rows[j]; ++k)
             largest_[island_[j]] = max(largest_[island_[j]], Real(sizes_[at(j, k)] / scale_[at(j, k)]));
-    // A mechanism at rest beside one that moves has round-off of that for a motion.
+    // In a mechanism at rest beside a moving one, velocities are round-off of that motion.
     Real all = *std::max_element(largest_.begin(), largest_.end());
     for (const BodyNode& node : nodes_) all = max(all, Real(node.motion.omega.squaredNorm()));
     for (Real& largest : largest_) largest = max(largest, Real(epsilon * all));
@@ -248,7 +250,7 @@ bool JointSolver::hold(bool those_kept, const Real& share, const char* what) {
 
 bool JointSolver::left_out_rows_hold() {
     evaluate_residual(true);
-    return hold(false, noticeable, "rows that followed from others at the start are violated: ");
+    return hold(false, dropped_row_rel_tol, "rows that followed from others at the start are violated: ");
 }
 
 bool JointSolver::refine() {
@@ -260,7 +262,8 @@ bool JointSolver::refine() {
     evaluate_residual(false);
     add_terms(false);
     compare_terms();
-    return hold(true, unmet, "rows that depend on each other but for round-off, by position or by the masses, are not met: ");
+    return hold(true, kept_row_rel_tol,
+                "rows that depend on each other but for round-off, by position or by the masses, are not met: ");
 }
 
 Status JointSolver::choose_and_factor() {
@@ -290,7 +293,7 @@ Status JointSolver::react(bool watch) {
 }
 
 /// lambda -= P lambda in rows divided by their scale, P = U U^T the projector onto the null vectors of C^T, which are
-/// (S^{-1} S_k, -1) for each row k left out. The norm of a row of U says how much of that row is not unique.
+/// (S^{-1} S_k, -1) for each dropped row k. The norm of a row of U measures how far that row is from unique.
 void JointSolver::minimise_norm(VecX& lambda) {
     if (complete_) return;
     std::vector<Eigen::Index> left_out;

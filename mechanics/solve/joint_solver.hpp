@@ -42,22 +42,22 @@ class JointSolver {
     JointSolver(const Model& model, SolverChoice choice);
 
     std::vector<BodyNode>& nodes() { return nodes_; }
-    /// From the motions of the nodes to their accelerations under gravity, forces and joints; with the turns of the torsion
-    /// springs and their labels.
+    /// From the motions of the nodes to their accelerations under gravity, forces and joints; with the turns of the
+    /// torsion springs and their labels.
     Status accelerate(const Real& t, const Turns& turns, const Real* labels);
     /// Rows and factors at the motions of the nodes.
     Status prepare(const Real& t);
-    /// Prepared, and with free accelerations in the nodes: makes C a = c hold, c in the order of the joints.
+    /// After preparation, with free accelerations in the nodes: makes C a = c, c in the order of the joints.
     Status constrain(const VecX& c);
-    /// The multipliers of the last solve over the mass unit, in the order of the joints: those of least norm, or zero for the
-    /// rows left out.
+    /// The multipliers of the last solve over the mass unit, in the order of the joints: those of least norm, or zero
+    /// for the dropped rows.
     const VecX& multipliers();
     const VecX& basic_multipliers() const { return lambda_; }
-    /// Prepared: turns multipliers into those of least norm.
+    /// After preparation: turns multipliers into those of least norm.
     void minimise_norm(VecX& lambda);
     /// Smallest pivot of the last factors, relative to its diagonal entry.
     const Real& pivot() const { return pivot_; }
-    /// After multipliers(): whether the null space of C^T leaves a row alone, so that its multiplier is unique.
+    /// After multipliers(): whether the null space of C^T does not touch a row, so that its multiplier is unique.
     bool is_unique(Eigen::Index row) const { return complete_ || share_[row] <= touched; }
     /// kg; forces of `mobility` and `multipliers` are divided by it.
     const Real& mass_unit() const { return mass_unit_; }
@@ -66,8 +66,8 @@ class JointSolver {
     int rows(std::size_t joint) const { return matrix_.rows[joint]; }
     ConstraintRank constraint_rank() const;
     const std::string& singularity() const { return singularity_; }
-    /// Where an iteration beside the prepared configuration has failed: the row that is closest to following from others there, if any is close;
-    /// else nothing.
+    /// After an iteration has failed near the prepared configuration: the row that is closest to depending on others,
+    /// if any is close.
     std::string weakness() const;
 
   private:
@@ -78,26 +78,26 @@ class JointSolver {
         Mat6 mobility = Mat6::Zero();
     };
     /// Two ends on one body, of joints row >= col; the block is that of an entry, or a diagonal one.
-    struct Pair {
+    struct EndPair {
         std::size_t row_end, col_end, block;
         bool diagonal;
     };
 
-    /// A null vector is right to some 1e-9, by which a start may violate its joints; a drifting motion has less.
+    /// A null vector is accurate to about 1e-9, by which a start may violate its joints; under drift to less.
     static inline const Real touched = Real(1) / 1000000;
 
     void connect();
     void choose_rows_at_start();
     void evaluate_rows(const Real& t);
     void assemble();
-    /// Answers the smallest relative pivot.
+    /// Returns the smallest relative pivot.
     Real factor();
     Status choose_again();
     /// a -= M^{-1} C^T lambda with C a + bias = 0; on entry residual_ holds the bias.
     Status react(bool watch);
-    /// Factors, of other rows where the pivots are doubtful.
+    /// Factors, choosing other rows if pivots are doubtful.
     Status choose_and_factor();
-    /// residual_ = bias + C a, zero in rows left out unless they are asked for.
+    /// residual_ = bias + C a, zero in dropped rows unless they are requested.
     void evaluate_residual(bool all_rows);
     /// a -= M^{-1} C^T lambda.
     void apply(const VecX& lambda);
@@ -105,16 +105,16 @@ class JointSolver {
     void add_terms(bool bias);
     /// The largest of sizes_ over scale_ in each mechanism, for its joints.
     void compare_terms();
-    /// One step of iterative refinement, and whether it meets the rows kept.
+    /// One step of iterative refinement, and whether the kept rows are satisfied.
     bool refine();
     bool left_out_rows_hold();
-    /// Whether residual_ is at most a share of the terms of its mechanism in all rows kept, or in all left out. Where not,
+    /// Whether residual_ is at most a share of the terms of its mechanism in all kept, or all dropped, rows. If not,
     /// singularity_ is `what` and the rows.
     bool hold(bool those_kept, const Real& share, const char* what);
     /// C^T of all rows, each wrench on a body as weigh(body, wrench) has it.
     template <class Weigh>
     MatX transpose(Weigh weigh) const;
-    /// Free of units, masses and place: torques over a length of the body.
+    /// Independent of units, masses and place: torques over a length of the body.
     MatX geometric_transpose() const;
     Real condition() const;
     std::string name_row(std::size_t joint, int k) const;
@@ -125,13 +125,13 @@ class JointSolver {
     std::vector<BodyNode> nodes_;
     std::vector<JointRows> rows_;
     std::vector<End> ends_;
-    std::vector<Pair> pairs_;
+    std::vector<EndPair> pairs_;
     BlockMatrix matrix_;
     std::unique_ptr<BlockSolver> solver_;
     Real mass_unit_;
     RowChoice choice_;
-    std::optional<Real> condition_;  // where it was asked for
-    bool complete_ = true;  // no row is left out
+    std::optional<Real> condition_;  // once requested
+    bool complete_ = true;  // no row is dropped
     bool doubtful_ = false;  // the last factors have small pivots
     Real pivot_ = 1;
     std::vector<Real> length_;           // of each body

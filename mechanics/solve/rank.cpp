@@ -31,7 +31,8 @@ RowChoice choose_sparse(const MatX& A, int most) {
     RowChoice choice;
     choice.independent.assign(static_cast<std::size_t>(A.cols()), false);
     choice.rank = min(static_cast<int>(qr.rank()), most);
-    for (int i = 0; i < choice.rank; ++i) choice.independent[static_cast<std::size_t>(qr.colsPermutation().indices()[i])] = true;
+    for (int i = 0; i < choice.rank; ++i)
+        choice.independent[static_cast<std::size_t>(qr.colsPermutation().indices()[i])] = true;
     return choice;
 }
 

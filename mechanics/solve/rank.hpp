@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which constraint rows are independent. Cholesky factors of C M^{-1} C^T cannot tell: they lose half of the digits, and
-// partial pivoting answers a redundant row with a number. A QR factorisation with column pivoting of C^T can, its columns
-// scaled to length 1 [golubvanloan2013, Sec. 5.4]. Rank is a matter of geometry: torques are divided by a length of their
-// body, so that units do not matter, and masses do not enter.
+// Which constraint rows are independent. Cholesky factors of C M^{-1} C^T cannot tell: they lose half of the digits,
+// and partial pivoting gives a number even for a redundant row. A QR factorisation with column pivoting of C^T can, its
+// columns scaled to length 1 [golubvanloan2013, Sec. 5.4]. The rank is geometric: torques are divided by a length of
+// their body, so units do not matter, and masses do not enter.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// Below this ratio of pivots a row counts as dependent: a start may violate its joints by 1e-9, and rows that depend on
-/// each other on the constraints do so only up to such a violation.
+/// Below this ratio of pivots a row counts as dependent: a start may violate its joints by 1e-9, and rows that depend
+/// on each other on the constraints do so only up to such a violation.
 inline const Real dependence = Real(1) / 10000000;
 
 struct RowChoice {

@@ -27,7 +27,7 @@ class GlobalRk4 final : public Integrator {
     }
 
     Status step(const Real& t, const Real& h, Real* y) override {
-        // Coordinates may not depend on every entry of R: one that is no number would be repaired in silence.
+        // Coordinates may not depend on every entry of R: a NaN would be repaired silently.
         if (!Eigen::Map<const VecX>(y, system_.state_group().size()).allFinite()) return Status::non_finite;
         read(y);
         status_ = Status::ok, h_ = h;
@@ -43,7 +43,7 @@ class GlobalRk4 final : public Integrator {
     int stride() const { return translations_ + coordinates_->size(); }
 
     void read(const Real* y) {
-        std::copy(y, y + y_.size(), y_.begin());  // labels that are no poses
+        std::copy(y, y + y_.size(), y_.begin());  // turn labels, which are not part of a pose
         Real* w = w_.data();
         const Real* v = y + system_.group().size();
         for (int i = 0; i < bodies_; ++i, y += translations_ + 9, w += stride()) {

@@ -2,8 +2,8 @@
 //
 // Baseline: the classical fourth-order method on Euler angles, R = R_z(psi) R_x(theta) R_y(phi). The last axis is the
 // spin axis of the heavy top, so a fast spin is harmless; the angles are singular at theta = +-pi/2, body y vertical.
-// A stage within 1/1000 of the singularity, past it, or so near that body y could reach it within the step, ends the step
-// with the status chart_singularity: a long step would jump over it unnoticed, and be wrong from there on.
+// A stage within 1/1000 of the singularity, past it, or so near that body y could reach it within the step, ends the
+// step with the status chart_singularity: a long step could jump over it unnoticed and be wrong afterwards.
 #include "methods/baseline/global_coordinates.hpp"
 
 namespace kreisel {

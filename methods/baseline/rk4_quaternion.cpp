@@ -26,7 +26,8 @@ class Quaternion final : public RotationCoordinates {
             if (squares[i] > squares[pivot]) pivot = i;
         const Real wx = R[5] - R[7], wy = R[6] - R[2], wz = R[1] - R[3];
         const Real xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
-        const Real rows[4][4] = {{squares[0], wx, wy, wz}, {wx, squares[1], xy, xz}, {wy, xy, squares[2], yz}, {wz, xz, yz, squares[3]}};
+        const Real rows[4][4] = {
+            {squares[0], wx, wy, wz}, {wx, squares[1], xy, xz}, {wy, xy, squares[2], yz}, {wz, xz, yz, squares[3]}};
         const Real scale = 2 * sqrt(squares[pivot]);
         for (int i = 0; i < 4; ++i) q[i] = rows[pivot][i] / scale;
     }
@@ -58,10 +59,11 @@ class Quaternion final : public RotationCoordinates {
 
 }  // namespace
 
-KREISEL_METHOD(global_rk4([](const OptionValues& options) {
-                              return std::make_shared<Quaternion>(std::get<bool>(options.at("renormalise")));
-                          },
-                          {{.name = "renormalise", .summary = "divide q by its norm after each step", .standard = true}}),
+KREISEL_METHOD(global_rk4(
+                   [](const OptionValues& options) {
+                       return std::make_shared<Quaternion>(std::get<bool>(options.at("renormalise")));
+                   },
+                   {{.name = "renormalise", .summary = "divide q by its norm after each step", .standard = true}}),
                {.name = "baseline/rk4_quaternion",
                 .order = 4,
                 .cites = {"kutta1901", "ahnert2011"},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a method says of itself, free of `Real`: the driver lists, checks and documents methods from this alone.
+// The description of a method, free of `Real`: the driver lists, checks and documents methods from this alone.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ namespace kreisel {
 using OptionValue = std::variant<std::string, long, bool, double>;
 using OptionValues = std::map<std::string, OptionValue>;
 
-/// An option: which values it takes and which one holds when nothing is said.
+/// An option: which values it takes and its default.
 /// A word must be one of `choices`; a count must lie in [count_min, count_max] (none where count_max < count_min);
 /// a flag is allowed where the default is a flag; a real must lie in [real_min, real_max].
 struct OptionDescription {
@@ -32,7 +32,7 @@ struct OptionDescription {
 struct Order {
     int configuration = 0, velocity = 0, multipliers = 0;
     constexpr Order() = default;
-    constexpr Order(int p) : configuration(p), velocity(p), multipliers(p) {}  // NOLINT: `.order = 4` is how it is written
+    constexpr Order(int p) : configuration(p), velocity(p), multipliers(p) {}  // NOLINT: allows `.order = 4`
     constexpr Order(int q, int v, int l) : configuration(q), velocity(v), multipliers(l) {}
     bool operator==(const Order&) const = default;
 };
@@ -45,14 +45,14 @@ struct MethodDescription {
     int stages = 0;  ///< solves of the dynamics per step; of an implicit method, its implicit stages, if it has such
     bool implicit = false;
     bool symmetric = false;
-    /// Multipliers are unknowns of a step, which meets positions and velocities of the constraints by itself: nothing
-    /// is left to project, and its memory would not survive it.
+    /// Multipliers are unknowns of a step, which satisfies the constraints on positions and velocities by itself:
+    /// nothing is left to project, and a projection would invalidate its memory.
     bool own_multipliers = false;
-    /// Commutes with rigid motions of space, to round-off, as every method formulated on the group does. Not so where
+    /// Commutes with rigid motions of space, to round-off, as every method formulated on the group does. False if
     /// coordinates prefer directions of space.
     bool equivariant = true;
     std::vector<OptionDescription> options = {};
-    std::vector<std::string> formulations = {};  ///< where it applies; empty: everywhere
+    std::vector<std::string> formulations = {};  ///< formulations where it applies; empty: all
 };
 
 struct ProjectionDescription {
@@ -60,7 +60,7 @@ struct ProjectionDescription {
     std::string summary;
     std::vector<std::string> cites;
     std::vector<OptionDescription> options = {};
-    std::vector<std::string> formulations = {};  ///< where it applies; empty: everywhere
+    std::vector<std::string> formulations = {};  ///< formulations where it applies; empty: all
     /// The levels of the constraints that hold after it, Phi = 0 and C v + b = 0.
     bool positions = false, velocities = false;
     /// Needs the rows in ambient coordinates (System::has_ambient_jacobian).
@@ -73,7 +73,7 @@ struct OptionError : std::invalid_argument {
     OptionError(std::string name, const std::string& what) : std::invalid_argument(what), option(std::move(name)) {}
 };
 
-/// `given`, and the defaults of the options that it does not name. Throws OptionError for an option that there is not.
+/// `given`, and the defaults of the options that it does not name. Throws OptionError for an unknown option.
 inline OptionValues with_defaults(OptionValues given, const std::vector<OptionDescription>& options) {
     for (const OptionDescription& option : options) given.insert({option.name, option.standard});
     if (given.size() == options.size()) return given;

@@ -26,7 +26,7 @@ class TurnCounting final : public Integrator {
         status = system_.end_step(status, t + h, y);
         if (status == Status::ok) return status;
         std::copy(before_.begin(), before_.end(), y);
-        if (moved) method_->start(t, y);  // its memory is of a step that does not count
+        if (moved) method_->start(t, y);  // its memory is of a rejected step
         return status;
     }
 

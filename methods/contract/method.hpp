@@ -25,7 +25,7 @@ struct Scheme {
     Tableau tableau;
 };
 
-/// What makes the integrators of a method. Whoever runs one asks Method::bind for it: `make` alone knows nothing of the turns
+/// Makes the integrators of a method. Use Method::bind to get one: `make` by itself does not handle the turns
 /// that torsion springs count.
 struct Factory {
     std::function<std::unique_ptr<Integrator>(System&, const OptionValues&, const MethodDescription&)> make;
@@ -33,9 +33,8 @@ struct Factory {
     int stages = 0;  ///< solves of the dynamics per step
     std::optional<Scheme> scheme = {};
     /// The order under given options, where it is not the declared one.
-    std::function<Order(const OptionValues&, const Order& declared)> order = [](const OptionValues&, const Order& declared) {
-        return declared;
-    };
+    std::function<Order(const OptionValues&, const Order& declared)> order =
+        [](const OptionValues&, const Order& declared) { return declared; };
     /// Why a combination of options does not apply; empty if it does.
     std::function<std::string(const OptionValues&)> why_not = [](const OptionValues&) { return std::string(); };
 };
@@ -44,7 +43,7 @@ struct Method {
     MethodDescription description;
     Factory factory;
     std::string file;
-    /// The method on a system, which outlives the integrator. Where torsion springs count full turns, a step can answer
+    /// The method on a system, which outlives the integrator. Where torsion springs count full turns, a step can return
     /// turn_lost (mechanics/forces/turns.hpp).
     std::unique_ptr<Integrator> bind(System& system, const OptionValues& options) const;
 };
@@ -53,7 +52,8 @@ const std::vector<Method>& methods();
 /// Throws std::out_of_range for an unknown name.
 const Method& method(const std::string& name);
 
-/// Records a method; a static object of this type is what KREISEL_METHOD declares. What can throw is checked on first use.
+/// Records a method; a static object of this type is what KREISEL_METHOD declares. What can throw is checked on first
+/// use.
 struct MethodRegistration {
     MethodRegistration(const char* file, Factory factory, MethodDescription description);
 };

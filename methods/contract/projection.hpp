@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Projections onto the constraints, applied after a step of any one-step method; registered like methods, one file each.
+// Projections onto the constraints, applied after a step of any one-step method; registered like methods, one file
+// each.
 #pragma once
 
 #include <functional>

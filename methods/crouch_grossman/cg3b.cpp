@@ -17,10 +17,11 @@ static const Tableau cg3b{
     .b = {1, {-2, 3}, {2, 3}},
 };
 
-KREISEL_METHOD(crouch_grossman(cg3b), {.name = "crouch_grossman/cg3b",
-                                       .order = 3,
-                                       .cites = {"crouchgrossman1993"},
-                                       .summary = "Crouch-Grossman method of order 3 with three stages, large coefficients"});
+KREISEL_METHOD(crouch_grossman(cg3b),
+               {.name = "crouch_grossman/cg3b",
+                .order = 3,
+                .cites = {"crouchgrossman1993"},
+                .summary = "Crouch-Grossman method of order 3 with three stages, large coefficients"});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -25,7 +25,8 @@ class CrouchGrossman final : public Integrator {
         for (std::size_t i = 0; i < tableau_.a.size(); ++i) {
             std::copy_n(y, stage_.size(), stage_.begin());
             append_product(tableau_.a[i], h, stage_.data());
-            const Status status = system_.vector_field(t + tableau_.c[i] * h, stage_.data(), slopes_.data() + i * factor_.size());
+            const Status status =
+                system_.vector_field(t + tableau_.c[i] * h, stage_.data(), slopes_.data() + i * factor_.size());
             if (status != Status::ok) return status;
         }
         append_product(tableau_.b, h, y);

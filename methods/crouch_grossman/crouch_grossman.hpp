@@ -5,7 +5,8 @@
 //   y_i = y_n exp(h a_i1 K_1) ... exp(h a_i,i-1 K_{i-1}),   K_i = F(t_n + c_i h, y_i),
 //   y_{n+1} = y_n exp(h b_1 K_1) ... exp(h b_s K_s).
 // Trap: the literature writes Y' = A(Y) Y, where the same products stand in reverse. Reversed stage products leave CG3a
-// at order 3, where no order test sees them, and lower CG4a to 3; rows given backwards (a_ij to stage i - j) lower it to 2.
+// at order 3, where no order test sees them, and lower CG4a to 3; rows given backwards (a_ij to stage i - j) lower it
+// to 2.
 #pragma once
 
 #include "methods/contract/method.hpp"

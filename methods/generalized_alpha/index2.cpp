@@ -7,7 +7,7 @@
 //   M v'+ + C^T lambda+ = Q,   Phi(q+) = 0,   C(q+) v+ + b = 0,
 // with alpha_m = (2 rho - 1)/(rho + 1), alpha_f = rho/(rho + 1), gamma = 1/2 + alpha_f - alpha_m and
 // beta = (gamma + 1/2)^2 / 4 [chunghulbert1993]. Option `rho`: spectral radius at infinite frequency; 0 damps most, and
-// with 1 nothing damps the multipliers, which then do not converge.
+// with 1 the multipliers are undamped and do not converge.
 // The auxiliary a is v' at t + (alpha_m - alpha_f) h. So it starts as v'(0) + (alpha_m - alpha_f) h v''(0); any other
 // start costs an order in the first steps [arnold2016]. v'' is the central difference of the index-1 v' along the flow
 // over h/8: its error is O(h^2), its round-off in a stays some eps v'. A change of h starts the method afresh.

@@ -65,7 +65,7 @@ void InverseJacobian::add(const VecX& u, const VecX& p, Eigen::Index keep) {
     while (static_cast<Eigen::Index>(order_.size()) > min(keep, u_.cols() - 1)) drop_oldest();
 }
 
-/// H -= u w^T for the oldest pair, w being what of its p is orthogonal to those of the others.
+/// H -= u w^T for the oldest pair, w being the part of its p orthogonal to the others.
 void InverseJacobian::drop_oldest() {
     auto p = p_.col(order_.front());
     const auto u = u_.col(order_.front());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// H = I + sum u_i p_i^T, an approximate inverse of a Jacobian J near the identity, from pairs with J s = p that came up one
-// after another: each update makes H p = s hold and leaves H as it was on all that is orthogonal to p (Broyden's second
-// method [broyden1965]; several orthogonal p at a time make it Anderson's mixing [fangsaad2009]).
+// H = I + sum u_i p_i^T, an approximate inverse of a Jacobian J near the identity, from pairs with J s = p that come
+// one after another: each update makes H p = s hold and leaves H as it was on all that is orthogonal to p (Broyden's
+// second method [broyden1965]; several orthogonal p at a time make it Anderson's mixing [fangsaad2009]).
 // Few unknowns keep the matrix; many keep the last pairs, whose number does not grow with the unknowns.
 #pragma once
 
@@ -15,16 +15,16 @@ inline namespace KREISEL_PRECISION {
 
 class InverseJacobian {
   public:
-    /// At most `most` pairs where pairs are kept.
+    /// Keeps at most `most` pairs, if it keeps pairs.
     InverseJacobian(Eigen::Index unknowns, Eigen::Index most);
 
     void clear();
-    /// Whether it keeps the matrix, and thus forgets no pair.
+    /// Whether it keeps the matrix, and thus every pair.
     bool keeps_all() const { return u_.cols() == 0; }
     /// out = H r; other storage than r.
     void apply(const VecX& r, VecX& out) const;
-    /// H += u p^T with |p| = 1. Where more pairs than `keep` would be kept, the oldest one goes, what it knows of the
-    /// directions of younger ones being left to them.
+    /// H += u p^T with |p| = 1. If more than `keep` pairs would be kept, the oldest is dropped, but what it knows of
+    /// the directions of younger ones is passed on to them.
     void add(const VecX& u, const VecX& p, Eigen::Index keep);
 
   private:

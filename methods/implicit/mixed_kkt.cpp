@@ -33,7 +33,7 @@ Status MixedKkt::solve(const Configuration& transposed, const Configuration& row
         if (status != Status::ok) return status;
         const Real now = scale_.of_velocity(correction_.data());
         const Real size = max(scale_.of_velocity(a), scale_.of_impulse(f)) + now;
-        // A correction that no longer falls is round-off, or will not end.
+        // A correction that no longer decreases is round-off, or the iteration will not converge.
         const bool stands = previous > 0 && 2 * now > previous;
         if (now <= epsilon * size || (stands && now <= 4096 * system_.kkt_round_off() * size)) return Status::ok;
         previous = now;

@@ -22,8 +22,9 @@ struct Configuration {
 class MixedKkt {
   public:
     explicit MixedKkt(System& system);
-    /// lambda (m) is the guess on entry; where rows are redundant the rows left out keep theirs. Answers newton_failed where
-    /// the configurations are too far apart for the iteration, and whatever the solves answer. Leaves (t_2, q_2) prepared.
+    /// lambda (m) is the guess on entry; where rows are redundant dropped rows keep theirs. Returns newton_failed if
+    /// the configurations are too far apart for the iteration, or the status of a failed solve. Leaves (t_2, q_2)
+    /// prepared.
     Status solve(const Configuration& transposed, const Configuration& rows, const Real* f, const Real* c, Real* a,
                  Real* lambda);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What round-off in the velocities of a step is relative to, free of units: the mass metric makes metres per second and
-// radians per second comparable. Weights are taken relative to the first coordinate, so that units of length, mass and
-// time which are powers of two change no bit of a comparison.
+// What round-off in the velocities of a step is relative to, independent of units: the mass metric makes metres per
+// second and radians per second comparable. Weights are taken relative to the first coordinate, so that units of
+// length, mass and time which are powers of two change no bit of a comparison.
 #pragma once
 
 #include <vector>
@@ -13,12 +13,12 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// w_i = sqrt(M_ii / M_11): with it w_i |v_i| are sizes of one unit, that of the first velocity coordinate.
+/// w_i = sqrt(M_ii / M_11): all w_i |v_i| have one unit, that of the first velocity coordinate.
 class MotionScale {
   public:
     explicit MotionScale(System& system);
 
-    /// The weights at q: once where the mass is constant. `forget` takes them again.
+    /// The weights at q: computed once. `forget` makes it compute them again.
     void weigh(const Real* q);
     void forget() { known_ = false; }
     const VecX& weights() const { return weights_; }
@@ -30,10 +30,10 @@ class MotionScale {
     void from_space(const Real* q, const Real* turned, Real* v) const;
     /// Largest w_i |v_i|.
     Real of_velocity(const Real* v) const;
-    /// Largest |p_i| / (w_i M_11), of the velocity that an impulse p makes of rest.
+    /// Largest |p_i| / (w_i M_11), of the velocity that an impulse p causes from rest.
     Real of_impulse(const Real* p) const;
-    /// Size of a motion within h: of its velocity, and of what the forces alone would make of rest, because at equilibrium v
-    /// and v' are round-off themselves, of terms that cancel.
+    /// Size of a motion within h: of its velocity, and of the one the forces would cause from rest, because at
+    /// equilibrium v and v' are round-off themselves, of terms that cancel.
     Real of_motion(const Real& t, const Real& h, const Real* y);
 
   private:

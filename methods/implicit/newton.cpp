@@ -8,14 +8,14 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Directions that are kept of the last steps, and at most, of a stiff system: all there are, unless unknowns are many.
+/// Directions kept from the last steps, and the maximum for a stiff system: all, unless there are many unknowns.
 constexpr Eigen::Index few_directions = 8, many_unknowns = 512, most_directions = 64;
 Eigen::Index directions(Eigen::Index unknowns) { return unknowns <= many_unknowns ? unknowns : most_directions; }
-/// Steps of any kind, and Newton steps, before the iteration is given up.
+/// Maximum number of steps of any kind, and of Newton steps.
 constexpr int most_iterations = 400, most_probes = 40;
-/// Of a Jacobian that is the identity where nothing is stiff.
+/// Bound on the Jacobian, which is near the identity where nothing is stiff.
 constexpr int large_gain = 8, steep = 256;
-/// In round-offs: what counts as none, as one that has stopped falling, and as too small to tell a direction.
+/// In units of round-off: a converged correction, one that no longer decreases, and one too small to give a direction.
 constexpr int close = 8, stagnant = 4096, noisy = 1 << 10;
 
 const Real root_of_epsilon = sqrt(epsilon);
@@ -76,7 +76,7 @@ Status Newton::evaluate(Equations& equations, VecX& r) {
 Status Newton::iterate(Equations& equations) {
     directions_ = 0;
     if (const Status status = move(equations); status != Status::ok) return status;
-    // Of the guess: without a solution the iteration runs off to where any residual is small beside the unknowns.
+    // Size of the guess: without a solution the iteration runs off to where any residual is small beside the unknowns.
     const Real known_to = close * round_off_ * size_;
     Real now = largest(g_), before = 0;  // none yet
     keep_best();
@@ -87,7 +87,7 @@ Status Newton::iterate(Equations& equations) {
         if (converged(now, before, still, newton_step)) return Status::ok;
         newton_step = slow > (stiff_ ? 0 : 2);
         if (newton_step) {
-            if (probes++ == 0) H_.clear();  // what it knows has not helped
+            if (probes++ == 0) H_.clear();  // the known directions have not helped
             slow = 0;
             if (const Status status = probe(equations); status != Status::ok) return status;
             now = largest(g_);
@@ -140,7 +140,7 @@ Status Newton::move(Equations& equations) {
 void Newton::keep_best() { best_x_ = x_, best_r_ = r_, best_size_ = size_; }
 
 bool Newton::converged(const Real& now, const Real& before, int still, bool newton_step) const {
-    // A Jacobian that is large where no solution is makes corrections small, but not the residual.
+    // Away from a solution a large Jacobian makes corrections small, but not the residual.
     const Real most = min(max(root_of_epsilon, Real(stagnant * gain_ * round_off_)), Real(1) / 1024);
     if (!(residual_ <= most * size_)) return false;
     if (now <= close * epsilon * size_) return true;
@@ -175,7 +175,7 @@ Real Newton::orthonormalise(int share) {
     return length;
 }
 
-/// Those of some steps suffice, but for a stiff system.
+/// Directions of a few steps suffice, except for a stiff system.
 Eigen::Index Newton::keep() const {
     return stiff_ || H_.keeps_all() ? group_.cols() : min(few_directions, group_.cols());
 }
@@ -221,7 +221,7 @@ Status Newton::probe(Equations& equations) {
     }
     H_.apply(rest_, g_);
     g_ += newton_step_;
-    stiff_ = gain_ > large_gain;  // else it was an odd step, and learning goes on
+    stiff_ = gain_ > large_gain;  // else it was an outlier, and updates go on
     return Status::ok;
 }
 

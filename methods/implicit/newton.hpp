@@ -29,7 +29,7 @@ class Equations {
     virtual Status residual(const Real* x, Real* r) = 0;
     /// After `residual`: size of the weighted unknowns, what their round-off is relative to.
     virtual Real size() const = 0;
-    /// Relative round-off of a residual: eps by the condition of what it solves.
+    /// Relative round-off of a residual: eps times the condition of its solves.
     virtual Real round_off() const { return epsilon; }
 };
 
@@ -38,13 +38,13 @@ class Newton {
     explicit Newton(Eigen::Index unknowns);
 
     /// Solves r(x) = 0 from the guess x, in place; `weights` (positive, one per unknown) are to stay the same until
-    /// `forget`. Has converged when the correction to x, the last one evaluated, is some round-off, or some thousand and no
-    /// longer falls. Answers `non_finite` where the first residual is not a number, and `newton_failed` where the iteration
-    /// does not converge; x is then of no use.
+    /// `forget`. Converged if the last correction to x is a few units of round-off, or a few thousand and no
+    /// longer decreasing. Returns `non_finite` if the first residual is not finite, and `newton_failed` if the
+    /// iteration does not converge; x is then meaningless.
     Status solve(Equations& equations, const VecX& weights, Real* x);
-    /// Drops what is known of the Jacobian.
+    /// Discards all information on the Jacobian.
     void forget();
-    /// Whether it has needed Newton steps: what changes fast is no matter for polynomials then.
+    /// Whether it has needed Newton steps: the solution then changes too fast for polynomial prediction.
     bool stiff() const { return stiff_; }
 
   private:
@@ -58,7 +58,7 @@ class Newton {
     Status difference(Equations& equations, const Real& step);
     /// u_ = -(1/|p|) g where p_ = r - before_ is new; H p = s then holds for the step s that has led from before_ to r.
     void learn_from_step(const Real& noise);
-    /// p_ less its part in the directions of this solve, normalised; its length before, or 0 where too little is left.
+    /// p_ less its part in the directions of this solve, normalised; its length before, or 0 if too little is left.
     Real orthonormalise(int share);
     Eigen::Index keep() const;
     void keep_best();
@@ -66,7 +66,7 @@ class Newton {
     Status move(Equations& equations);
 
     InverseJacobian H_;
-    bool stiff_ = false;           // has needed a Newton step: H is that of such steps
+    bool stiff_ = false;           // has needed a Newton step, and H comes from such steps
     Real gain_ = 1;                // of the Jacobian, by largest entries
     Eigen::Index directions_ = 0;  // found in this solve
     const VecX* weights_ = nullptr;

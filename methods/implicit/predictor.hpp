@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The next value of a vector guessed from equidistant earlier ones, by a polynomial through the last d + 1 of them: the sum
-// of the backward differences up to the d-th. Of these the next difference is the error, so that the degree is chosen that
+// The next value of a vector guessed from equidistant earlier ones, by a polynomial through the last d + 1 of them: the
+// sum of the backward differences up to the d-th. The next difference is the error, so the degree is chosen that
 // would have guessed the last value best.
 #pragma once
 
@@ -21,7 +21,7 @@ class Predictor {
 
     void clear() { known_ = 0; }
     bool empty() const { return known_ == 0; }
-    /// The value that has come.
+    /// Appends a new value.
     void push(const VecX& value);
     /// The degree that would have guessed it best; errors are compared by the largest of their first entries, which are of
     /// one unit.

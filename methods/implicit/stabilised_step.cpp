@@ -51,7 +51,7 @@ Status StabilisedStep::start(const Real& t, const Real& h, const Real* y) {
     return measure_positions(t, y);
 }
 
-/// The largest velocity times h that repairs rows off by the size of their terms.
+/// The largest velocity times h that corrects rows whose residual is the size of their terms.
 Status StabilisedStep::measure_positions(const Real& t, const Real* q) {
     reach_ = 0, remoteness_ = 1;
     if (positions_ == 0) return Status::ok;
@@ -97,7 +97,7 @@ Status StabilisedStep::advance(const Real& t, const Real& h, Real* y) {
     guess();
     if (const Status status = solve(); status != Status::ok) {
         const Status cause = status == Status::newton_failed ? find_cause() : status;
-        std::copy_n(y, configuration_.size(), configuration_.begin());  // where the multipliers belong
+        std::copy_n(y, configuration_.size(), configuration_.begin());  // where the multipliers act
         end_ = t;
         return cause;
     }
@@ -120,7 +120,7 @@ Status StabilisedStep::solve() {
     return newton_.solve(*this, weights_, turned_.data());
 }
 
-/// An iteration fails beside poses in which rows lose rank. Where the guess is one, the system names the joints.
+/// An iteration fails near poses in which rows lose rank. If the guess is such a pose, the system names the joints.
 Status StabilisedStep::find_cause() {
     guess();
     take(turned_.data());
@@ -164,8 +164,8 @@ Real StabilisedStep::position_defect() {
     return rows_.head(positions_).cwiseQuotient(lengths_.head(positions_)).cwiseAbs().maxCoeff();
 }
 
-/// The last guess fulfils Phi = 0, and x' of its solve C v + b = 0 at the same configuration, which is solved for once more
-/// where the solve loses digits. Where something is stiff, x' has the round-off of large forces: then x is known better.
+/// The last guess satisfies Phi = 0, and x' of its solve C v + b = 0 at the same configuration; that solve is repeated
+/// if it loses digits. In stiff systems x' has the round-off of large forces, and x is more accurate.
 Status StabilisedStep::settle_rate() {
     shift_ = unknowns_.head(n_) - rate_;
     const bool stiff = scale_.of_velocity(shift_.data()) > 64 * round_off() * size_;
@@ -181,7 +181,7 @@ Status StabilisedStep::settle_rate() {
     return status;
 }
 
-/// Weights of e follow the ratio of motion and place in large steps, so that what the iteration has learnt stays valid.
+/// Weights of e follow the ratio of motion and place in large steps, so that the iteration's Jacobian stays valid.
 void StabilisedStep::balance() {
     constexpr int much = 1024;
     const Real size = max(size_, speed_), place = reach_ / abs(h_), least = epsilon;

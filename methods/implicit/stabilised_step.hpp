@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What implicit methods with multipliers share: the end of a step from the stabilised index-2 form of the equations of
-// motion [gear1985], [arnold2016]. A method says how velocity and increment depend on x = h v' at the end,
+// motion [gear1985], [arnold2016]. A method specifies how velocity and increment depend on x = h v' at the end,
 //   v+ = a x + v^,   q+ = q exp(h D),   D = b x + D^ - M^{-1} C(q)^T eta,
 // and at t+ = t + h
 //   h (M v'+ + C^T lambda - Q) = 0,   Phi(t+, q+) = 0,   C(t+, q+) v+ + b(t+, q+) = 0.
-// The literature's term is C^T eta, which takes metres and radians as equal: with levers of hundreds of metres it repairs
-// positions by turning bodies. In the metric of the mass it is free of units; eta vanishes along the exact flow, so that the
-// orders are the same. Rows without a position level have no Phi: for them C(q+) M^{-1} C(q)^T eta = 0.
+// The literature's term is C^T eta, which equates metres and radians: with levers of hundreds of metres it corrects
+// positions by turning bodies. In the mass metric it is independent of units; eta vanishes along the exact flow, so the
+// orders are unchanged. Rows without a position level have no Phi: for them C(q+) M^{-1} C(q)^T eta = 0.
 //
-// Unknowns of the iteration are x and eta. A guess gives q+, v+ and the forces there, and with one factorisation of the KKT
-// matrix at (t+, q+) two solves give the next one,
+// Unknowns of the iteration are x and eta. A guess gives q+, v+ and the forces there, and with one factorisation of the
+// KKT matrix at (t+, q+) two solves give the next one,
 //   [M C+^T; C+ 0] (x', h lambda) = (h Q, -(b+ + C+ v^) / a),
 //   [M C+^T; C+ 0] (., eta - eta') = (0, C+ b (x' - x) + Phi / h),
 // a contraction by O(h) where nothing is stiff; methods/implicit/newton.hpp takes it from there. Nothing of this is
@@ -36,9 +36,9 @@ class StabilisedStep final : private Equations {
     Real velocity_slope, increment_slope;
     VecX velocity_offset, increment_offset;
 
-    /// Fresh guesses from the index-1 form at (t, y); drops whatever earlier steps have left. `rate` becomes h v'.
+    /// Fresh guesses from the index-1 form at (t, y); discards the memory of earlier steps. `rate` becomes h v'.
     Status start(const Real& t, const Real& h, const Real* y);
-    /// y(t) -> y(t + h) in place; y stays as it was unless the answer is ok.
+    /// y(t) -> y(t + h) in place; y is unchanged unless the status is ok.
     Status advance(const Real& t, const Real& h, Real* y);
 
     const VecX& rate() const { return rate_; }            ///< h v' at the end of the last step, or at the start
@@ -89,8 +89,8 @@ class StabilisedStep final : private Equations {
     std::vector<Real> configuration_;
     Real start_ = 0, end_ = 0, h_ = 0, speed_ = 0, size_ = 0;
     Real reach_ = 0;       // size of positions (m), as a size of unknowns times h
-    Real remoteness_ = 1;  // size of positions over that of the joints: what round-off of places makes of directions
-    Real balance_ = 0;     // weight of eta beside x: what it moves is known to round-off of reach / h only
+    Real remoteness_ = 1;  // size of positions over that of the joints: how round-off of places affects directions
+    Real balance_ = 0;     // weight of eta beside x: what it corrects is known only to round-off of reach / h
     const Real* q_ = nullptr;
     long steps_ = 0;
 };

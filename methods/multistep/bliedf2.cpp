@@ -4,7 +4,7 @@
 // [wieloch2021]: with the increments D of q+ = q exp(h D),
 //   v+ = 3/2 (D + M^{-1} C(q)^T eta) - 1/2 D_previous,   h v'+ = 3/2 v+ - 2 v + 1/2 v_previous,
 //   M v'+ + C^T lambda+ = Q,   Phi(q+) = 0,   C(q+) v+ + b = 0.
-// Order 2 needs no bracket: D is the velocity in the middle of its step up to O(h^2).
+// No bracket is needed for order 2: D is the velocity in the middle of its step up to O(h^2).
 // Own start: one step of rkmk/rk4 from (t, y) by -h gives v_previous and, by D_previous = log(q_previous^-1 q) / h, the
 // increment that led to q; the index-1 form keeps both on the constraints up to O(h^5). A change of h starts afresh.
 #include "mechanics/system.hpp"

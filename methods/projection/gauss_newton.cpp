@@ -12,8 +12,8 @@ namespace {
 
 constexpr int most_iterations = 25;
 
-/// A row is at round-off below this share of its terms. Iterations that no longer halve the largest row have met it too, if
-/// what is left is at most `stagnation` of what places are known to; otherwise they do not converge.
+/// A row is at round-off below this fraction of its terms. Iterations that no longer halve the largest row have
+/// converged too, if it is at most `stagnation` of the round-off of places; otherwise they have failed.
 const Real round_off = 4 * epsilon, stagnation = 1000 * round_off;
 
 bool all_finite(const std::vector<Real>& values) {
@@ -40,8 +40,8 @@ Real GaussNewtonProjection::relative_residual() const {
     return largest;
 }
 
-/// Where the mechanism is far away, a row that follows from others is known as well only as they are, relative to their
-/// scales: those that compare directions too.
+/// Where the mechanism is far from the origin, a redundant row is known only as well as the others, relative to their
+/// scales; this includes rows that compare directions.
 bool GaussNewtonProjection::stands_still() const {
     Real remoteness = 1;
     for (std::size_t i = 0; i < terms_.size(); ++i) remoteness = max(remoteness, Real(terms_[i] / scale_[i]));

@@ -16,7 +16,8 @@ class GaussNewtonProjection : public Projection {
     explicit GaussNewtonProjection(System& system);
 
   protected:
-    /// q <- q exp(delta) until each row of Phi is at round-off of its own terms; projection_failed where that is not met.
+    /// q <- q exp(delta) until each row of Phi is at round-off of its own terms; projection_failed if that is not
+    /// reached.
     Status project_position(const Real& t, Real* y);
     /// v <- v + delta with C v + b = 0; linear, so one solve.
     Status project_velocity(const Real& t, Real* y);

@@ -16,8 +16,12 @@ class PositionProjection final : public GaussNewtonProjection {
 
 }  // namespace
 
-KREISEL_PROJECTION({.name = "position", .summary = "positions onto Phi = 0, mass-weighted Gauss-Newton with group updates; velocities as they are", .cites = {"eich1993"}, .positions = true},
-                   [](System& system, const OptionValues&) { return std::make_unique<PositionProjection>(system); });
+KREISEL_PROJECTION(
+    {.name = "position",
+     .summary = "positions onto Phi = 0, mass-weighted Gauss-Newton with group updates; velocities as they are",
+     .cites = {"eich1993"},
+     .positions = true},
+    [](System& system, const OptionValues&) { return std::make_unique<PositionProjection>(system); });
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

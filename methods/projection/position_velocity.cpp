@@ -17,8 +17,14 @@ class PositionVelocityProjection final : public GaussNewtonProjection {
 
 }  // namespace
 
-KREISEL_PROJECTION({.name = "position_velocity", .summary = "positions first, then velocities at the new position; mass-weighted, group updates", .cites = {"eich1993"}, .positions = true, .velocities = true},
-                   [](System& system, const OptionValues&) { return std::make_unique<PositionVelocityProjection>(system); });
+KREISEL_PROJECTION({.name = "position_velocity",
+                    .summary = "positions first, then velocities at the new position; mass-weighted, group updates",
+                    .cites = {"eich1993"},
+                    .positions = true,
+                    .velocities = true},
+                   [](System& system, const OptionValues&) {
+                       return std::make_unique<PositionVelocityProjection>(system);
+                   });
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -6,8 +6,9 @@
 // the rows g at z = (p, v): [W G^T; G 0] [delta; mu] = [W (z^ - z); -g].
 // Option `weight`: `identity`, or `mass`: the mass matrix for v, m for x, and for R the metric tr(dR D dR^T) with
 // D = tr(J)/2 I - J, which is J on tangential dR = R hat(theta). D may be singular (a flat body), W then is too; the
-// whole matrix is not, because G fixes those directions. Hence a pivoted LU of it and not a Schur complement in W. Either
-// weight adds metres to seconds: how a correction is shared between positions and velocities depends on the unit of time.
+// whole matrix is not, because G fixes those directions. Hence a pivoted LU of it and not a Schur complement in W.
+// Either weight adds metres to seconds: how a correction is shared between positions and velocities depends on the unit
+// of time.
 #include <Eigen/LU>
 
 #include "mechanics/system.hpp"
@@ -61,14 +62,14 @@ class TerzeProjection final : public Projection {
             if (!residual_.allFinite()) return Status::non_finite;
             const Real residual = relative_residual(y);
             const bool on_rows = residual <= tolerance;
-            // At round-off the rows stop falling; above it that means no convergence.
+            // At round-off the rows stop decreasing; above it that means no convergence.
             const bool still = 2 * residual > residual_before && residual <= 100 * tolerance;
-            // Steps shrink at a linear rate along the rows, where the multipliers bend them: the nearest state is met later
-            // than the rows.
+            // Steps shrink at a linear rate along the rows, due to the curvature times the multipliers: the nearest
+            // state is reached later than the rows.
             const bool nearest = step * step <= tolerance * step_before || 2 * step > step_before;
             if ((on_rows || still) && nearest) return Status::ok;
             residual_before = residual;
-            shift_ = (start_ - z).cwiseQuotient(column_unit_);  // in a product it would be evaluated into memory of its own
+            shift_ = (start_ - z).cwiseQuotient(column_unit_);  // in a product it would be evaluated into a temporary
             rhs_.head(unknowns_).noalias() = weight_ * shift_;
             rhs_.tail(rows_) = -residual_.cwiseProduct(row_unit_);
             lu_.compute(kkt_);
@@ -82,8 +83,8 @@ class TerzeProjection final : public Projection {
     }
 
   private:
-    /// Largest row: position rows relative to their terms, velocity rows to the fastest motion of their arm, orthogonality
-    /// rows as they are.
+    /// Largest row: position rows relative to their terms, velocity rows to the fastest motion of their arm,
+    /// orthogonality rows as they are.
     Real relative_residual(const Real* y) const {
         const Eigen::Index m = system_.constraints();
         Real linear = 0, angular = 0;
@@ -98,7 +99,8 @@ class TerzeProjection final : public Projection {
         return largest;
     }
 
-    /// Largest entry of the last solution: places over the unit of length, R as it is, velocities to the fastest of them.
+    /// Largest entry of the last solution: places over the unit of length, R as it is, velocities to the fastest of
+    /// them.
     Real relative_step(const Real* y) const {
         const auto velocities = Eigen::Map<const VecX>(y, unknowns_).tail(unknowns_ - configuration_);
         const Real rate = velocities.cwiseQuotient(column_unit_.tail(velocities.size())).lpNorm<Eigen::Infinity>();
@@ -107,7 +109,7 @@ class TerzeProjection final : public Projection {
         return rate > 0 ? max(placed, Real(moved / rate)) : placed;
     }
 
-    /// Powers of two that make the matrix nearly free of units, so that pivoting compares what is comparable: lengths over
+    /// Powers of two that make the matrix nearly free of units, so that pivoting compares like with like: lengths over
     /// one of the mechanism, and masses over one of its masses.
     void set_units(bool mass_weighted) {
         if (row_scale_.size() == 0) return;
@@ -156,7 +158,8 @@ class TerzeProjection final : public Projection {
             const Mat3 J = M.bottomRightCorner<3, 3>();
             const Mat3 D = J.trace() / 2 * Mat3::Identity() - J;
             for (int j = 0; j < 3; ++j)
-                for (int k = 0; k < 3; ++k) weight_.block<3, 3>(x + 3 + 3 * j, x + 3 + 3 * k) = D(j, k) * Mat3::Identity();
+                for (int k = 0; k < 3; ++k)
+                    weight_.block<3, 3>(x + 3 + 3 * j, x + 3 + 3 * k) = D(j, k) * Mat3::Identity();
             weight_.block<6, 6>(configuration_ + 6 * body, configuration_ + 6 * body) = M;
         }
     }
@@ -173,20 +176,21 @@ class TerzeProjection final : public Projection {
 
 }  // namespace
 
-KREISEL_PROJECTION({.name = "terze",
-                    .summary = "the seed's projection: positions and velocities jointly, R in R^{3x3} with orthogonality rows",
-                    .cites = {"terzezlatarmueller"},
-                    .options = {{.name = "weight",
-                                 .summary = "norm of the minimisation",
-                                 .standard = "identity",
-                                 .choices = {"identity", "mass"}}},
-                    .formulations = {"SO3xR3"},
-                    .positions = true,
-                    .velocities = true,
-                    .ambient = true},
-                   [](System& system, const OptionValues& options) {
-                       return std::make_unique<TerzeProjection>(system, std::get<std::string>(options.at("weight")) == "mass");
-                   });
+KREISEL_PROJECTION(
+    {.name = "terze",
+     .summary = "the seed's projection: positions and velocities jointly, R in R^{3x3} with orthogonality rows",
+     .cites = {"terzezlatarmueller"},
+     .options = {{.name = "weight",
+                  .summary = "norm of the minimisation",
+                  .standard = "identity",
+                  .choices = {"identity", "mass"}}},
+     .formulations = {"SO3xR3"},
+     .positions = true,
+     .velocities = true,
+     .ambient = true},
+    [](System& system, const OptionValues& options) {
+        return std::make_unique<TerzeProjection>(system, std::get<std::string>(options.at("weight")) == "mass");
+    });
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

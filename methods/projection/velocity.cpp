@@ -16,7 +16,10 @@ class VelocityProjection final : public GaussNewtonProjection {
 
 }  // namespace
 
-KREISEL_PROJECTION({.name = "velocity", .summary = "velocities onto C v + b = 0, mass-weighted", .cites = {"eich1993"}, .velocities = true},
+KREISEL_PROJECTION({.name = "velocity",
+                    .summary = "velocities onto C v + b = 0, mass-weighted",
+                    .cites = {"eich1993"},
+                    .velocities = true},
                    [](System& system, const OptionValues&) { return std::make_unique<VelocityProjection>(system); });
 
 }  // namespace KREISEL_PRECISION

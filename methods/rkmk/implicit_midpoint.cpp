@@ -4,7 +4,7 @@
 //   k = F(t + h/2, y exp(h k / 2)),   y+ = y exp(h k),
 // that is, with V = (v + v+)/2,
 //   q+ = q exp(h V),   v+ = v + h f(t + h/2, q exp(h V / 2), V),   f = v' of the index-1 form.
-// The stage k is frozen along its own direction, where dexpinv is the identity, so that none is needed. Exchanging the
+// The stage k is frozen along its own direction, where dexpinv is the identity and is not needed. Exchanging the
 // ends, and h by -h, gives the same equations: the method is symmetric.
 //    1/2 | 1/2
 //   -----+----
@@ -88,7 +88,7 @@ class ImplicitMidpoint final : public Integrator, private Equations {
         return newton_.solve(*this, weights_, turned_.data());
     }
 
-    /// Iterates may turn farther than the step that they lead to: what counts is the last one, at the end of the step.
+    /// Iterates may turn farther than the final step: only the last one is checked, at the end of the step.
     /// r = w - h f(t + h/2, q exp(h V / 2), V) with V = v + w/2.
     Status residual(const Real* turned, Real* r) override {
         scale_.from_space(q_, turned, w_.data());
@@ -104,7 +104,7 @@ class ImplicitMidpoint final : public Integrator, private Equations {
     Real size() const override { return max(motion_, Real(abs(h_) * scale_.of_velocity(f_.data()))); }
     Real round_off() const override { return remoteness_ * system_.kkt_round_off(); }
 
-    /// Rows along a line between bodies know its direction as well as places are known over its length.
+    /// Rows along a line between bodies have its direction to the round-off of places over its length.
     void measure_remoteness() {
         remoteness_ = 1;
         if (terms_.size() == 0) return;
@@ -120,7 +120,7 @@ class ImplicitMidpoint final : public Integrator, private Equations {
     VecX w_, turned_, weights_, u_, middle_v_, f_, terms_, lengths_;
     std::vector<Real> middle_q_;
     Real t_ = 0, h_ = 0, known_h_ = 0, motion_ = 0, remoteness_ = 1;
-    const Real *q_ = nullptr, *v_ = nullptr;  // where the step begins
+    const Real *q_ = nullptr, *v_ = nullptr;  // start of the step
 };
 
 Factory implicit_midpoint() {

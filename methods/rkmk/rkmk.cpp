@@ -77,7 +77,7 @@ std::unique_ptr<Integrator> lift(System& system, Chart chart, const Tableau& tab
     return std::make_unique<MuntheKaas<Chart>>(system, std::move(chart), tableau);
 }
 
-/// The chart the options ask for; `order` is the declared one, which decides what dexpinv = "seed" means.
+/// The chart given by the options; `order` is the declared one, which decides what dexpinv = "seed" means.
 std::unique_ptr<Integrator> lift_with(System& system, const OptionValues& options, int order, const Tableau& tableau) {
     const Group& group = system.group();
     if (options.at("coordinates") == OptionValue("cayley")) return lift(system, CayleyChart(group), tableau);
@@ -95,7 +95,10 @@ Factory rkmk(const Tableau& tableau) {
     factory.make = [tableau](System& system, const OptionValues& options, const MethodDescription& declared) {
         return lift_with(system, options, declared.order.configuration, tableau);
     };
-    factory.options = {{.name = "coordinates", .summary = "local coordinates of a step", .standard = "exp", .choices = {"exp", "cayley"}},
+    factory.options = {{.name = "coordinates",
+                        .summary = "local coordinates of a step",
+                        .standard = "exp",
+                        .choices = {"exp", "cayley"}},
                        {.name = "dexpinv",
                         .summary = "inverse differential of exp: in closed form, or cut after q brackets "
                                    "(seed: q = order - 1); does not apply under cayley",
@@ -103,7 +106,8 @@ Factory rkmk(const Tableau& tableau) {
                         .choices = {"exact", "seed"},
                         .count_min = 0,
                         .count_max = max_brackets}};
-    // dexpinv after q brackets leaves an error of the size of q + 1 of them: order min(p, q + 2) [hairer2006, Thm IV.8.5].
+    // dexpinv after q brackets leaves an error of the size of q + 1 of them: order min(p, q + 2)
+    // [hairer2006, Thm IV.8.5].
     factory.order = [](const OptionValues& options, const Order& declared) {
         const long* brackets = std::get_if<long>(&options.at("dexpinv"));
         return brackets ? Order(std::min(declared.configuration, static_cast<int>(*brackets) + 2)) : declared;

@@ -32,7 +32,8 @@ BoundTableau::BoundTableau(const Tableau& tableau, std::size_t stride) : b(nonze
     for (std::size_t i = 0; i < tableau.a.size(); ++i) {
         if (tableau.a[i].size() > i)
             throw std::invalid_argument("row " + std::to_string(i + 1) + " of an explicit tableau has " +
-                                        std::to_string(tableau.a[i].size()) + " entries, more than " + std::to_string(i));
+                                        std::to_string(tableau.a[i].size()) + " entries, more than " +
+                                        std::to_string(i));
         a.push_back(nonzero(tableau.a[i], stride));
         c.push_back(sum(a.back()));
     }

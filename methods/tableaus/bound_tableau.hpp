@@ -12,7 +12,8 @@ inline namespace KREISEL_PRECISION {
 
 Real value(const Coefficient& coefficient);
 
-/// A linear combination of stages without its zeros. The slope of a stage lies at `offset` in the storage of all slopes.
+/// A linear combination of stages without its zeros. The slope of a stage lies at `offset` in the storage of all
+/// slopes.
 struct Term {
     Real coefficient;
     std::size_t offset;

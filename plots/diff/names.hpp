@@ -14,7 +14,7 @@ namespace kreisel {
 /// precision, steps, end.
 std::vector<std::string> short_cell(const RecordedCell& cell);
 const std::vector<std::string>& short_cell_columns();
-/// Those of the columns that are told once where all cells agree.
+/// The columns that are printed once if all cells agree.
 std::vector<std::string> shared_cell_columns();
 
 /// For a file: the same without the hash, options apart.

@@ -35,7 +35,7 @@ TextTable changed_statuses(const Comparison& comparison) {
     return table;
 }
 
-/// What became of one family of quantities over all cells: in how many cells it moved, or is on one side only.
+/// One family of quantities over all cells: in how many it moved, or is on one side only.
 struct FamilyChange {
     std::size_t moved = 0, only_a = 0, only_b = 0;
     double ulps = 0, relative = 0, of_scale = 0;

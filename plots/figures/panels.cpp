@@ -29,7 +29,7 @@ struct Range {
     }
 };
 
-// Some air around the data; an axis without extent gets one.
+// A margin around the data; an axis without extent gets one.
 Range padded(Range range, bool logarithmic) {
     if (!(range.low <= range.high)) { return logarithmic ? Range{0.1, 1} : Range{0, 1}; }
     if (logarithmic) {
@@ -125,7 +125,7 @@ double top_margin_of(const PanelFigure& figure) {
     return titles ? 0.6 : 0.25;
 }
 
-// Where the panels lie: rows of panels, each row as high as its longest legend asks for.
+// Where the panels lie: rows of panels, each row as high as its longest legend requires.
 struct Layout {
     double width = 0, height = 0;                              // cm
     std::vector<double> left, right, bottom, top, legend_top;  // fractions of the page

@@ -13,11 +13,11 @@ struct Point {
     double x = 0, y = 0;
 };
 
-/// Labels here are enhanced text of gnuplot: what comes from outside goes through enhanced_escape first.
+/// Labels here are enhanced text of gnuplot: text from outside must pass through enhanced_escape first.
 struct Curve {
     std::string label;
     std::vector<Point> points;
-    int style = 1;  ///< line, point and dash type; equal numbers look equal in all panels
+    int style = 1;  ///< line, point and dash type; equal numbers have equal styles in all panels
 };
 
 struct Mark {
@@ -45,7 +45,8 @@ struct PanelFigure {
 /// std::invalid_argument where a label holds a control character.
 void write_panels(const std::filesystem::path& plotdata, const PanelFigure& figure);
 
-/// `text` as a single-quoted string of gnuplot; an apostrophe becomes a typographic one. Throws std::invalid_argument on a control character.
+/// `text` as a single-quoted string of gnuplot; an apostrophe becomes a typographic one. Throws std::invalid_argument
+/// on a control character.
 std::string gnuplot_quoted(const std::string& text);
 /// Makes enhanced text show `text` as it is.
 std::string enhanced_escape(const std::string& text);

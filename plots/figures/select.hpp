@@ -11,12 +11,12 @@
 
 namespace kreisel {
 
-/// A figure that cannot be drawn from these results, and why.
+/// Thrown if a figure cannot be drawn from these results; says why.
 struct FigureError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The rows that `spec.select` leaves, but for skipped ones; with `failed` also those that did not run to their end.
+/// The rows that `spec.select` leaves, except skipped ones; with `failed` also those that did not finish.
 /// Throws FigureError where none is left.
 std::vector<ResultRow> selected_rows(const FigureSpec& spec, const Results& results, bool failed = false);
 
@@ -29,7 +29,7 @@ std::vector<ResultRow> with_samples(std::vector<ResultRow> rows, const FigureSpe
 /// The samples of the selected cell, up to `spec.until`.
 TrajectoryTable selected_samples(const FigureSpec& spec, const ResultRow& row, const std::filesystem::path& folder);
 
-/// The body that the figure draws: as asked for, or the first. Throws FigureError where there is no such body.
+/// The body that the figure draws: as requested, or the first. Throws FigureError where there is no such body.
 std::string body_of(const FigureSpec& spec, const TrajectoryTable& trajectory);
 
 }  // namespace kreisel

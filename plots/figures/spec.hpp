@@ -7,7 +7,8 @@
 //   title     text above the figure; default none
 //   select    cells to draw: {"problem": "slow", "formulation": ["SO3xR3", "SE3"], "steps": 1000, ...}, keys: problem
 //             (the label), formulation, method, projection, precision, steps; default all
-//   facet     convergence, drift, invariants, scaling: one panel per value of problem, formulation, method, projection, precision
+//   facet     convergence, drift, invariants, scaling: one panel per value of problem, formulation, method, projection,
+//             precision
 //   metric    convergence, drift, invariants, scaling: one metric, or a list, a panel each
 //   relative  invariants: divide by |I0| (false)
 //   body      path3d, motion, components: name of the body; default the first
@@ -47,7 +48,7 @@ struct FigureSpec {
     std::array<double, 2> view = {65, 35};
 };
 
-/// Reads the value of the key "figure". Reports what does not fit to the node's diagnostics: JSON pointer, what was
+/// Reads the value of the key "figure". Reports errors to the node's diagnostics: JSON pointer, what was
 /// expected, what came. `experiment` gives the default name.
 std::vector<FigureSpec> read_figures(const Node& figure, const std::string& experiment);
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Small multiples of curves, each panel with its legend below. Everything that is drawn stands in plotdata/.
-# Axis labels and legends are placed on the page by themselves: gnuplot's own key and labels lie where each terminal's guess
-# of the size of its letters puts them, in SVG beyond the page.
+# Small multiples of curves, each panel with its legend below. All data drawn are in plotdata/.
+# Axis labels and legends are placed on the page by themselves: gnuplot's own key and labels depend on each terminal's
+# estimate of letter sizes, and lie beyond the page in SVG.
 page_width = width_cm
 page_height = height_cm
 do for [format in 'pdf svg png'] {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Line styles of all figures. Fonts are given for the page: 7.5 points in a column 8.5 cm wide.
-# Colours of Okabe and Ito, told apart with any colour vision; point and dash types differ as well.
+# Colours of Okabe and Ito, distinguishable with any colour vision; point and dash types differ as well.
 face = 'DejaVu Sans,7.5'
 pixels_per_cm = 80.0
 

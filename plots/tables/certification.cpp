@@ -16,7 +16,7 @@ using Metrics = std::vector<std::string>;
 
 constexpr MetricLevel levels[] = {MetricLevel::configuration, MetricLevel::velocity, MetricLevel::multipliers};
 
-// The claim is about h -> 0: where the slopes of the window still rise, its finest one speaks.
+// The claim is about h -> 0: if the slopes of the window still rise, the finest one counts.
 bool falls_short(const ObservedOrder& order, int declared) {
     if (order.why == NoOrder::not_convergent) { return true; }
     const double least = declared - order_tolerance(declared);
@@ -48,7 +48,7 @@ std::string cell_text(const CellGroup& group) {
     return text;
 }
 
-// What a line is called: the method and, where they vary, projection and precision.
+// The name of a line: the method and, if they vary, projection and precision.
 std::string line_name(const CellNames& names, const Metrics& axes, const ResultRow& row) {
     std::string text = names.axis(row, "method");
     for (const std::string& axis : axes) {
@@ -66,7 +66,7 @@ std::string declared_text(const ResultRow& row) {
     return text;
 }
 
-// A name for a file, whatever the label holds.
+// A valid file name for any label.
 std::string file_name(const std::string& label, bool single) {
     if (single) { return "certification"; }
     std::string name = "certification_" + label;
@@ -83,7 +83,7 @@ TextTable table_of(const std::string& label, bool single, const std::vector<Cell
     table.notes = {
         "Orders of configuration / velocity / multipliers, each the least over its metrics (position and rotation, "
         "velocity and omega) of which an order can be stated, \"-\" if there is none; \"?\" where the slopes of one "
-        "have not settled, alone where those of all have not; \"!\" where one does not converge, or its order and the "
+        "have not settled, by itself if none has settled; \"!\" where one does not converge, or its order and the "
         "finest slope of its window fall short of "
         "the declared one by more than 0.1 (0.2 from order 6)."};
     const auto axes = names.varying_axes({});

@@ -20,7 +20,7 @@ std::vector<std::string> growth_cells(const std::optional<GrowthLaw>& growth) {
             fmt::format("{:.4g}–{:.4g}", growth->from, growth->to)};
 }
 
-// max |omega| |v| over all samples and bodies: the size of the accelerations of a body that is whirled about a joint.
+// max |omega| |v| over all samples and bodies: the size of the accelerations of a body that rotates about a joint.
 double largest_acceleration(const TrajectoryTable& trajectory) {
     const auto norm = [&](const std::string& name, std::size_t sample) {
         double sum = 0;

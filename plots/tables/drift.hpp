@@ -15,8 +15,9 @@ namespace kreisel {
 std::optional<GrowthLaw> growth_of(const TrajectoryTable& trajectory, const std::string& metric,
                                    const std::string& precision);
 
-/// A defect that ends below this is round-off, whatever its growth: 1e4 units of round-off (SI units, sizes about 1), or
-/// 10 times eps a T^2/2, to which the round-off of accelerations of size a = max |omega| |v| adds up over the time T.
+/// A defect that ends below this is round-off, whatever its growth: 1e4 units of round-off (SI units, sizes about 1),
+/// or 10 times eps a T^2/2, to which the round-off of accelerations of size a = max |omega| |v| adds up over the time
+/// T.
 double roundoff_level(const TrajectoryTable& trajectory, const std::string& precision);
 
 /// The metrics with this prefix ("defect.", "invariant.") and no further suffix, in the order of first appearance.

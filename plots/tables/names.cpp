@@ -26,7 +26,7 @@ std::vector<std::string> varying(const std::vector<const Options*>& all) {
     return names;
 }
 
-// The two coordinate maps are known by their names; any other option needs to be named.
+// The two coordinate maps are clear from their names; other options are shown with their key.
 std::string option_text(const std::string& name, const std::string& value) {
     return name == "coordinates" ? value : fmt::format("{}={}", name, value);
 }

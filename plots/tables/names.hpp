@@ -19,7 +19,7 @@ class CellNames {
     std::string axis(const ResultRow& row, const std::string& axis) const;
     /// The axes that vary among the rows, without `left_out`.
     std::vector<std::string> varying_axes(const std::vector<std::string>& left_out) const;
-    /// The values of `axes`, separated by commas; the method alone where nothing varies.
+    /// The values of `axes`, separated by commas; only the method if nothing varies.
     std::string legend(const ResultRow& row, const std::vector<std::string>& axes) const;
 
     static const std::vector<std::string>& axes();

@@ -93,7 +93,7 @@ std::vector<std::string> errors_row(const ResultRow& row, const std::vector<std:
     return cells;
 }
 
-// Marks the errors of a row that ends past the horizon of its reference; the first two cells are no errors.
+// Marks the errors of a row that ends past the horizon of its reference; the first two cells are not errors.
 std::vector<std::string> marked(std::vector<std::string> cells, const ResultRow& row) {
     for (std::size_t i = 2; i < cells.size() && row.past_horizon; ++i) { cells[i] += cells[i] == "-" ? "" : "*"; }
     return cells;

@@ -8,7 +8,7 @@
 
 namespace kreisel {
 
-/// The errors of one metric over the cells of a group that are ok and hold it, and the order they show. The scale is
+/// The errors of one metric over the cells of a group that are ok and hold it, and their observed order. The scale is
 /// the size of the final state of the finest cell; the reference's error is the largest of the group.
 ObservedOrder order_of(const CellGroup& group, const std::string& metric);
 

@@ -54,7 +54,7 @@ TextTable references_table(const Results& results) {
             table.rows.back().resize(table.columns.size(), "-");
         }
         auto& cells = table.rows[line->second];
-        for (std::size_t i = 0; i < metrics.size(); ++i) {  // a formulation without constraints knows no multipliers
+        for (std::size_t i = 0; i < metrics.size(); ++i) {  // a formulation without constraints has no multipliers
             std::string& cell = cells[cells.size() - metrics.size() + i];
             cell = cell == "-" ? digits(row, metrics[i]) : cell;
         }

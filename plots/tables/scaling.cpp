@@ -66,7 +66,7 @@ std::optional<ScalingLaw> scaling_law(const CellGroup& curve, const std::string&
         y.push_back(std::log(*value));
     }
     if (sizes < 3) { return std::nullopt; }
-    const Line line = fit_line(x, y);
+    const FittedLine line = fit_line(x, y);
     law.exponent = line.slope;
     law.error = line.slope_error;
     law.coefficient = std::exp(line.intercept);
@@ -81,7 +81,7 @@ TextTable scaling_table(const Results& results, std::string (*number)(double)) {
                    {"steps", "bodies", "per step [s]", "per step and body [s]", "memory [bytes]", "per body [bytes]"});
     table.notes = {
         "CPU time of a step: that of the fastest of several runs, divided by its steps. Memory: what model, system, "
-        "method, projection and state occupy on the heap; a few kilobytes are below what can be told. Both depend on "
+        "method, projection and state occupy on the heap; differences of a few kB are noise. Both depend on "
         "the machine, the time also on its load."};
     for (const ResultRow& row : rows) {
         if (!row.ok()) { continue; }

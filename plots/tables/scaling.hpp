@@ -9,7 +9,7 @@
 
 namespace kreisel {
 
-/// What the cost of a cell is told by, and how it is drawn.
+/// A cost of a cell and how it is drawn.
 struct ScalingQuantity {
     std::string name;   ///< "cost.step"
     std::string label;  ///< enhanced text of gnuplot
@@ -20,10 +20,10 @@ struct ScalingQuantity {
 /// cost.step, cost.step_per_body (s), cost.memory, cost.memory_per_body (bytes).
 const std::vector<ScalingQuantity>& scaling_quantities();
 
-/// Nothing where it was not measured.
+/// Nothing if it was not measured.
 std::optional<double> scaling_value(const ResultRow& row, const std::string& quantity);
 
-/// Rows that go by the name of their series, so that those of one list of parameters belong together.
+/// Rows labelled by their series, so that those of one list of parameters belong together.
 std::vector<ResultRow> by_series(std::vector<ResultRow> rows);
 
 /// Rows of `by_series` that differ in their number of bodies only, fewest bodies first.
@@ -35,7 +35,7 @@ struct ScalingLaw {
     long from = 0, to = 0;  ///< numbers of bodies
 };
 
-/// From 8 bodies on: fewer do not outweigh what a step costs without bodies. Nothing with less than three sizes.
+/// From 8 bodies on: for fewer, the constant cost of a step dominates. Nothing with fewer than three sizes.
 std::optional<ScalingLaw> scaling_law(const CellGroup& curve, const std::string& quantity);
 
 /// One row per cell: time per step, and per body; memory, and per body.

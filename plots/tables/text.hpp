@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A table as text: aligned for a terminal, Markdown, CSV and LaTeX. Every cell is data: each writer escapes what its
-// format would take for syntax.
+// A table as text: aligned for a terminal, Markdown, CSV and LaTeX. Every cell is data: each writer escapes characters
+// that its format would read as syntax.
 #pragma once
 
 #include <filesystem>
@@ -28,7 +28,7 @@ TextTable without_constant_columns(const TextTable& table, const std::vector<std
 
 std::string terminal_text(const TextTable& table);
 std::string markdown_text(const TextTable& table);
-/// RFC 4180. Text that a spreadsheet would take for a formula is preceded by an apostrophe; notes are left out.
+/// RFC 4180. Text that a spreadsheet would read as a formula is preceded by an apostrophe; notes are left out.
 std::string csv_text(const TextTable& table);
 /// A `tabular` with the rules of booktabs, numbers as 1.15 * 10^-3 in mathematics; notes as comments.
 std::string latex_text(const TextTable& table);

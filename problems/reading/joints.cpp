@@ -48,7 +48,7 @@ class JointReader {
         return data_.type != JointType::spherical && data_.type != JointType::fixed &&
                data_.type != JointType::distance;
     }
-    /// Where the value of one body stands: one value for both is written under the key in the singular.
+    /// The place of one body's value: a value for both is written under the singular key.
     std::string at(const char* shared, const char* each, const std::array<Vector3, 2>& values, std::size_t body) const {
         return path_ + "/" + (values[0] == values[1] ? shared : each + ("/" + std::to_string(body)));
     }

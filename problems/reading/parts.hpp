@@ -18,7 +18,7 @@ std::string place(const char* list, std::size_t entry);
 
 /// Index of a body, or `ground`. Throws with all names that exist.
 int body_named(const Model& model, const std::string& name, const std::string& path);
-/// The two of them, not the same.
+/// Both of them, which must differ.
 std::array<int, 2> bodies_between(const Model& model, const std::array<std::string, 2>& names, const std::string& path,
                                   const std::string& who);
 /// A point in the axes of a body; of a point mass it must be the mass centre, to 1e-9 of its coordinates.

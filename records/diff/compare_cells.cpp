@@ -89,7 +89,7 @@ class CellComparer {
         if (!moved.any()) { return; }
         const double own = std::max(std::fabs(a.number.value), std::fabs(b.number.value));
         const double scale = scale_of(name, a.family, own);
-        // Numbers of quad runs may be too small for double, and their scale is then zero: their own size decides.
+        // Numbers of quad runs may be too small for double, and their scale is then zero: their own size is used.
         const double of_scale = scale == no_scale ? 0 : scale > 0 ? moved.absolute / scale : moved.relative;
         if (within_ && of_scale <= *within_) { return; }
         add({name, a.family, a.number.text(), b.number.text(), moved.ulps, moved.relative, of_scale});

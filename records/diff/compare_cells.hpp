@@ -11,7 +11,7 @@
 
 namespace kreisel {
 
-/// One number that moved, or that one side alone has: `a` or `b` is then empty and the distances are 0.
+/// One number that moved, or that only one side has: `a` or `b` is then empty and the distances are 0.
 struct QuantityDifference {
     std::string name, family;
     std::string a, b;     ///< the numbers as text
@@ -41,8 +41,8 @@ struct Comparison {
 
 /// Without `within` every number of the lines is compared to the last bit, and so are the check sums of samples. With
 /// it, final states and metrics only: a number counts as moved if it is further away than `within` times the scale of
-/// its quantity. What no cell of one side has, for instance because its version did not know it yet, is then noted and
-/// passed over.
+/// its quantity. Numbers that no cell of one side has, for instance because its version did not compute them, are then
+/// noted and skipped.
 Comparison compare_cells(const std::vector<RecordedCell>& a, const std::vector<RecordedCell>& b,
                          std::optional<double> within);
 

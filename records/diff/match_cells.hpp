@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which cell of one results folder is which cell of another.
+// Matches the cells of one results folder with those of another.
 #pragma once
 
 #include <string>
@@ -16,13 +16,13 @@ struct CellMatching {
     std::vector<std::pair<std::size_t, std::size_t>> pairs;  ///< in the order of A
     std::vector<std::size_t> only_a, only_b;
     std::vector<std::string>
-        notes;  ///< which pairs were made although one line says more than the other; a sentence each
+        notes;  ///< pairs matched although one line has more members than the other; a sentence each
 };
 
-/// Two cells are the same if their lines say the same of what was run (RecordedCell::identity); labels and hashes do
-/// not count, but of several such cells those with equal labels belong together. What is left is matched where one line
-/// tells all that the other one tells, and a parameter or option more (a version that did not have it yet), if only one
-/// cell of either side comes into question.
+/// Two cells are the same if their lines agree on what was run (RecordedCell::identity); labels and hashes do
+/// not count, but among several such cells those with equal labels match. The rest is matched if one line
+/// has all members of the other and additional parameters or options (which an older version did not have), and only
+/// one cell of either side qualifies.
 CellMatching match_cells(const std::vector<RecordedCell>& a, const std::vector<RecordedCell>& b);
 
 }  // namespace kreisel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How large the quantities of a cell are, so that the distance of two numbers can be judged.
+// Sizes of the quantities of a cell, by which the distance of two numbers is judged.
 #pragma once
 
 #include <map>
@@ -15,15 +15,15 @@ namespace kreisel {
 /// A number of the final state has that of its family: the largest component of all positions of the cell, of all
 /// velocities, of all multipliers that are forces, and so on.
 ///
-/// A metric is a difference, and rounds like the numbers that are subtracted: near round-off its own size says nothing.
-/// So it has the scale of these numbers, or its own size where that is larger. With x, v, w the scales of positions,
-/// velocities and omega, and T = t_end:
+/// A metric is a difference with the round-off of the numbers subtracted: near round-off its own size is meaningless.
+/// It therefore has the scale of these numbers, or its own size where that is larger. With x, v, w the scales of
+/// positions, velocities and omega, and T = t_end:
 ///   error.*                   the scale of that part of the state; 1 rad for rotations
 ///   defect.position, .velocity, .acceleration              x, v, v (w + 1/T)
 ///   defect.direction, .velocity, .acceleration of it       1, w, w (w + 1/T)
 ///   defect.orthogonality, invariant.NAME.relative          1
 ///   invariant.NAME, .final, .slope, .slope_error           |I0|, over T for slopes; known by .relative
-/// Any other metric, and one whose scale the cell does not tell, has its own size.
+/// Any other metric, and one whose scale is not recorded, has its own size.
 class QuantityScales {
   public:
     QuantityScales(const RecordedCell& a, const RecordedCell& b);

@@ -34,7 +34,7 @@ class QuantityReader {
         }
         for (std::size_t i = 0; i < value.size(); ++i) { add(fmt::format("{}.{}", name, i + 1), family, value[i]); }
     }
-    /// The members of `object` that there are among `names`, each a family of its own.
+    /// The members of `object` among `names`, each its own family.
     void add_members(const json& object, const std::string& prefix, const std::vector<std::string>& names) {
         for (const std::string& name : names) {
             if (object.contains(name)) { add(prefix + name, prefix + name, object[name]); }

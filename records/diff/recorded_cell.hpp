@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A cell of a results folder with every digit, as a comparison needs it. What a line lacks is absent, what is not known
-// here is passed over: lines of older and newer versions can be read.
+// A cell of a results folder with every digit, as a comparison needs it. What a line lacks is absent, members unknown
+// here are ignored: lines of older and newer versions can be read.
 #pragma once
 
 #include <map>
@@ -24,17 +24,17 @@ struct RecordedCell {
     std::string cell;    ///< the hash; for people, and for finding its trajectory
     std::string label;   ///< of the problem
     std::string status;  ///< "ok", "skipped", or why it failed
-    double t_end = 0;    ///< s; 0 where the line does not tell
-    /// What was run, member by member: "problem", "parameters.mass", "options.coordinates", "steps". Numbers are
-    /// written in one way, so that equal ones are equal texts.
+    double t_end = 0;    ///< s; 0 if the line does not have it
+    /// What was run, by member: "problem", "parameters.mass", "options.coordinates", "steps". Numbers are
+    /// written in a canonical way, so that equal numbers are equal texts.
     std::map<std::string, std::string> identity;
     RecordedQuantities final_state, metrics;
-    RecordedQuantities others;   ///< counts, rank and condition of the constraints, what is known of the reference
+    RecordedQuantities others;   ///< counts, rank and condition of the constraints, accuracy of the reference
     std::string trajectory_sum;  ///< check sum of the samples; empty where there are none
 };
 
 /// One line of results.jsonl or of a journal. Times, hosts and builds are left out. Throws std::exception on a line
-/// that is none.
+/// that is not one.
 RecordedCell read_recorded_cell(const std::string& line);
 
 }  // namespace kreisel

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
-// 113 bits without the quad library: the C library reads and steps, the compiler subtracts and divides. The headers of
-// the C library hide both functions from compilers other than GCC (clang-tidy).
+// 113 bits without the quad library: the C library converts and finds neighbours, the compiler subtracts and divides.
+// The headers of the C library hide both functions from compilers other than GCC (clang-tidy).
 extern "C" {
 __float128 strtof128(const char*, char**) noexcept;
 __float128 nextafterf128(__float128, __float128) noexcept;

@@ -16,7 +16,7 @@ struct RecordedNumber {
     std::string text() const;
 };
 
-/// The decimal of a quad number. Throws std::invalid_argument if `decimal` is no finite number.
+/// The decimal of a quad number. Throws std::invalid_argument if `decimal` is not a finite number.
 RecordedNumber quad_number(const std::string& decimal);
 
 /// How far a is from b. All zero where they are equal; 0 and -0 are.

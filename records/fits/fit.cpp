@@ -14,24 +14,26 @@ namespace kreisel {
 
 namespace {
 
-// Local exponents of two octaves that differ by more than this belong to no power law.
+// Local exponents of two octaves that differ by more than this do not indicate a power law.
 constexpr double largest_disagreement = 0.5;
 
 }  // namespace
 
-Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
+FittedLine fit_line(const std::vector<double>& x, const std::vector<double>& y) {
     if (x.size() != y.size()) { throw std::invalid_argument("fit_line: as many ordinates as abscissae are needed"); }
     if (std::adjacent_find(x.begin(), x.end(), std::not_equal_to<>()) == x.end()) {
         throw std::invalid_argument("fit_line: two different abscissae are needed");
     }
-    // The default handler would end the program; here an error is the caller's to see.
+    // The default handler would end the program; here errors are returned to the caller.
     [[maybe_unused]] static gsl_error_handler_t* const aborting = gsl_set_error_handler_off();
-    Line line;
+    FittedLine line;
     double var_intercept = 0, covariance = 0, var_slope = 0, residual = 0;
     const int status = gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &line.intercept, &line.slope, &var_intercept,
                                       &covariance, &var_slope, &residual);
     if (status != GSL_SUCCESS) { throw std::runtime_error(std::string("fit_line: ") + gsl_strerror(status)); }
-    if (x.size() > 2) { line.slope_error = std::sqrt(var_slope); }  // residual / (n - 2) is no variance for two points
+    if (x.size() > 2) {
+        line.slope_error = std::sqrt(var_slope);
+    }  // residual / (n - 2) is not a variance for two points
     return line;
 }
 
@@ -60,7 +62,7 @@ std::optional<GrowthLaw> fit_growth(const std::vector<double>& t, const std::vec
     const LogCurve early = logarithms(t, y, end / 4, end / 2), late = logarithms(t, y, end / 2, end);
     if (early.t.size() < 3 || late.t.size() < 3 || std::exp(late.y.back()) <= floor) { return std::nullopt; }
     const LogCurve all = logarithms(t, y, end / 4, end);
-    const Line line = fit_line(all.t, all.y);
+    const FittedLine line = fit_line(all.t, all.y);
     const double first = fit_line(early.t, early.y).slope, second = fit_line(late.t, late.y).slope;
     if (std::abs(first - second) > largest_disagreement) { return std::nullopt; }
     const double spread = std::max(std::abs(first - line.slope), std::abs(second - line.slope));

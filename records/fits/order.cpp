@@ -16,8 +16,8 @@ namespace {
 
 constexpr double floor_factor = 100;    // an error 100 floors high shifts a local slope by 0.015 at most
 constexpr double ceiling = 1e-2;        // relative to the scale
-constexpr double stall_factor = 1e4;    // highest plateau that passes for round-off, in epsilon sqrt(N) scale
-constexpr double no_convergence = 0.5;  // below this slope an error does not fall
+constexpr double stall_factor = 1e4;    // highest plateau that counts as round-off, in epsilon sqrt(N) scale
+constexpr double no_convergence = 0.5;  // below this slope an error does not decrease
 constexpr double steady = 0.1;          // a last change of slope that needs no smaller one before it
 constexpr std::size_t least_slopes = 3;
 
@@ -68,7 +68,7 @@ class Search {
     bool above_floor(std::size_t i) const { return points()[i].error > floor(i); }
     bool admissible(std::size_t i) const { return above_floor(i) && points()[i].error < ceiling * limits_.scale; }
 
-    // The coarsest point from which errors of one size (noise within a factor 100) fall with less than slope 1/2 on the
+    // The coarsest point from which errors of similar size (noise within a factor 100) fall with slope below 1/2 on the
     // whole; the finest point if there is no such plateau.
     std::size_t plateau_begin() const {
         constexpr double one_size = 100;
@@ -84,7 +84,7 @@ class Search {
         return first;
     }
 
-    // Where the finest errors do not fall any more they are a plateau, whatever the stated floors say.
+    // Finest errors that no longer decrease form a plateau, whatever the stated floors.
     void find_stall() {
         const std::size_t n = points().size(), first = plateau_begin();
         if (first == n - 1) { return; }

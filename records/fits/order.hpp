@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The observed order of convergence, with the window that supports it, or the reason why none can be stated.
+// The observed order of convergence, with the window that supports it, or the reason why there is none.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct ErrorPoint {
     double error = 0;
 };
 
-/// What bounds the range in which an error speaks of the method alone.
+/// Bounds of the range in which an error is due to the method only.
 struct OrderLimits {
     double epsilon = 2.220446049250313e-16;  ///< unit round-off of the arithmetic (spacing at 1)
     double scale = 1;                        ///< size of the quantity, in the unit of the error
@@ -33,12 +33,12 @@ struct ObservedOrder {
     std::size_t first = 0, last = 0;  ///< the window: indices into `points`
     std::vector<ErrorPoint> points;   ///< by ascending number of steps
     std::vector<double> slopes;       ///< slopes[i] = log(e_i/e_{i+1}) / log(h_i/h_{i+1}); NaN where an error is zero
-    std::optional<double> stall;      ///< error level at which convergence was seen to end, above the stated floors
+    std::optional<double> stall;      ///< error level at which convergence stops, above the stated floors
     NoOrder why = NoOrder::none;
     std::string reason;  ///< `why` in words; empty where an order is stated
 };
 
-/// Observed order after a fixed rule. A point is admissible if its error lies below 1e-2 scale, above 100 times the
+/// Observed order by a fixed rule. A point is admissible if its error lies below 1e-2 scale, above 100 times the
 /// reference's error, above 100 epsilon sqrt(N) scale, and, where the finest errors no longer fall, above 100 times
 /// that plateau; the plateau counts as round-off up to 1e4 epsilon sqrt(N) scale only. The window ends at the finest
 /// admissible point (the claim is about h -> 0) and has at least three consecutive slopes. The three finest must agree

@@ -32,7 +32,7 @@ std::string escaped(std::string_view text) {
     return dumped.substr(1, dumped.size() - 2);
 }
 
-// What the pointer says where the message is printed: a key may hold anything, also a newline.
+// The pointer as printed in a message: a key may hold any character, even a newline.
 std::string shown_pointer(const std::string& pointer) {
     return pointer.empty() ? "/" : escaped(pointer.size() > 400 ? pointer.substr(0, 400) + "..." : pointer);
 }

@@ -19,7 +19,7 @@ struct Document {
     nlohmann::json value;
 };
 
-/// One error at a JSON pointer: `expected ..., got ...; did you mean "..."?`, of which empty parts are left out, or a
+/// One error at a JSON pointer: `expected ..., got ...; did you mean "..."?`, without its empty parts, or a
 /// `sentence` of the engine as it is.
 struct Issue {
     std::string pointer;
@@ -35,7 +35,7 @@ struct Issue {
 std::string message(const Document& document, const Issue& issue);
 std::string message_at(const Document& document, std::size_t byte, const std::string& pointer, const std::string& text);
 
-/// `value` as a message shows it: numbers as they stand in the file, long texts cut, containers by their size.
+/// `value` as a message shows it: numbers as written in the file, long texts cut, containers by their size.
 std::string shown(const Document& document, const nlohmann::json& value, const std::string& pointer);
 
 /// `text` in double quotes, control characters escaped, cut after 60 characters.
@@ -53,7 +53,7 @@ class Diagnostics {
     /// The same with "got" taken from the file.
     void mismatch(const std::string& pointer, const nlohmann::json& value, const std::string& expected,
                   const std::string& suggestion = "");
-    /// What the engine found, in its own words.
+    /// An error of the engine, in its own words.
     void add_sentence(const std::string& pointer, const std::string& sentence) {
         issues_.push_back({.pointer = pointer, .sentence = sentence});
     }

@@ -10,7 +10,7 @@ namespace kreisel {
 
 namespace {
 
-// Walks over JSON text without recursion; at the end of the text every step stands still.
+// Walks over JSON text without recursion; at the end of the text no step moves.
 class Scanner {
   public:
     explicit Scanner(std::string_view text) : text_(text) {}

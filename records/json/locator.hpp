@@ -19,8 +19,8 @@ enum class Target { value, key };
 
 Position position_of_byte(std::string_view text, std::size_t byte);
 
-/// Byte offset of what `pointer` (RFC 6901) names in `text`, or of its nearest existing ancestor. Where an object
-/// holds the last key several times, `occurrence` says which one is meant. Never fails, also on text that is no JSON.
+/// Byte offset of the value `pointer` (RFC 6901) names in `text`, or of its nearest existing ancestor. If an object
+/// holds the last key several times, `occurrence` selects one. Never fails, even on text that is not JSON.
 std::size_t locate(std::string_view text, const std::string& pointer, Target target = Target::value,
                    int occurrence = 1);
 

@@ -29,7 +29,7 @@ ElementList bodies() {
                v,
                {"omega", Kind::vector, false}},
               {{"R", "quaternion", false}}},
-             {"point", "point mass, held by spherical and distance joints alone", {name, mass, x, v}}}};
+             {"point", "point mass, held only by spherical and distance joints", {name, mass, x, v}}}};
 }
 
 // A joint at a point of each body, with further keys.

@@ -11,7 +11,7 @@
 
 namespace kreisel {
 
-/// What the value of a key is.
+/// The kind of value of a key.
 enum class ValueKind {
     name,
     label,
@@ -28,7 +28,7 @@ enum class ValueKind {
     frame
 };
 
-/// What a value of kind `whole` lies within, on both sides.
+/// Inclusive bounds of a value of kind `whole`.
 inline constexpr long largest_whole = 1'000'000'000;
 
 struct ElementKey {
@@ -55,7 +55,7 @@ struct ElementType {
 /// The entries of one list. The types stand in the order of their enumeration (mechanics/model/data.hpp).
 struct ElementList {
     std::string what;      ///< "body"
-    std::string standard;  ///< the type of an entry that says none; empty: it must say one
+    std::string standard;  ///< default type; empty: an entry must give one
     std::vector<ElementType> types;
 };
 
@@ -66,7 +66,7 @@ const ElementList& elements_of(ParameterKind kind);
 /// Every key with its meaning, for `kreisel info`.
 std::string meaning_of_key(const std::string& key);
 
-/// What a value of this kind is, in words.
+/// A value of this kind, in words.
 std::string expectation(ValueKind kind);
 
 /// "type" and the keys of a type.

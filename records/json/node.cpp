@@ -18,8 +18,8 @@ bool Node::require_object(const std::string& expected) const {
 void Node::only_keys(const std::vector<std::string>& known, const std::string& of) const {
     for (const auto& [key, value] : value_->items()) {
         if (std::find(known.begin(), known.end(), key) == known.end()) {
-            sink_->add({pointer_below(pointer_, key), "one of the keys" + of + " " + listed(known), "the key " + in_quotes(key),
-                        nearest_name(key, known), Target::key});
+            sink_->add({pointer_below(pointer_, key), "one of the keys" + of + " " + listed(known),
+                        "the key " + in_quotes(key), nearest_name(key, known), Target::key});
         }
     }
 }
@@ -76,7 +76,7 @@ std::optional<long> Node::count(long least, long most, const std::string& what) 
         mismatch(expected + " written without fraction or exponent");
         return std::nullopt;
     }
-    // nlohmann holds what is not negative as unsigned, also beyond the range of long.
+    // nlohmann stores non-negative integers as unsigned, even beyond the range of long.
     const bool in_range =
         value_->is_number_unsigned()
             ? value_->get<unsigned long>() <= static_cast<unsigned long>(most) &&

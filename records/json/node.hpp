@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Typed reading of a JSON value. Each function answers nothing where the value does not fit, after it has told the
-// diagnostics what was expected and what came.
+// Typed reading of a JSON value. Each function returns nothing if the value does not fit, after telling the
+// diagnostics what was expected and what was found.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ class Node {
     bool is_array() const { return value_->is_array(); }
     bool is_string() const { return value_->is_string(); }
 
-    /// False, with an error, if this is no object.
+    /// False, with an error, if this is not an object.
     bool require_object(const std::string& expected) const;
     /// Reports each key that is not among `known`, the keys `of` something.
     void only_keys(const std::vector<std::string>& known, const std::string& of = "") const;

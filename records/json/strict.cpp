@@ -112,8 +112,8 @@ class StrictBuilder final : public nlohmann::json_sax<json> {
         return path;
     }
 
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ...; last read: '...'" without its
-    // head and without the bytes of the file, which may be no text at all.
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error ...; last read: '...'" without
+    // its head and without the bytes of the file, which may not be text at all.
     static std::string reason(const std::string& what) {
         const auto column = what.find(", column ");
         const auto colon = column == std::string::npos ? std::string::npos : what.find(": ", column);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// JSON read strictly: what a lenient reader would pass over in silence is an error here.
+// JSON read strictly: what a lenient reader silently accepts is an error here.
 #pragma once
 
 #include <filesystem>

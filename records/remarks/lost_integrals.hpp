@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What `run` and `table` say of cells that have ended well and yet are far from a first integral.
+// Notes of `run` and `table` on cells that succeeded but violate a first integral.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace kreisel {
 
-/// A sentence for each problem (by label) of which a cell has lost more than 1 % of a first integral: how many have, and
-/// the one that is farthest off. Cells that did not come to their end are not counted.
+/// A sentence for each problem (by label) in which a cell has lost more than 1 % of a first integral: the number of
+/// cells, and the worst one. Cells that did not finish are not counted.
 std::vector<std::string> lost_integral_notes(const std::vector<ResultRow>& rows);
 
 }  // namespace kreisel

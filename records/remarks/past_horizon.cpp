@@ -11,7 +11,7 @@ namespace kreisel {
 
 namespace {
 
-// Of places and turning, as far as they have any: the other quantities are their rates.
+// Of positions and rotations, if measured: the other quantities are their rates.
 std::string uncertainties(const std::map<std::string, double>& errors) {
     std::string text;
     for (const MetricDescription& metric : metric_table) {

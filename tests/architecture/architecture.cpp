@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The picture of the folders and their arrows, held true from the sources themselves. Every rule also meets a small
-// tree that breaks it and nothing else, so that a rule that has gone blind is noticed.
+// Checks the folders and their arrows against the sources. Every rule is also tried on a small
+// tree that breaks only this rule, so that a rule that no longer works is noticed.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::string print(const std::vector<Finding>& findings) {
 
 }  // namespace
 
-TEST_CASE("the sources keep to the architecture", "[architecture]") {
+TEST_CASE("the sources follow the architecture", "[architecture]") {
     const auto& root = project_root;
     const auto tree = load_tree(root);
     const auto bibliography = bibliography_keys(read_text(root / "paper/references.bib"));

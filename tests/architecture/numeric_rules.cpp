@@ -24,21 +24,22 @@ bool is_data_header(const Source& source) {
     return source.path == "mechanics/model/data.hpp" || source.path.ends_with("/description.hpp");
 }
 
-/// What stands between the last semicolon and `end`: the statement so far.
+/// The text between the last semicolon and `end`: the statement so far.
 std::string statement_before(const std::string& code, std::size_t end) {
     const auto semicolon = code.rfind(';', end);
     const auto start = semicolon == std::string::npos ? 0 : semicolon + 1;
     return code.substr(start, end - start);
 }
 
-/// A literal may be any decimal where it becomes a double by its type, which `decimal` reads exactly later on.
+/// A literal may be any decimal if its type makes it a double, which `decimal` later reads exactly.
 bool becomes_decimal_data(const std::string& code, std::size_t at) {
     static const std::regex data(
-        R"(\b(decimal|moments|Vector3|Matrix3|BodyData|JointData|ForceData|ParameterDescription|ParameterValues?|KREISEL_PROBLEM|double)\b)");
+        R"(\b(decimal|moments|Vector3|Matrix3|BodyData|JointData|ForceData|ParameterDescription|)"
+        R"(ParameterValues?|KREISEL_PROBLEM|double)\b)");
     return std::regex_search(statement_before(code, at), data);
 }
 
-/// Divides m by 5 as long as `count` lasts and it comes out even; answers what is left of count.
+/// Divides m by 5 at most `count` times while it is divisible; returns the rest of count.
 int cancel_fives(long long& m, int count) {
     for (; count > 0 && m % 5 == 0; --count) { m /= 5; }
     return count;
@@ -83,7 +84,8 @@ std::vector<Finding> check_literals(const std::vector<Source>& tree) {
 
 std::vector<Finding> check_math_calls(const std::vector<Source>& tree) {
     static const std::regex call(
-        R"(\bstd\s*::\s*(abs|fabs|sqrt|cbrt|hypot|pow|exp|log|log2|sin|cos|tan|asin|acos|atan|atan2|isfinite|isnan|floor|ceil)\s*\()");
+        R"(\bstd\s*::\s*(abs|fabs|sqrt|cbrt|hypot|pow|exp|log|log2|sin|cos|tan|asin|acos|atan|atan2|isfinite|)"
+        R"(isnan|floor|ceil)\s*\()");
     std::vector<Finding> findings;
     for (const auto& source : tree) {
         if (!is_numerical(source) || source.path == "lie/real.hpp") { continue; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rules about what files say of each other: includes, licences, citations.
+// Rules on includes, licences and citations.
 #include "tests/architecture/rules.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ const Names third_parties = {"Eigen/", "boost/", "nlohmann/", "CLI/", "fmt/", "g
 /// Written by the build, so in no folder.
 const Names generated = {"kreisel_build.hpp"};
 
-/// The methods in global coordinates, which are lent by Boost.Odeint.
+/// The methods in global coordinates, which come from Boost.Odeint.
 bool is_baseline(const std::string& path) { return path.starts_with("methods/baseline/"); }
 
 bool contains(const Names& names, const std::string& name) {
@@ -57,7 +57,9 @@ std::string library_breach(const Source& source, const std::string& header) {
 /// Why `source` may not include our header `header`; empty if it may.
 std::string own_breach(const Source& source, const std::string& header, const std::set<std::string>& files) {
     if (contains(generated, header)) { return ""; }
-    if (files.count(header) == 0) { return "\"" + header + "\" is no file of the project (paths start at the root)"; }
+    if (files.count(header) == 0) {
+        return "\"" + header + "\" is not a file of the project (paths start at the root)";
+    }
     const Room* room = room_of(source.path);
     if (room == nullptr || room_of(header) == room) { return ""; }
     if (std::any_of(room->reach.begin(), room->reach.end(), [&](const auto& p) { return lies_in(header, p); })) {

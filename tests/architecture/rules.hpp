@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What must hold between the files of the project, rule by rule. Each rule answers with what it found against it.
+// What must hold between the files of the project, rule by rule. Each rule returns its violations.
 #pragma once
 
 #include <set>
@@ -11,7 +11,7 @@
 
 namespace architecture {
 
-/// One breach: "path:line: rule: explanation" when printed.
+/// One violation: "path:line: rule: explanation" when printed.
 struct Finding {
     std::string path;
     int line = 0;
@@ -34,13 +34,13 @@ std::vector<Finding> check_capacities(const std::vector<Source>& tree);
 /// included.
 std::vector<Finding> check_licences(const std::vector<Source>& tree);
 
-/// `literal`: no floating literal in numerical code but dyadic ones (0.5, 2.0, 1e3), which are the same number in every
-/// precision. Exempt are statements whose literals become doubles by their type and are read as decimals later on:
-/// problem data (KREISEL_PROBLEM, ParameterDescription, BodyData, JointData, ForceData, Vector3, Matrix3), `decimal(...)`,
-/// `moments(...)` and plain `double`.
+/// `literal`: no floating literal in numerical code except dyadic ones (0.5, 2.0, 1e3), which are the same number in
+/// every precision. Exempt are statements whose literals become doubles by their type and are later read as decimals:
+/// problem data (KREISEL_PROBLEM, ParameterDescription, BodyData, JointData, ForceData, Vector3, Matrix3),
+/// `decimal(...)`, `moments(...)` and plain `double`.
 std::vector<Finding> check_literals(const std::vector<Source>& tree);
 
-/// `qualified`: no std::sqrt and its like in numerical code: for quad it would round to double, silently.
+/// `qualified`: no std::sqrt or similar in numerical code: for quad it would silently round to double.
 std::vector<Finding> check_math_calls(const std::vector<Source>& tree);
 
 /// `precision`: a file of numerical code that mentions Real puts it into the inline namespace of its precision.
@@ -49,10 +49,11 @@ std::vector<Finding> check_precision_namespace(const std::vector<Source>& tree);
 /// `class`: no two files of numerical code define a class of one name in one namespace (class_names.cpp).
 std::vector<Finding> check_class_names(const std::vector<Source>& tree);
 
-/// `cite`: every key in `.cites = {...}`, and every bracketed key (author and year) in a comment, is in the bibliography.
+/// `cite`: every key in `.cites = {...}`, and every bracketed key (author and year) in a comment, is in the
+/// bibliography.
 std::vector<Finding> check_citations(const std::vector<Source>& tree, const std::set<std::string>& bibliography);
 
-/// Keys of a BibTeX file. Throws std::runtime_error where a key stands twice.
+/// Keys of a BibTeX file. Throws std::runtime_error if a key occurs twice.
 std::set<std::string> bibliography_keys(const std::string& bibtex);
 
 /// Whether a decimal literal (digits, point, exponent, digit separators, no suffix) is k / 2^n with k < 2^53.

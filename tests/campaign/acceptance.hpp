@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the campaign suites share: default parameters and options.
+// Shared by the campaign suites: default parameters and options.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What could not be measured is absent: no metric of a run that has left the numbers is a number.
+// What could not be measured is absent: a run that becomes non-finite has no metrics.
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <map>
@@ -40,7 +40,7 @@ std::set<std::string> names(const Outcome& outcome) {
 
 }  // namespace
 
-TEST_CASE("an R that has left SO(3) far behind has no rotation error", "[campaign]") {
+TEST_CASE("an R far off SO(3) has no rotation error", "[campaign]") {
     Cell cell = cell_of("free_top", "baseline/rk4_matrix", 40, 80);
     cell.parameters["inertia"] = Matrix3{1, 0, 0, 0, 1.1, 0, 0, 0, 1.2};
     cell.parameters["omega"] = Vector3{30, 20, 10};
@@ -74,7 +74,7 @@ TEST_CASE("a truncated dexpinv leaves its chart like the closed form", "[campaig
     CHECK(engine_binary64().run(cell, nullptr, {}).status == "left_chart");
 }
 
-TEST_CASE("a run that has lost a first integral says so, asked for it or not", "[campaign]") {
+TEST_CASE("a run that has lost a first integral reports it, requested or not", "[campaign]") {
     const auto lost = [](const char* method, long steps) {
         Cell cell = cell_of("heavy_top", method, 1, steps);
         cell.metrics = {};
@@ -90,12 +90,13 @@ TEST_CASE("a run that has lost a first integral says so, asked for it or not", "
     CHECK(energy->share / less->share == Approx(4).epsilon(0.25));
 }
 
-TEST_CASE("a metric of rows that no joint has is warned of", "[campaign]") {
+TEST_CASE("a metric of rows that no joint has gives a warning", "[campaign]") {
     const Engines engines{engine_binary64(), engine_binary64()};
     const auto warnings = [&](const std::string& problem, const std::string& metric) {
-        const std::string config = R"({"name": "m", "kind": "trajectory", "methods": ["rkmk/rk4"], "projections": ["none"],
+        const std::string config =
+            R"({"name": "m", "kind": "trajectory", "methods": ["rkmk/rk4"], "projections": ["none"],
             "formulations": ["SO3xR3"], "time": {"end": 0.5, "steps": 8}, "problems": [")" +
-                                   problem + R"("], "metrics": [")" + metric + R"("]})";
+            problem + R"("], "metrics": [")" + metric + R"("]})";
         std::size_t count = 0;
         for (const std::string& warning : plan_of(parse_document("m.json", config), engines).warnings)
             count += warning.find("/metrics/0") != std::string::npos ? 1U : 0U;
@@ -109,8 +110,8 @@ TEST_CASE("a metric of rows that no joint has is warned of", "[campaign]") {
     CHECK(warnings("free_top", "defect.position") == 1);
 }
 
-TEST_CASE("nothing is said relative to a first integral that is zero", "[campaign]") {
-    // A top at rest with its mass centre on the x axis: the vertical angular momentum is zero but for round-off.
+TEST_CASE("nothing is reported relative to a first integral that is zero", "[campaign]") {
+    // A top at rest with its mass centre on the x axis: the vertical angular momentum is zero up to round-off.
     Cell cell = cell_of("heavy_top", "rkmk/rk4", 1, 1000);
     cell.parameters["lever"] = Vector3{0.3, 0, 0};
     cell.parameters["inertia"] = Matrix3{1, 0, 0, 0, 1, 0, 0, 0, 1};

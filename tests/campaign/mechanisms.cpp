@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Mechanisms that can be read and cannot be: each is refused where its error stands, in words that name joint and bodies.
-// And mechanisms that can: every type of joint and force, starts that are repaired.
+// Mechanisms that are well-formed but inadmissible: each is refused at its error, naming joint and bodies.
+// And admissible ones: every type of joint and force, starts that are corrected.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -58,7 +58,7 @@ std::string refusal(const ordered_json& parameters) {
 
 struct Bad {
     std::string place, value;  ///< what is put into the good mechanism
-    std::string pointer;       ///< where the error stands
+    std::string pointer;       ///< location of the error
     std::vector<std::string> phrases;
 };
 
@@ -137,19 +137,23 @@ const std::vector<Bad> bad = {
      {"force 0 (crank - bob, spring)", "mass centre"}},
     // rolling
     {"/joints/1",
-     R"({"type": "rolling", "between": ["crank", "rod"], "points": [[0, 0, -1], [1.5, 0, 0]], "axes": [[0, 0, 1], [0, 1, 0]], "radius": 1})",
+     R"({"type": "rolling", "between": ["crank", "rod"], "points": [[0, 0, -1], [1.5, 0, 0]], )"
+     R"("axes": [[0, 0, 1], [0, 1, 0]], "radius": 1})",
      "/joints/1/between",
      {"expected \"ground\""}},
     {"/joints/1",
-     R"({"type": "rolling", "between": ["rod", "ground"], "points": [[0, 0, -1], [1.5, 0, 0]], "axes": [[0, 0, 1], [0, 1, 0]], "radius": 1})",
+     R"({"type": "rolling", "between": ["rod", "ground"], "points": [[0, 0, -1], [1.5, 0, 0]], )"
+     R"("axes": [[0, 0, 1], [0, 1, 0]], "radius": 1})",
      "/joints/1/between",
      {"and then the disk"}},
     {"/joints/1",
-     R"({"type": "rolling", "between": ["ground", "rod"], "points": [[0, 0, -1], [1.5, 0, 0]], "axes": [[0, 0, 1], [0, 0, 1]], "radius": 1})",
+     R"({"type": "rolling", "between": ["ground", "rod"], "points": [[0, 0, -1], [1.5, 0, 0]], )"
+     R"("axes": [[0, 0, 1], [0, 0, 1]], "radius": 1})",
      "/joints/1/axes",
      {"lie flat"}},
     {"/joints/1",
-     R"({"type": "rolling", "between": ["ground", "rod"], "points": [[0, 0, -1], [1.5, 0, 0]], "axes": [[0, 0, 1], [0, 1, 0]], "radius": 0.5})",
+     R"({"type": "rolling", "between": ["ground", "rod"], "points": [[0, 0, -1], [1.5, 0, 0]], )"
+     R"("axes": [[0, 0, 1], [0, 1, 0]], "radius": 0.5})",
      "",
      {"joint 1 (ground - rod, rolling): 0.5 m"}},
     // forces
@@ -162,11 +166,13 @@ const std::vector<Bad> bad = {
      "/forces/0/between",
      {"force 0 (rod - rod, spring)", "two different bodies"}},
     {"/forces/0",
-     R"({"type": "spring", "between": ["crank", "rod"], "points": [[1, 0, 0], [1, 0, 0]], "stiffness": 1, "length": 0.5})",
+     R"({"type": "spring", "between": ["crank", "rod"], "points": [[1, 0, 0], [1, 0, 0]], "stiffness": 1, )"
+     R"("length": 0.5})",
      "/forces/0/points",
      {"two different points"}},
     {"/forces/0",
-     R"({"type": "spring", "between": ["crank", "rod"], "points": [[1, 0, 0], [1, 0, 0]], "stiffness": 1, "damping": 1})",
+     R"({"type": "spring", "between": ["crank", "rod"], "points": [[1, 0, 0], [1, 0, 0]], "stiffness": 1, )"
+     R"("damping": 1})",
      "/forces/0/points",
      {"two different points"}},
     {"/forces/0",
@@ -188,7 +194,7 @@ const std::vector<Bad> bad = {
 
 }  // namespace
 
-TEST_CASE("each mechanism that cannot be is refused where its error stands", "[campaign]") {
+TEST_CASE("each inadmissible mechanism is refused at its error", "[campaign]") {
     CHECK(refusal(changed({})) == "");
     CHECK(std::size(bad) >= 30);
     for (const Bad& one : bad) {
@@ -210,8 +216,8 @@ TEST_CASE("every type of joint and of force makes a mechanism", "[campaign]") {
          R"({"type": "universal", "between": ["crank", "rod"], "point": [1, 0, 0], "axes": [[0, 2, 0], [0, 0, 1]]})"},
         {"/joints/1",
          R"({"type": "prismatic", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], "axis": [1, 0, 0]})"},
-        {"/joints/1",
-         R"({"type": "cylindrical", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], "axis": [1, 0, 0]})"},
+        {"/joints/1", R"({"type": "cylindrical", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], )"
+                      R"("axis": [1, 0, 0]})"},
         {"/joints/1",
          R"({"type": "planar", "between": ["crank", "rod"], "points": [[1, 0, 0], [1, 3, 2]], "axis": [1, 0, 0]})"},
         {"/joints/1", R"({"type": "fixed", "between": ["crank", "rod"], "point": [1, 0, 0]})"},
@@ -219,18 +225,20 @@ TEST_CASE("every type of joint and of force makes a mechanism", "[campaign]") {
          R"({"type": "distance", "between": ["crank", "rod"], "points": [[1, 0, 0], [1, 0, 2]], "length": 2})"},
         {"/joints/2",
          R"({"type": "distance", "between": ["bob", "rod"], "points": [[2, 0, 0], [1, 0, 2]], "amplitude": -0.5})"},
-        {"/joints/1",
-         R"({"type": "rolling", "between": ["ground", "rod"], "points": [[5, 0, -1], [1.5, 0, 0]], "axes": [[0, 0, 1], [0, 1, 0]], "radius": 1})"},
-        {"/joints/1",
-         R"({"type": "distance", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], "amplitude": 0.5, "frequency": 2})"},
+        {"/joints/1", R"({"type": "rolling", "between": ["ground", "rod"], "points": [[5, 0, -1], [1.5, 0, 0]], )"
+                      R"("axes": [[0, 0, 1], [0, 1, 0]], "radius": 1})"},
+        {"/joints/1", R"({"type": "distance", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], )"
+                      R"("amplitude": 0.5, "frequency": 2})"},
         {"/joints", "[]"},
         {"/bodies/0/quaternion", "[0.6, 0.8, 0, 0]"},
         {"/forces/0",
-         R"({"type": "spring", "between": ["ground", "bob"], "points": [[0, 0, 3], [2, 0, 0]], "stiffness": 3, "damping": 1, "length": 2})"},
+         R"({"type": "spring", "between": ["ground", "bob"], "points": [[0, 0, 3], [2, 0, 0]], "stiffness": 3, )"
+         R"("damping": 1, "length": 2})"},
         {"/forces/0",
          R"({"type": "spring", "between": ["crank", "rod"], "points": [[1, 0, 0], [1, 0, 0]], "stiffness": 3})"},
         {"/forces/0",
-         R"({"type": "torsion_spring", "between": ["ground", "crank"], "axis": [0, 1, 0], "stiffness": 3, "angle": 0.5})"},
+         R"({"type": "torsion_spring", "between": ["ground", "crank"], "axis": [0, 1, 0], "stiffness": 3, )"
+         R"("angle": 0.5})"},
         {"/forces/0", R"({"type": "torque", "body": "rod", "value": [0, 0, 1], "frame": "body"})"},
         {"/forces/0",
          R"({"type": "force", "body": "bob", "value": [0, 0, 1], "point": [2, 0, 0], "amplitude": 1, "frequency": 2})"},
@@ -256,8 +264,8 @@ TEST_CASE("a start that does not meet its joints is projected on demand, and tha
     CHECK(plan_with(changed({{"/project_initial", "true"}})).warnings.size() == 1);
 
     const ordered_json crooked = changed(
-        {{"/joints/1",
-          R"({"type": "universal", "between": ["crank", "rod"], "point": [1, 0, 0], "axes": [[0, 1, 0], [0, 0.1, 1]]})"},
+        {{"/joints/1", R"({"type": "universal", "between": ["crank", "rod"], "point": [1, 0, 0], "axes": [[0, 1, 0], )"
+                       R"([0, 0.1, 1]]})"},
          {"/project_initial", "true"}});
     CHECK(plan_with(crooked).warnings.size() == 2);
 }
@@ -281,7 +289,7 @@ TEST_CASE("velocities that are not given follow from the joints", "[campaign]") 
     CHECK(refusal(turning) == "");
 }
 
-TEST_CASE("the mechanism of the README can be", "[campaign]") {
+TEST_CASE("the mechanism of the README is admissible", "[campaign]") {
     const std::string readme = text_of("README.md");
     const auto begin = readme.find("{\"name\": \"multibody\"");
     REQUIRE(begin != std::string::npos);

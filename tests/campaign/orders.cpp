@@ -28,9 +28,17 @@ Curves measure(const std::string& problem, const std::string& formulation, const
                const OptionValues& options, long from, int levels) {
     Curves curves;
     for (int level = 0; level < levels; ++level) {
-        Cell cell{.problem = problem, .parameters = defaults(problem), .formulation = formulation, .method = method.name,
-                  .options = options, .projection = "none", .projection_options = {}, .t_end = 1, .steps = from << level,
-                  .samples = 0, .metrics = {"error.*"}};
+        Cell cell{.problem = problem,
+                  .parameters = defaults(problem),
+                  .formulation = formulation,
+                  .method = method.name,
+                  .options = options,
+                  .projection = "none",
+                  .projection_options = {},
+                  .t_end = 1,
+                  .steps = from << level,
+                  .samples = 0,
+                  .metrics = {"error.*"}};
         if (!engine().skip_reason(cell).empty()) return {};
         const Outcome outcome = engine().run(cell, &reference(problem), {});
         INFO(outcome.detail);
@@ -59,11 +67,17 @@ void certify(const std::string& problem, bool sharp, long from) {
 
 }  // namespace
 
-TEST_CASE("declared orders are observed on the forced heavy top", "[campaign]") { certify("forced_heavy_top", true, 64); }
+TEST_CASE("declared orders are observed on the forced heavy top", "[campaign]") {
+    certify("forced_heavy_top", true, 64);
+}
 
-TEST_CASE("declared orders are observed on the forced free body", "[campaign]") { certify("forced_free_body", true, 64); }
+TEST_CASE("declared orders are observed on the forced free body", "[campaign]") {
+    certify("forced_free_body", true, 64);
+}
 
-TEST_CASE("no method falls below its order on the double pendulum", "[campaign]") { certify("double_pendulum", false, 128); }
+TEST_CASE("no method falls below its order on the double pendulum", "[campaign]") {
+    certify("double_pendulum", false, 128);
+}
 
 TEST_CASE("the certification rejects a method that claims one order more", "[campaign][control]") {
     for (const MethodDescription& method : engine().methods())
@@ -95,7 +109,8 @@ TEST_CASE("double and quad runs of one cell agree to double round-off", "[campai
         Cell cell{.problem = "forced_heavy_top", .parameters = defaults("forced_heavy_top"), .formulation = "SO3",
                   .method = method.name, .options = variants(method)[0], .projection = "none", .projection_options = {},
                   .t_end = 1, .steps = 64, .samples = 0, .metrics = {}};
-        const Outcome narrow = engine_binary64().run(cell, nullptr, {}), wide = engine_binary128().run(cell, nullptr, {});
+        const Outcome narrow = engine_binary64().run(cell, nullptr, {}),
+                      wide = engine_binary128().run(cell, nullptr, {});
         INFO(method.name);
         REQUIRE(narrow.status == "ok");
         REQUIRE(wide.status == "ok");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The parameters of every registered problem survive the way through a config: written, read, written again.
+// The parameters of every registered problem survive the round trip through a config: written, read, written again.
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -19,7 +19,7 @@ double awkward(double x) { return x * (1 + 1 / (3 * 1024.0)) + std::nextafter(1.
 
 Vector3 awkward(const Vector3& v) { return {awkward(v[0]), awkward(v[1]), awkward(v[2])}; }
 
-/// Symmetric to the last bit; a rotation by a cyclic exchange of the axes stays one.
+/// Symmetric to the last bit; a rotation that permutes the axes cyclically stays one.
 Matrix3 awkward(const Matrix3& m, ParameterKind kind) {
     if (kind == ParameterKind::rotation) return {m[3], m[4], m[5], m[6], m[7], m[8], m[0], m[1], m[2]};
     const double a = awkward(m[1]) / 7, b = awkward(m[2]) / 7, c = awkward(m[5]) / 7;

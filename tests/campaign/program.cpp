@@ -19,7 +19,7 @@ using namespace kreisel::acceptance;
 
 namespace {
 
-/// A folder that goes when the test ends; no reference enters the cache of whoever runs it.
+/// A folder that is removed when the test ends; no reference enters the user's cache.
 class Folder {
   public:
     Folder() {
@@ -184,7 +184,7 @@ TEST_CASE("a campaign over the real engines is run, verified and tabled", "[camp
     CHECK(std::filesystem::exists(std::filesystem::path(out) / "tables" / "invariants.csv"));
 }
 
-TEST_CASE("everything that is listed can be asked about", "[campaign]") {
+TEST_CASE("everything that is listed has its info", "[campaign]") {
     const Engine& engine = engine_binary64();
     std::vector<std::string> names;
     for (const auto& one : engine.problems()) names.push_back(one.name);

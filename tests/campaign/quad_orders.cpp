@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Declared order = observed order where double has nothing but round-off: quad runs with errors down to some 1e-25, for
+// Declared order = observed order where double has only round-off: quad runs with errors down to about 1e-25, for
 // every registered method. The end time T follows from the order p such that T (T/N)^p is that small at the finest N,
-// so that a method of order 1 gets there with a thousand steps too. (How errors add up over a long way is seen in double,
-// by orders.cpp.)
+// so that a method of order 1 gets there with a thousand steps too. (Accumulation of errors over long times is tested
+// in double, by orders.cpp.)
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -31,7 +31,7 @@ const Reference& reference(const std::string& problem, double t_end) {
 
 using ErrorCurves = std::map<std::string, std::vector<ErrorPoint>>;
 
-/// Empty where the pair does not run.
+/// Empty if the pair does not run.
 ErrorCurves measure(const std::string& problem, const std::string& formulation, const MethodDescription& method,
                     const OptionValues& options, double t_end) {
     ErrorCurves curves;
@@ -57,7 +57,7 @@ ErrorCurves measure(const std::string& problem, const std::string& formulation, 
     return curves;
 }
 
-/// What speaks against order `p` of a curve.
+/// The objection to order `p` of a curve, or "".
 std::string objection(const std::vector<ErrorPoint>& points, const std::string& metric, const Reference& reference,
                       int p) {
     const OrderLimits limits{
@@ -70,7 +70,7 @@ std::string objection(const std::vector<ErrorPoint>& points, const std::string& 
     return std::abs(*observed.order - p) <= 0.1 ? "" : "observed order " + std::to_string(*observed.order);
 }
 
-/// How many curves there are.
+/// The number of curves.
 int certify(const std::string& problem, const std::string& formulation, const MethodDescription& method,
             const OptionValues& options) {
     const Order order = engine_binary128().declared_order(method.name, options);
@@ -110,10 +110,11 @@ TEST_CASE("orders declared under other options are observed in quad", "[campaign
     CHECK(seen >= 50);
 }
 
-TEST_CASE("quad turns down a method that claims one order more", "[campaign][control]") {
+TEST_CASE("quad rejects a method that claims one order more", "[campaign][control]") {
     for (const MethodDescription& method : engine_binary128().methods())
         if (method.name == "rkmk/kutta3") {
-            const ErrorCurves curves = measure("forced_heavy_top", "SO3xR3", method, standard_options(method), end_time(3));
+            const ErrorCurves curves =
+                measure("forced_heavy_top", "SO3xR3", method, standard_options(method), end_time(3));
             const Reference& exact = reference("forced_heavy_top", end_time(3));
             CHECK(objection(curves.at("error.rotation"), "error.rotation", exact, 3) == "");
             CHECK(objection(curves.at("error.rotation"), "error.rotation", exact, 4) != "");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What results say of joints: names and units of multipliers, reactions on the second-named body, which of them are unique,
-// and metrics in one unit each.
+// Joints in results: names and units of multipliers, reactions on the second-named body, which of them are unique,
+// and metrics with one unit each.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -35,13 +35,15 @@ const char* const block = R"({
     "gravity": [0, 0, -9.81], "forces": [],
     "bodies": [{"name": "block", "mass": 1, "inertia": [0.1, 0.1, 0.1], "x": [0, 0, 0]}],
     "joints": [{"type": "planar", "between": ["ground", "block"], "point": [0, 0, 0], "axis": [0, 0, 1]}]})";
-/// A door on two hinges, which share its weight in a way that nobody knows, and a bell on a ball joint below it.
+/// A door on two hinges, which share its weight in an undetermined way, and a bell on a ball joint below it.
 const char* const door = R"({
     "gravity": [0, 0, -9.81], "forces": [],
     "bodies": [{"name": "door", "mass": 4, "inertia": [1, 1, 1], "x": [0.5, 0, 0]},
                {"name": "bell", "mass": 1, "inertia": [0.1, 0.1, 0.1], "x": [1, 0, -2]}],
-    "joints": [{"type": "revolute", "name": "upper", "between": ["ground", "door"], "point": [0, 0, 1], "axis": [0, 0, 1]},
-               {"type": "revolute", "name": "lower", "between": ["ground", "door"], "point": [0, 0, -1], "axis": [0, 0, 1]},
+    "joints": [{"type": "revolute", "name": "upper", "between": ["ground", "door"], "point": [0, 0, 1],
+        "axis": [0, 0, 1]},
+               {"type": "revolute", "name": "lower", "between": ["ground", "door"], "point": [0, 0, -1],
+                   "axis": [0, 0, 1]},
                {"type": "spherical", "between": ["door", "bell"], "point": [1, 0, -1]}]})";
 
 std::vector<Cell> cells_of(const char* parameters, const std::vector<std::string>& formulations,
@@ -129,7 +131,8 @@ TEST_CASE("columns of multipliers and reactions have their units", "[campaign]")
     CHECK_FALSE(sample.contains("reaction.ground-beam.unique"));
 }
 
-TEST_CASE("the ground carries a wheel and a block alike, and the other order of bodies turns the sign", "[campaign]") {
+TEST_CASE("the ground carries a wheel and a block alike, and the other order of bodies changes the sign",
+          "[campaign]") {
     const std::array<double, 3> up = {0, 0, 9.81}, down = {0, 0, -9.81};
     for (const char* carried : {wheel, block}) {
         const Outcome outcome = outcome_of(carried);
@@ -173,7 +176,7 @@ TEST_CASE("columns call joints by their names, or by their bodies and a number",
         CHECK(sample.contains(name));
 }
 
-TEST_CASE("where rows are redundant, reactions that are not unique are marked, and those that are stay", "[campaign]") {
+TEST_CASE("with redundant rows, reactions that are not unique are marked, and unique ones stay", "[campaign]") {
     const Outcome outcome = outcome_of(door);
     REQUIRE(outcome.final);
     CHECK(outcome.final->multipliers.empty());
@@ -193,7 +196,7 @@ TEST_CASE("where rows are redundant, reactions that are not unique are marked, a
     CHECK_FALSE(sample.at("reaction.upper.force.3").first.empty());
 }
 
-TEST_CASE("metrics of lengths and of directions come apart, and what has no rows is absent", "[campaign]") {
+TEST_CASE("metrics of lengths and of directions are separate, and absent without rows", "[campaign]") {
     const auto hinged = metric_names_of(outcome_of(beam)), carried = metric_names_of(outcome_of(wheel));
     for (const char* level : {"defect.direction", "defect.direction.velocity", "defect.direction.acceleration"}) {
         CHECK(hinged.contains(level));
@@ -205,7 +208,7 @@ TEST_CASE("metrics of lengths and of directions come apart, and what has no rows
     }
 }
 
-TEST_CASE("errors of forces and of torques come apart", "[campaign]") {
+TEST_CASE("errors of forces and of torques are separate", "[campaign]") {
     ordered_json turning = ordered_json::parse(beam);
     turning["bodies"][0]["omega"] = {3, 0, 0};
     turning["bodies"][0]["inertia"] = {0.2, 0.3, 0.4};

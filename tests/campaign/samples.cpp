@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A long cell of the real program is stopped: its samples are on disk, to the last digit those of a run that was not.
+// A long cell of the real program is stopped: its samples are on disk, identical to those of an uninterrupted run.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,10 +29,10 @@ std::string read(const std::filesystem::path& file) {
 /// The lines of a sampled top whose step is 2^-20 s, over `end` seconds of its motion.
 std::string config_text(double end) {
     std::ostringstream text;
-    text
-        << R"({"name": "long", "kind": "trajectory", "problems": ["heavy_top"], "methods": ["rkmk/rk4"], "metrics": [],)"
-        << R"("time": {"end": )" << end << R"(, "steps": )" << static_cast<long>(end * 1048576)
-        << R"(}, "output": {"samples": )" << static_cast<long>(end * 1024) << "}}";
+    text << R"({"name": "long", "kind": "trajectory", "problems": ["heavy_top"], "methods": ["rkmk/rk4"], )"
+            R"("metrics": [],)"
+         << R"("time": {"end": )" << end << R"(, "steps": )" << static_cast<long>(end * 1048576)
+         << R"(}, "output": {"samples": )" << static_cast<long>(end * 1024) << "}}";
     return text.str();
 }
 
@@ -44,7 +44,7 @@ int run_program(const std::filesystem::path& config, const std::filesystem::path
 
 }  // namespace
 
-TEST_CASE("what a long cell has sampled before it is stopped or killed is on disk", "[campaign]") {
+TEST_CASE("samples of a long cell are on disk before it is stopped or killed", "[campaign]") {
     std::string pattern = (std::filesystem::temp_directory_path() / "kreisel_samples_XXXXXX").string();
     const std::filesystem::path folder = ::mkdtemp(pattern.data());
     std::ofstream(folder / "short.json") << config_text(0.0625);

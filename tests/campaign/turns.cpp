@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Torsion springs as a user writes them and reads them back: closed forms at the end, turns in final states and samples, and
-// the words of a run that has lost them.
+// Torsion springs as a user writes them in configs and reads them in results: closed forms at the end, turns in final
+// states and samples, and the message of a run that has lost them.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -102,7 +102,7 @@ TEST_CASE("samples hold angle and turns of each torsion spring", "[campaign]") {
     }
 }
 
-TEST_CASE("energy is kept by a spring that turns often", "[campaign]") {
+TEST_CASE("energy is conserved by a spring that turns often", "[campaign]") {
     Plan plan = plan_with(wheel(100), 10, 20000);
     Cell cell = plan.cells[0].cell;
     cell.metrics = {"invariant.energy*"};

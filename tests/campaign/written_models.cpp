@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A model holds what its config says and nothing else.
+// A model contains what its config gives and nothing else.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -14,7 +14,7 @@ namespace {
 
 using Vector = std::vector<Real>;
 
-/// What both families share: the slopes of the stages, each at its point and time.
+/// Shared by both families: the slopes of the stages, each at its point and time.
 class Broken : public Integrator {
   public:
     Broken(System& system, const Tableau& tableau)
@@ -34,7 +34,7 @@ class Broken : public Integrator {
     }
 
   protected:
-    /// y <- the point that the weights and the slopes so far lead to; answers its coordinates around the old y.
+    /// y <- the point that the weights and the slopes so far lead to; returns its coordinates around the old y.
     virtual Vector append(const Combination& weights, const Real& h, Real* y, bool final) = 0;
     virtual Status find_slope(std::size_t /*stage*/, const Real& t, const Real* point, Real* slope) {
         return system_.vector_field(t, point, slope);
@@ -99,7 +99,7 @@ class BrokenMuntheKaas final : public Broken {
         return system_.vector_field(t, y, kept_.data());
     }
 
-    /// y <- exp(angle (1, ..., 1; 0)) y: a motion of space, the same wherever y is.
+    /// y <- exp(angle (1, ..., 1; 0)) y: a motion of space, independent of y.
     void turn_space(const Real& angle, Real* y) const {
         Vector motion(static_cast<std::size_t>(group_.size())), u = algebra();
         std::fill_n(u.begin(), group_.base().dim(), angle);

@@ -12,16 +12,16 @@ inline namespace KREISEL_PRECISION {
 struct MuntheKaasFault {
     enum class Dexpinv { right, absent, wrong_sign } dexpinv = Dexpinv::right;  ///< wrong sign: dexpinv_{+u}
     enum class Nodes { right, start, middle } nodes = Nodes::right;             ///< every stage at t_n, at t_n + h/2
-    bool stale_slope = false;  ///< the slope at the end of a step is kept as the first one of whatever step comes next
-    bool uncounted_solve = false;  ///< the first slope is computed twice, once where nobody counts
-    bool deaf = false;             ///< stages that fail are taken for good, entries that are no numbers for zero
-    bool turns_space = false;      ///< space is turned and moved by h^3 after each step
+    bool stale_slope = false;      ///< the slope at the end of a step is reused as the first one of any later step
+    bool uncounted_solve = false;  ///< the first slope is computed twice, once uncounted
+    bool deaf = false;             ///< failed stages are accepted, NaN entries replaced by zero
+    bool turns_space = false;      ///< space is rotated and shifted by h^3 after each step
 };
 Factory broken_rkmk(const Tableau& declared, MuntheKaasFault fault);
 /// Declares one tableau and steps with another.
 Factory broken_rkmk(const Tableau& declared, MuntheKaasFault fault, const Tableau& used);
 
-/// Lie midpoint method that ends after two fixed-point iterations and calls that converged.
+/// Lie midpoint method that stops after two fixed-point iterations and reports convergence.
 Factory unconverged_midpoint();
 
 /// Crouch-Grossman methods.

@@ -42,21 +42,21 @@ std::vector<Control> faults_of_dexpinv_and_nodes() {
             rkmk_control("rkmk/rk4", "stages_at_old_time", {.nodes = Nodes::start}, 1),
             rkmk_control("rkmk/rk4", "stages_at_mid_time", {.nodes = Nodes::middle}, 2),
             rkmk_control("rkmk/kutta3", "without_dexpinv", {.dexpinv = absent}, 2),
-            // Order 2 needs no dexpinv: only the comparison of one step can tell.
+            // Order 2 needs no dexpinv: only the comparison of one step detects it.
             rkmk_control("rkmk/midpoint", "without_dexpinv", {.dexpinv = absent}, 2)};
 }
 
 std::vector<Control> faults_of_products() {
     return {
         crouch_grossman_control("crouch_grossman/cg3a", "reversed_final_factors", {.reversed_final_factors = true}, 2),
-        // Two different branches at one node take four nodes: order 3 cannot see the stage products.
+        // Two different branches at one node take four nodes: order 3 does not involve the stage products.
         crouch_grossman_control("crouch_grossman/cg3a", "reversed_stage_factors", {.reversed_stage_factors = true}, 3),
         crouch_grossman_control("crouch_grossman/cg4a", "reversed_stage_factors", {.reversed_stage_factors = true}, 3),
         crouch_grossman_control("crouch_grossman/cg4a", "reversed_rows", {.reversed_rows = true}, 2)};
 }
 
 std::vector<Control> faults_of_coefficients() {
-    // Heun's a_21 = 1 off by 1e-6. At any h in use h^2 is larger than 1e-6 h, so that no slope can tell.
+    // Heun's a_21 = 1 off by 1e-6. At any h in use h^2 is larger than 1e-6 h, so no slope detects it.
     Tableau off = tableau_of("rkmk/heun");
     off.a[1][0] = {1000001, 1000000};
     // The weights of rk4 from the inside to the outside: sum b = 1 and sum b c = 1/2 hold, sum b c^2 = 1/3 does not.
@@ -98,7 +98,7 @@ ProjectionMethod impostor(const std::string& claimed, const std::string& actual)
     return entry;
 }
 
-/// Takes what is not finite for nothing to do.
+/// Treats non-finite residuals as converged.
 class DeafProjection final : public Projection {
   public:
     DeafProjection(std::unique_ptr<Projection> inner, int size)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Methods and projections that are broken on purpose, as public codes have been found broken: every method keeps its
-// state on the group to round-off and converges. They are not registered; the judgements of checks.hpp must turn them
-// down.
+// Methods and projections broken on purpose, with faults found in public codes: every method keeps its
+// state on the group to round-off and converges. They are not registered; the checks of checks.hpp must reject
+// them.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// A broken method: its description and scheme are what it claims to be, its steps are something else.
+/// A broken method: its description and scheme are those it claims, its steps differ.
 struct Control {
     Method method;
-    /// Order that it has on a field that does not commute, depends on the state and depends on time; where this is less
-    /// than the declared order, a judgement of observed orders must turn it down.
+    /// Order on a non-commuting, state- and time-dependent field; if this is less
+    /// than the declared order, the check of observed orders must reject it.
     int true_order;
-    /// What must turn it down, besides the observed order; others may.
+    /// The checks that must reject it, besides the observed order; others may.
     std::vector<Check> caught_by;
 
     bool seen_by_order() const { return true_order < method.description.order.configuration; }

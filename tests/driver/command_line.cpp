@@ -15,7 +15,7 @@ namespace kreisel {
 
 namespace {
 
-// No test may leave the references of an invented engine in the cache of whoever runs it.
+// No test may leave references of a fake engine in the user's cache.
 const int no_cache = ::setenv("KREISEL_CACHE", "", 1);
 
 // Diverts a stream into a string for as long as it lives.
@@ -52,7 +52,7 @@ ScratchFolder::ScratchFolder() {
 }
 
 ScratchFolder::~ScratchFolder() {
-    std::error_code ignored;  // a folder that stays behind harms no test
+    std::error_code ignored;  // a folder left behind does not affect tests
     std::filesystem::remove_all(path_, ignored);
 }
 

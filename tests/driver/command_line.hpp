@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Runs the whole program inside a test, and holds the files it works on.
+// Runs the whole program inside a test, and manages its files.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace kreisel {
 
-/// One engine for what only reads descriptions and runs cells.
+/// One engine for tests that only read descriptions and run cells.
 inline const FakeEngine plain_engine;
 inline const Engines one_engine{plain_engine, plain_engine};
 
@@ -25,7 +25,7 @@ struct ProgramResult {
 ProgramResult run_program(const std::vector<std::string>& words, const Engine& engine);
 ProgramResult run_program(const std::vector<std::string>& words);
 
-/// A folder that is empty at first and goes when the test ends.
+/// A folder that is empty at first and is removed when the test ends.
 class ScratchFolder {
   public:
     ScratchFolder();
@@ -33,7 +33,7 @@ class ScratchFolder {
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
     std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    /// Writes a file and answers its path.
+    /// Writes a file and returns its path.
     std::string file(const std::string& name, const std::string& text) const;
 
   private:
@@ -42,7 +42,7 @@ class ScratchFolder {
 
 std::string contents(const std::filesystem::path& file);
 
-/// A good config of 12 cells: two methods of which one in two charts, two projections, two step counts.
+/// A good config of 12 cells: two methods, one of them in two charts, two projections, two step counts.
 std::string good_config();
 
 }  // namespace kreisel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The command line: exit codes, help, what list, info and plan tell.
+// The command line: exit codes, help, the output of list, info and plan.
 #include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -132,7 +132,7 @@ TEST_CASE("info tells parameters, options, integrals and why a formulation is im
     CHECK(tells(run_program({"info", "SE3"}).out, "semidirect"));
 }
 
-TEST_CASE("plan tells the cells, for people and for scripts") {
+TEST_CASE("plan lists the cells, as text and as JSON") {
     const ScratchFolder scratch;
     const std::string config = scratch.file("good.json", good_config());
     const auto table = run_program({"plan", config});

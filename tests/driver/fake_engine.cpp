@@ -43,7 +43,7 @@ std::vector<OptionDescription> lift_options() {
 
 void sleep_milliseconds(long count) { std::this_thread::sleep_for(std::chrono::milliseconds(count)); }
 
-// Works through the steps, `pause` milliseconds each, and samples; false if asked to stop.
+// Simulates the steps, `pause` milliseconds each, and samples; false if asked to stop.
 bool work(const Cell& cell, long pause, const std::stop_token& stop, SampleSink* samples) {
     const long stride = cell.samples > 0 && samples != nullptr ? cell.steps / cell.samples : 0;
     if (stride > 0) { samples->begin({{"t", "s"}, {"x1", "m"}}); }
@@ -151,7 +151,7 @@ SystemSummary FakeEngine::summary(const std::string& problem, const ParameterVal
     summary.constraints = {3 * summary.bodies, 3 * summary.bodies, {}, {}, {}};
     summary.integrals = {{"energy", "J", "forces have a potential"}};
     if (formulation == "SO3" && problem == "double_pendulum") {
-        summary.skip_reason = "no body turns about a fixed point alone";
+        summary.skip_reason = "no body rotates about a fixed point";
     }
     if (mass_of(parameters) > 1000) { summary.warnings = {"a very heavy top"}; }
     return summary;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A small deterministic engine: enough problems, methods and options to exercise the driver, and methods that misbehave.
+// A small deterministic engine: enough problems, methods and options to exercise the driver, and methods that
+// misbehave.
 #pragma once
 
 #include <atomic>
@@ -9,9 +10,10 @@
 
 namespace kreisel {
 
-/// Methods: rkmk/rk4 and rkmk/midpoint (options coordinates, dexpinv), baseline/rk4_quaternion (a flag; skipped on SE3),
-/// fake/relaxed (a real option), fake/nan (fails half way), fake/infinite (reports an infinite metric), fake/slow (one
-/// millisecond per step, listens to stop requests, samples on the way), fake/deaf (sleeps without listening), fake/throws, fake/throws_int.
+/// Methods: rkmk/rk4 and rkmk/midpoint (options coordinates, dexpinv), baseline/rk4_quaternion (a flag; skipped on
+/// SE3), fake/relaxed (a real option), fake/nan (fails half way), fake/infinite (reports an infinite metric), fake/slow
+/// (one millisecond per step, checks stop requests, samples on the way), fake/deaf (ignores stop requests),
+/// fake/throws, fake/throws_int.
 class FakeEngine final : public Engine {
   public:
     std::vector<ProblemDescription> problems() const override;
@@ -24,7 +26,7 @@ class FakeEngine final : public Engine {
     std::string skip_reason(const Cell&) const override;
     using Engine::run;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;
-    /// Ends after t_end ms where t_end is above 1000 and no stop is asked for.
+    /// Ends after t_end ms if t_end is above 1000 and no stop is requested.
     Reference reference(const std::string& problem, const ParameterValues&, double t_end,
                         const std::stop_token&) const override;
     ReferenceCheck check_reference(const std::string& problem, const ParameterValues&, const Reference&) const override;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Result folders that do not fit together, or are not what a command takes them for: merge, verify, resume.
+// Result folders that do not fit together, or are not of the kind that a command expects: merge, verify, resume.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -42,7 +42,7 @@ void change(const std::filesystem::path& file, const std::string& pointer, const
     std::ofstream(file) << json.dump(2);
 }
 
-/// The journal's lines, as another build would have written them.
+/// The journal's lines, as written by another build.
 void make_foreign(const std::filesystem::path& journal) {
     std::istringstream lines(contents(journal));
     std::string text;
@@ -52,7 +52,7 @@ void make_foreign(const std::filesystem::path& journal) {
     std::ofstream(journal) << text;
 }
 
-/// A second route that has nothing to compare with what is asked of it.
+/// A second route without a result to compare.
 class SilentRoute final : public OtherEngine {
   public:
     ReferenceCheck check_reference(const std::string&, const ParameterValues&, const Reference&) const override {
@@ -130,7 +130,7 @@ TEST_CASE("a journal full of damage is complained of ten times and once in sum")
     CHECK(read.complaints[10] == "further journal lines are left out too");
 }
 
-TEST_CASE("what is no folder cannot be searched for journals") {
+TEST_CASE("a path that is not a folder cannot be searched for journals") {
     const ScratchFolder scratch;
     CHECK_THROWS_AS(read_journals(scratch.file("a_file", ""), "b"), FileError);
     CHECK(read_journals(scratch / "absent", "b").cells.empty());
@@ -157,7 +157,7 @@ TEST_CASE("verify names the build that wrote the results, and the cells that are
     CHECK_THAT(result.out, Catch::Contains("12 of 12 cells computed again (seed 7), 1 differ or are missing\n"));
 }
 
-TEST_CASE("verify computes a reference that is gone, and says that it is gone") {
+TEST_CASE("verify computes a missing reference, and reports that it is missing") {
     const ScratchFolder scratch;
     const std::string config = scratch.file("good.json", good_config());
     const auto folder = scratch / "out";

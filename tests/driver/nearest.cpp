@@ -75,7 +75,7 @@ TEST_CASE("three hundred typos lead back to their name in 95 of 100 cases") {
     CHECK(right >= 285);
 }
 
-TEST_CASE("random words stay without answer in 98 of 100 cases") {
+TEST_CASE("random words get no suggestion in 98 of 100 cases") {
     std::mt19937 random(20260102);
     int silent = 0;
     for (int i = 0; i < 1000; ++i) {
@@ -84,7 +84,7 @@ TEST_CASE("random words stay without answer in 98 of 100 cases") {
     CHECK(silent >= 980);
 }
 
-TEST_CASE("what is not near, or near to two, has no answer") {
+TEST_CASE("a word near to none, or to two, gets no suggestion") {
     CHECK(nearest_name("", names) == "");
     CHECK(nearest_name("quantum", names) == "");
     CHECK(nearest_name(std::string(100'000, 'a'), names) == "");

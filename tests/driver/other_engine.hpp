@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The small engine, for a test that overrides a part of it.
+// The fake engine, for a test that overrides a part of it.
 #pragma once
 
 #include "tests/driver/fake_engine.hpp"

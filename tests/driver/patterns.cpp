@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Patterns of metrics: what they match, and what is said of those that match nothing.
+// Patterns of metrics: what they match, and the message for those that match nothing.
 #include "support/pattern.hpp"
 
 #include <catch2/catch.hpp>
@@ -43,7 +43,7 @@ TEST_CASE("patterns") {
 }
 
 TEST_CASE("patterns match what the definition says, on random texts of two letters") {
-    // A pattern that begins with a star fits where its rest fits some end of the name.
+    // A pattern that begins with a star matches if its rest matches some suffix of the name.
     const std::function<bool(std::string_view, std::string_view)> defined = [&](std::string_view p,
                                                                                 std::string_view n) {
         if (p.empty()) { return n.empty(); }
@@ -108,6 +108,6 @@ TEST_CASE("a metric or pattern that no cell can measure is warned of, and a plai
             .warnings.size();
     };
     CHECK(free_warnings(R"("SO3xR3", "SO3")") == 0);
-    // invariant.energy is then no name at all
+    // invariant.energy is then not a name at all
     CHECK_THROWS_WITH(free_warnings(R"("SO3")"), Catch::Contains("/metrics/1: expected a metric of these problems"));
 }

@@ -68,7 +68,7 @@ TEST_CASE("every axis is crossed with every other, the steps varying fastest") {
         hashes.insert(cell.hash);
     }
     CHECK(hashes.size() == plan.cells.size());
-    CHECK(plan.references.empty());  // drift asks for no error
+    CHECK(plan.references.empty());  // drift measures no error
 }
 
 TEST_CASE("defaults are those of the contract") {
@@ -95,7 +95,7 @@ TEST_CASE("the time grid in its four spellings") {
     CHECK(steps(R"({"end": 1, "steps": {"from": 5, "levels": 3}})") == std::vector<long>{5, 10, 20});
     CHECK(steps(R"({"end": 1, "steps": {"from": 5, "levels": 3, "factor": 10}})") == std::vector<long>{5, 50, 500});
     CHECK(steps(R"({"end": 1, "step": [0.1, 0.001]})") == std::vector<long>{10, 1000});
-    CHECK(steps(R"({"end": 0.3, "step": 0.1})") == std::vector<long>{3});  // 0.3/0.1 is no whole double
+    CHECK(steps(R"({"end": 0.3, "step": 0.1})") == std::vector<long>{3});  // 0.3/0.1 is not an integer in double
 }
 
 TEST_CASE("an inertia may be written as three numbers or as a matrix") {
@@ -106,7 +106,8 @@ TEST_CASE("an inertia may be written as three numbers or as a matrix") {
 
 TEST_CASE("a cell's name depends on what decides its numbers and on nothing else") {
     const std::string name = hash_of(one_cell("\"heavy_top\"", ""));
-    CHECK(name == "c64bbc55218c5760");  // changes only with the hash's recipe: then results must be computed again
+    CHECK(name ==
+          "c64bbc55218c5760");  // changes only with the definition of the hash: results must then be computed again
     // order of keys, spelling of numbers, defaults written out, labels
     CHECK(name == hash_of(R"({"time": {"steps": 4, "end": 2.0}, "methods": [{"dexpinv": "exact", "name": "rkmk/rk4"}],
                              "problems": [{"parameters": {"mass": 1.5e1}, "label": "other", "name": "heavy_top"}],
@@ -153,7 +154,8 @@ TEST_CASE("a resolved config is a config and leads to the same cells") {
             {"name": "b", "mass": 3, "inertia": [1, 1, 1], "x": [0, 0, 1]}]}}],
         "methods": [{"name": "rkmk/rk4", "dexpinv": [0, "seed"]}, {"name": "fake/relaxed", "rho": [0.1, 1]}],
         "projections": ["none", {"name": "terze", "weight": ["mass", "identity"]}],
-        "time": {"end": 1, "step": 0.25}, "output": {"samples": 2}, "figure": {"kind": "components", "quantity": "v"}})");
+        "time": {"end": 1, "step": 0.25}, "output": {"samples": 2}, "figure": {"kind": "components",
+            "quantity": "v"}})");
     const Plan again = plan_from(resolved_config(plan.config));
     REQUIRE(again.cells.size() == plan.cells.size());
     for (std::size_t i = 0; i < plan.cells.size(); ++i) { CHECK(again.cells[i].identity == plan.cells[i].identity); }
@@ -167,7 +169,7 @@ TEST_CASE("a warning of the engine is said once for all formulations and precisi
     CHECK(plan.warnings == std::vector<std::string>{"anvil: a very heavy top"});
 }
 
-TEST_CASE("a trajectory that keeps no samples is warned of") {
+TEST_CASE("a trajectory without samples gives a warning") {
     const std::string text = R"({"name": "n", "kind": "trajectory", "problems": ["heavy_top"], "methods": ["rkmk/rk4"],
         "time": {"end": 2, "steps": 4})";
     const Plan plan = plan_from(text + "}");
@@ -176,7 +178,7 @@ TEST_CASE("a trajectory that keeps no samples is warned of") {
     CHECK(plan_from(text + R"(, "output": {"samples": 2}})").warnings.empty());
 }
 
-TEST_CASE("what the engine refuses for a cell stands at its problem or option, once") {
+TEST_CASE("an error of the engine for a cell is reported at its problem or option, once") {
     class Choosy final : public OtherEngine {
       public:
         std::string skip_reason(const Cell& cell) const override {
@@ -253,7 +255,7 @@ TEST_CASE("a number given as a list is an axis of the problem") {
     for (std::size_t i = 0; i < plan.cells.size(); ++i) { CHECK(again.cells[i].identity == plan.cells[i].identity); }
 }
 
-TEST_CASE("cells that are timed are others than those that are not") {
+TEST_CASE("timed cells differ from those that are not timed") {
     const auto planned = [](const std::string& kind) {
         return plan_from(R"({"name": "n", "kind": ")" + kind + R"(", "problems": ["heavy_top"], "methods": ["rkmk/rk4"],
                              "metrics": [], "time": {"end": 1, "steps": 4}})")

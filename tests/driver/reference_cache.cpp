@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The cache of references: shared between result folders, never trusted blindly, never in the way.
+// The cache of references: shared between result folders, verified when read, never required.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -40,7 +40,7 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
     return files;
 }
 
-/// Two configs that differ in their methods alone share their reference.
+/// Two configs that differ only in their methods share their reference.
 struct Fixture {
     ScratchFolder scratch;
     Variable cache{"KREISEL_CACHE", (scratch / "cache").string()};
@@ -113,7 +113,7 @@ TEST_CASE("a cache that cannot be written is noted, and the run goes on") {
     CHECK(files_in(f.scratch / "a" / "references").size() == 1);
 }
 
-TEST_CASE("an entry that is no file is computed around") {
+TEST_CASE("a cache entry that is not a file does not stop the run") {
     Fixture f;
     REQUIRE(f.run("a").code == 0);
     const auto entry = f.entry();
@@ -125,7 +125,7 @@ TEST_CASE("an entry that is no file is computed around") {
     CHECK(result.messages.find("note:") != std::string::npos);
 }
 
-TEST_CASE("the cache lies where the environment says, or nowhere") {
+TEST_CASE("the environment sets the place of the cache, or disables it") {
     const Variable own("KREISEL_CACHE", std::nullopt);
     const Variable home("HOME", "/absent/home");
     const Variable base("XDG_CACHE_HOME", "/var/somewhere");
@@ -140,7 +140,7 @@ TEST_CASE("the cache lies where the environment says, or nowhere") {
     CHECK(default_cache_folder().empty());
 }
 
-TEST_CASE("verify holds the stored references against the second route") {
+TEST_CASE("verify compares the stored references with the second route") {
     Fixture f;
     REQUIRE(f.run("a").code == 0);
     const std::vector<std::string> verify = {"verify", (f.scratch / "a").string(), "--cells", "1"};
@@ -150,7 +150,7 @@ TEST_CASE("verify holds the stored references against the second route") {
     const auto file = files_in(f.scratch / "a" / "references").front();
     CHECK(good.out.find("1 of 1 references computed again, 0 differ") != std::string::npos);
     std::string text = contents(file);
-    const auto write = [&] {  // with a check sum that fits
+    const auto write = [&] {  // with a valid check sum
         text.resize(text.rfind(",\"sum\":"));
         std::ofstream(file) << text << ",\"sum\":\"" << hash_text(text) << "\"}\n";
     };

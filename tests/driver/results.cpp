@@ -106,7 +106,7 @@ TEST_CASE("a torn journal keeps its good lines and says what it left out") {
     CHECK(contents(scratch / "journal.jsonl") == first + "\nrubbish\n");
 }
 
-TEST_CASE("cells of other builds are told apart from damage, and go when a journal is pruned") {
+TEST_CASE("cells of other builds are distinguished from damage, and removed when a journal is pruned") {
     const ScratchFolder scratch;
     const Plan plan = small_plan("double");
     const FinishedCell first = finished(plan.cells[0]), second = finished(plan.cells[1]);

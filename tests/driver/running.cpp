@@ -56,7 +56,7 @@ long lines_of(const std::filesystem::path& file) {
     return std::count(text.begin(), text.end(), '\n');
 }
 
-// Runs the program in a process of its own, sends it a signal, and answers its exit code or minus the signal.
+// Runs the program in a process of its own, sends it a signal, and returns its exit code or minus the signal.
 int run_and_signal(const std::string& config, const std::filesystem::path& folder, int signal, int milliseconds,
                    bool resume = false) {
     const pid_t child = ::fork();
@@ -97,7 +97,7 @@ TEST_CASE("the results are the same bytes for any number of workers and any shar
     require_same_results(scratch / "j1", scratch / "ab");
     const FakeEngine engine;
     run(config, scratch / "ab", {"--resume"}, engine);
-    CHECK(engine.runs == 48);  // what was thrown is tried again, the rest is there
+    CHECK(engine.runs == 48);  // cells with exceptions are tried again, the rest is done
     CHECK(engine.references == 0);
     require_same_results(scratch / "j1", scratch / "ab");
     for (const auto& entry : std::filesystem::directory_iterator(scratch / "j1" / "trajectories")) {
@@ -110,7 +110,7 @@ TEST_CASE("failures stay in their own cells and are listed with status, time and
     const auto result = run(scratch.file("mixed.json", mixed), scratch / "out");
     CHECK(result.messages.find("failed: non_finite at t = 0.5: fake/nan on light SE3") != std::string::npos);
     CHECK(result.messages.find("this method always throws") != std::string::npos);
-    CHECK(result.messages.find("no std::exception") != std::string::npos);
+    CHECK(result.messages.find("other than a std::exception") != std::string::npos);
     CHECK(result.messages.find("not finite") != std::string::npos);
     CHECK(result.messages.find("mixed: 24 ok, 8 skipped, 64 failed") != std::string::npos);
     const auto manifest = nlohmann::json::parse(contents(scratch / "out" / "manifest.json"));
@@ -199,7 +199,7 @@ TEST_CASE("the cells of another build are computed again, which is said once, an
     CHECK(third.messages.find("another build") == std::string::npos);
 }
 
-TEST_CASE("what was thrown is tried again, a lost trajectory too, and a new label needs no new run") {
+TEST_CASE("cells with exceptions and lost trajectories run again, and a new label needs no new run") {
     const ScratchFolder scratch;
     const std::string config = scratch.file("mixed.json", mixed);
     run(config, scratch / "out");
@@ -249,7 +249,8 @@ TEST_CASE("a full disk ends the run with 3 and keeps what was journalled") {
 TEST_CASE("interrupted: the results so far are valid and a resume completes them") {
     const ScratchFolder scratch;
     const std::string config = scratch.file("slow.json", R"({"name": "slow", "kind": "drift", "problems": ["heavy_top"],
-        "methods": ["fake/slow"], "formulations": ["SO3xR3", "SE3", "SO3"], "time": {"end": 1, "steps": [100, 101, 102, 103]}})");
+        "methods": ["fake/slow"], "formulations": ["SO3xR3", "SE3", "SO3"], "time": {"end": 1,
+            "steps": [100, 101, 102, 103]}})");
     for (const int signal : {SIGINT, SIGTERM}) {
         const auto folder = scratch / std::to_string(signal);
         CHECK(run_and_signal(config, folder, signal, 350) == 130);
@@ -277,7 +278,7 @@ TEST_CASE("an interrupted reference fails no cell, and a resume computes it") {
     CHECK(nlohmann::json::parse(contents(folder / "results.jsonl"))["status"] == "ok");
 }
 
-TEST_CASE("a method that does not listen is left behind") {
+TEST_CASE("a method that ignores stop requests is abandoned") {
     const ScratchFolder scratch;
     const std::string config = scratch.file("deaf.json", one_method("fake/deaf", 60'000));
     const auto start = std::chrono::steady_clock::now();

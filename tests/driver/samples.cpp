@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Samples reach the disk while their cell runs: what an interrupted or killed run leaves, and what a resume makes of it.
+// Samples reach the disk while their cell runs: what an interrupted or killed run leaves, and how a run resumes.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>

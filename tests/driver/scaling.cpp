@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What differs from run to run stands in the journal alone.
+// Values that differ from run to run are only in the journal.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -10,7 +10,7 @@
 
 using namespace kreisel;
 
-TEST_CASE("times of a scaling experiment stand in the journal, its results are the same bytes again") {
+TEST_CASE("times of a scaling experiment are in the journal, its results are the same bytes again") {
     const ScratchFolder scratch;
     const std::string config = scratch.file("c.json", R"({"name": "s", "kind": "scaling", "methods": ["rkmk/rk4"],
         "problems": [{"name": "heavy_top", "parameters": {"mass": [1, 2, 3]}}], "time": {"end": 1, "steps": 4}})");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The benchmark bicycle [meijaard2007, Table 1 and Table 2] as four bodies on three hinges and two rolling joints. Upright
-// steady motion at 5 m/s is left by 1e-10; from the motion that follows, which both routes to a reference compute in full,
-// lean and steer are read at five times, and the eigenvalues of their linear flow are those of the table. The axes of the
-// source have z down; here it is up, y to the left, and products of inertia have the opposite sign.
+// The benchmark bicycle [meijaard2007, Table 1 and Table 2] as four bodies on three hinges and two rolling joints. The
+// upright steady motion at 5 m/s is perturbed by 1e-10; from the resulting motion, which both reference routes compute
+// in full, lean and steer are read at five times, and the eigenvalues of their linear flow are those of the table. The
+// axes of the source have z down; here it is up, y to the left, and products of inertia have the opposite sign.
 #include <Eigen/Eigenvalues>
 
 #include "lie/so3.hpp"
@@ -58,7 +58,7 @@ Model bicycle(const Real& v) {
     return model;
 }
 
-/// Turns a body about a line through P, by the vector `angle`, with what moves it.
+/// Rotates a body, its pose and velocity, about a line through P by the vector `angle`.
 void turn(Body& body, const Vec3& P, const Vec3& angle) {
     const Mat3 Q = SO3::exp(angle);
     body.start.x = P + Q * (body.start.x - P);
@@ -79,7 +79,8 @@ Model disturbed(Model model) {
 using Vec4 = Eigen::Matrix<Real, 4, 1>;
 using Mat4 = Eigen::Matrix<Real, 4, 4>;
 
-/// Lean phi and steer delta with their rates. R = Rz(yaw) Rx(phi) Ry(pitch) has the entry sin phi whatever the others are.
+/// Lean phi and steer delta with their rates. R = Rz(yaw) Rx(phi) Ry(pitch) has the entry sin phi whatever the other
+/// angles are.
 Vec4 lean_and_steer(const std::vector<BodyState>& bodies) {
     const BodyState &rear = bodies[rear_body], &front = bodies[front_frame];
     const Real lean_rate = (rear.R * rear.omega.cross(Vec3::UnitY()))[2];  // where sin phi is phi

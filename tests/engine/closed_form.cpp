@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The closed form of the free body against integration by extrapolation on quaternions, which shares nothing with it
-// but the data, and its double version against its quad version.
+// The closed form of the free body against integration by extrapolation on quaternions, which shares only the data
+// with it, and its double version against its quad version.
 #include "problems/free_top_closed_form.hpp"
 
 #include <catch2/catch.hpp>
@@ -28,14 +28,14 @@ FreeRotation integrated(const FreeBody& data, const Mat3& R0, const Real& t) {
     return {solution.states[0].R, solution.states[0].omega};
 }
 
-/// Extrapolation amplifies round-off by about a thousand; both answers may be wrong by their condition.
+/// Extrapolation amplifies round-off by about a thousand; both results may be wrong by their condition.
 bool agree(const FreeRotation& a, const FreeRotation& b, const Real& condition) {
     return distance(a, b) < 10000 * epsilon * condition;
 }
 
 }  // namespace
 
-TEST_CASE("the closed form of the free body is what integration gives") {
+TEST_CASE("the closed form of the free body agrees with integration") {
     for (const FreeBody& body : free_bodies())
         for (const Real& t : {Real(1) / 10, Real(3), Real(50)}) {
             CAPTURE(body.name, to_double(t));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The closed form of the free body in double, callable from a program that is linked with the quad objects.
-// Nothing here may mention Real: the other files of this suite give it another meaning.
+// Nothing here may mention Real: its meaning differs in the other files of this suite.
 #pragma once
 
 #include "mechanics/model/data.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The extrapolation method itself: exact on polynomials up to its order, observed order, and controls with wrong
-// abscissae that the same judgement turns down.
+// abscissae that the same check rejects.
 #include <catch2/catch.hpp>
 #include <stdexcept>
 #include <vector>

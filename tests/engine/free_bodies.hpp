@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every kind of motion that a free body has, and how far two answers may lie apart.
+// Every kind of motion of a free body, and how far two solutions may differ.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace reference_tests {
 
 using namespace kreisel;
 
-/// Inertia and initial angular velocity; the binary values are meant, in every precision.
+/// Inertia and initial angular velocity; the binary values are used, in every precision.
 struct FreeBody {
     std::string name;
     Matrix3 inertia;
@@ -37,7 +37,7 @@ inline Real distance(const FreeRotation& a, const FreeRotation& b) {
     return max(angle, rate);
 }
 
-/// How much relative changes of the inertia and of omega(0) are magnified at time t, at least 1: an answer that is
+/// How much relative changes of the inertia and of omega(0) are magnified at time t, at least 1: a result that is
 /// right to the last digit for data changed in their last digit may be wrong by this factor times epsilon.
 Real condition(const FreeBody& body, const Mat3& R0, const Real& t);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The literature's fast top (omega_z = -4.61538 as a decimal number) against values that two other programs agree on
-// to 22 digits, and against what its motion keeps exactly.
+// The literature's fast top (omega_z = -4.61538 as a decimal number) against values on which two other programs agree
+// to 22 digits, and against its exact invariants.
 #include <catch2/catch.hpp>
 
 #include "engine/reference/reference.hpp"

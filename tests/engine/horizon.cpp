@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The error and the horizon that a reference carries: honest for chaos, on the separatrix where the truth is known, for
-// time reversal, and where the equations fail.
+// The error and the horizon that a reference carries: correct for chaos, on the separatrix where the exact motion is
+// known, for time reversal, and where the equations fail.
 #include <catch2/catch.hpp>
 #include <limits>
 #include <stdexcept>
@@ -45,7 +45,7 @@ TEST_CASE("the default double pendulum is chaotic, and in quad both routes still
     CHECK(far.position_error < Real("1e-13"));
 }
 
-TEST_CASE("the stated error is that against the truth, while instability magnifies it a billion times") {
+TEST_CASE("the stated error is the true one, while instability magnifies it a billion times") {
     const Model model = separatrix();
     for (const int t : {1, 25, 50}) {
         CAPTURE(t);
@@ -55,7 +55,7 @@ TEST_CASE("the stated error is that against the truth, while instability magnifi
     }
 }
 
-TEST_CASE("past the horizon the answer is wrong, and up to it right") {
+TEST_CASE("past the horizon the reference is wrong, and up to it right") {
     const Model model = separatrix();
     const Real end = 200;
     const ReferenceSolution beyond = reference_solution(model, end);
@@ -68,7 +68,7 @@ TEST_CASE("past the horizon the answer is wrong, and up to it right") {
     CHECK(both.horizon <= beyond.horizon);
     CHECK(both.compared);
     CHECK(both.omega_error >= beyond.omega_error);
-    CHECK(error(model, both, end) < 100 * both.omega_error);  // what is measured there is above that
+    CHECK(error(model, both, end) < 100 * both.omega_error);  // errors measured there are above that
     const ReferenceSolution within = reference_solution(model, beyond.horizon);
     CHECK(error(model, within, beyond.horizon) < Real("1e-10"));
 }
@@ -115,7 +115,7 @@ TEST_CASE("where the equations fail there is no state, but the reason") {
     CHECK_THROWS_AS(reference_solution(model, std::numeric_limits<Real>::infinity()), std::invalid_argument);
 }
 
-TEST_CASE("the same joint twice changes no state, but leaves the multipliers open") {
+TEST_CASE("the same joint twice changes no state, but multipliers are not unique") {
     Model model = standard_model("heavy_top");
     const ReferenceSolution once = reference_solution(model, Real(1) / 8);
     model.joints.push_back(model.joints[0]);

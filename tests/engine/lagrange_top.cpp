@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The closed form of the symmetric heavy top, attitude included, and steady precession, against integration by
-// extrapolation on quaternions and by Taylor series, which share nothing with it but the data.
+// extrapolation on quaternions and by Taylor series, which share only the data with it.
 #include "problems/lagrange_top_closed_form.hpp"
 
 #include <catch2/catch.hpp>
@@ -53,7 +53,7 @@ const Vec3 slow(0, Real(3) / 2, -Real("0.0461538"));
 
 }  // namespace
 
-TEST_CASE("the literature's heavy top in closed form is what both routes give, attitude included") {
+TEST_CASE("the closed form of the literature's heavy top agrees with both routes, attitude included") {
     const Model model = standard_model("heavy_top");
     for (const char* t : {"0.1", "1", "2"}) {
         const Real difference = error(model, Real(t));
@@ -94,7 +94,7 @@ TEST_CASE("control: data changed in the twentieth digit are seen") {
     CHECK((exact.R - changed.R).norm() < Real("1e-16"));
 }
 
-TEST_CASE("steady precession, slow and fast, is what both routes give, and what the closed form gives") {
+TEST_CASE("steady precession, slow and fast, agrees with both routes and with the closed form") {
     for (const Mat3& R : {Mat3(Mat3::Identity()), oblique})
         for (const bool fast : {false, true}) {
             const LagrangeTop top = top_of(standard_model("heavy_top"));

@@ -8,7 +8,7 @@
 
 namespace reference_tests {
 
-/// An attitude in which no axis of a body is one of space.
+/// An attitude in which no body axis is a space axis.
 inline const kreisel::Mat3 oblique = kreisel::SO3::exp(kreisel::Vec3(2, -5, 3) / 5);
 
 /// A problem with its default parameters, or its demonstration where it has no defaults.

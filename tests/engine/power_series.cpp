@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Arithmetic of power series against series that are known and against values of the functions they stand for.
+// Arithmetic of power series against known series and against values of the functions they represent.
 #include "engine/reference/power_series.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t terms = 24;
 const Real round_off("1e-30");
 
-/// Series with coefficients that fall off, so that values at s = 1/4 are exact to round-off after many terms.
+/// Series with decreasing coefficients, so that values at s = 1/4 are exact to round-off after many terms.
 Scalars scalars(int seed) {
     Scalars c(3 * terms);
     for (std::size_t k = 0; k < c.size(); ++k) c[k] = cos(Real(seed) + real(k) * seed) / real(k + 1);

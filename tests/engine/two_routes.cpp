@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Every registered problem by two routes: extrapolation on quaternions through System, and Taylor series in rotation
-// matrices straight from the model. Neither the coordinates, nor the family, nor the code of mass, forces and
-// constraints is the same.
+// matrices straight from the model. The coordinates, the family and the code of mass, forces and
+// constraints differ.
 #include <catch2/catch.hpp>
 
 #include <limits>
@@ -16,7 +16,7 @@ using namespace reference_tests;
 
 namespace {
 
-/// The acceptance problem with something wrong in its data.
+/// The acceptance problem with an error in its data.
 enum class Fault { none, gravity_phase, inertia, lever };
 
 Model forced_top(Fault fault) {
@@ -30,7 +30,8 @@ Model forced_top(Fault fault) {
 
 }  // namespace
 
-/// Tops and pendulums to t = 1, mechanisms, whose first route is slow, to 1/16; the stiff one would need steps of 1e-6 s.
+/// Tops and pendulums to t = 1, mechanisms, whose first route is slow, to 1/16; the stiff one would need steps of
+/// 1e-6 s.
 Real end_of(const std::string& name) {
     if (name == "flyball_governor") return Real(1) / 4096;
     for (const char* fast : {"free_top", "heavy_top", "forced_heavy_top", "double_pendulum", "forced_free_body"})
@@ -85,7 +86,7 @@ TEST_CASE("the confirmed horizon is where the routes part, and its error is at l
     CHECK(both.horizon > 60);
     const ReferenceSolution near = confirmed_reference(model, Real(50));
     CHECK(near.horizon == 50);
-    // Other steps round differently, and the motion magnifies that.
+    // Other steps round differently, and the motion amplifies that.
     CHECK(near.rotation_error >= distance(near.states, taylor(model, Real(50)).states).rotation / 2);
 }
 

@@ -13,7 +13,7 @@ namespace reference_tests {
 
 using namespace kreisel;
 
-/// What the second route gives at time t.
+/// The result of the second route at time t.
 struct Taylor {
     std::vector<BodyState> states;
     std::vector<Real> multipliers;
@@ -28,7 +28,7 @@ inline Taylor taylor(const Model& model, const Real& t) {
 }
 
 /// The largest difference of the routes relative to the size of each quantity, which is that of the reference's own
-/// errors; multipliers count where the reference has some.
+/// errors; multipliers count if the reference has some.
 inline Real relative_difference(const ReferenceSolution& a, const Taylor& b) {
     const Distance d = distance(a.states, b.states);
     const auto ratio = [](const Real& x, const Real& y) { return x == 0 ? Real(0) : Real(x / y); };

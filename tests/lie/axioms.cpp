@@ -25,7 +25,7 @@ VecX flat(const typename K::Algebra& u) {
     return v;
 }
 
-/// Sizes of the algebra vectors the axioms are tried at; the last turns by almost pi.
+/// Sizes of the algebra vectors tried; the last rotates by almost pi.
 std::vector<VecX> points(int dim) {
     Random random(17);
     std::vector<VecX> all = {VecX::Zero(dim)};

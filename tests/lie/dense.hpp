@@ -44,7 +44,7 @@ struct Representation<SO3> {
     static MatX algebra(const Vec3& u) { return hat(u); }
 };
 
-/// By rotations, which do not tell a from -a: that is left to the laws.
+/// By rotations, which do not distinguish a from -a: the laws do.
 template <>
 struct Representation<S3> {
     static MatX element(const S3::Element& a) { return S3::rotation(a); }

@@ -12,7 +12,7 @@ using namespace places;
 
 namespace {
 
-/// Near 2 pi the inverse differential has a pole: at sqrt(39) it stretches a rotation by 160, and a translation, where
+/// Near 2 pi the inverse differential has a pole: at sqrt(39) it magnifies a rotation by 160, and a translation, where
 /// the derivative of the coefficients enters, by 160 squared.
 const Real pole = 160 * 160 * tolerance;
 const std::vector<Place> at_pole = {Place::near_two_pi};

@@ -67,7 +67,7 @@ TEST_CASE("Ad", "[lie]") {
             return larger((G.Ad(a, G.bracket(v, w)) - G.bracket(G.Ad(a, v), G.Ad(a, w))).norm(), defect);
         });
     }
-    SECTION("turns left factors into right ones: a exp(v) = exp(Ad_a v) a") {
+    SECTION("moves factors from right to left: a exp(v) = exp(Ad_a v) a") {
         holds(to_two_pi, 4 * tolerance, [](const Maps& G, const VecX& u, const VecX& v, const VecX&) {
             const VecX a = G.exp(u);
             return Real((G.multiply(a, G.exp(v)) - G.multiply(G.exp(G.Ad(a, v)), a)).norm());
@@ -99,7 +99,7 @@ TEST_CASE("rotations stay orthogonal", "[lie]") {
     });
 }
 
-TEST_CASE("a law that is false is refuted, at every place but the identity", "[lie][control]") {
+TEST_CASE("a false law is refuted at every place except the identity", "[lie][control]") {
     const Named so3 = groups().front();
     for (const Place place : {Place::random, Place::near_pi, Place::near_two_pi}) {
         INFO(name(place));

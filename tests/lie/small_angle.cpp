@@ -69,9 +69,10 @@ TEST_CASE("small-angle functions are accurate to a few ulp from 1e-12 to pi", "[
         for (int i = 0; i <= 20000; ++i) {
             const double t = 1e-12 * std::pow(3.141592653589793 / 1e-12, i / 20000.0), s = t * t;
             const Wide exact = function.exact(s);
-            // sinc vanishes at pi: its error counts relative to 1, the size it has in a rotation.
+            // sinc vanishes at pi: its error is taken relative to 1, its size in a rotation.
             const Wide size = std::string(function.name) == "sinc" ? Wide(1) : exact;
-            const double ulps = std::abs(static_cast<double>((function.ours(s) - exact) / size)) / 2.220446049250313e-16;
+            const double ulps =
+                std::abs(static_cast<double>((function.ours(s) - exact) / size)) / 2.220446049250313e-16;
             if (ulps > worst) worst = ulps, at = t;
         }
         INFO(function.name << ": " << worst << " ulp at t = " << at);

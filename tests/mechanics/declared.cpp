@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which first integrals a model declares. That those declared are constant is judged in tests/problems; nothing there
-// misses one that is not declared.
+// Which first integrals a model declares. That the declared ones are constant is checked in tests/problems, which
+// does not notice a missing one.
 #include <set>
 
 #include "mechanics/integrals.hpp"
@@ -34,7 +34,7 @@ void reverse(Element& element) {
     std::swap(element.r_first, element.r_second);
 }
 
-/// The top of Kovalevskaya with other moments A, B, C about its pivot, where x, y, z are its principal axes.
+/// Kovalevskaya's top with other moments A, B, C about its pivot, where x, y, z are its principal axes.
 Model kovalevskaya(const Vec3& moments, const Vec3& lever) {
     Model model = standard("kovalevskaya_top");
     Body& body = model.bodies[0];

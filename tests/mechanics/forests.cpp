@@ -15,7 +15,7 @@ using namespace models;
 
 namespace {
 
-/// Bodies hung on a random earlier one, on the ground or nowhere, each joint either way round; then shuffled.
+/// Bodies hung on a random earlier one, on the ground or nowhere, each joint in either direction; then shuffled.
 Model random_forest(unsigned seed, int bodies) {
     std::mt19937 engine(seed);
     const auto below = [&](int n) { return static_cast<int>(engine() % static_cast<unsigned>(n)); };
@@ -57,7 +57,7 @@ Solved accelerations(System& s, const Model& model) {
     return out;
 }
 
-/// For a right side without any structure.
+/// For a right-hand side without any structure.
 Solved solution(System& s, const Model& model) {
     const auto y = initial_state(s, model);
     Solved out{VecX(s.velocities()), VecX(s.constraints())};
@@ -81,7 +81,7 @@ void compare(const Model& model) {
     const Real condition = general.constraint_rank().condition.value_or(1);
     check_equal(solution(recursion, model), solution(general, model), condition);
     check_equal(accelerations(recursion, model), accelerations(general, model), condition);
-    check_equal(solution(recursion, model), solution(general, model), condition);  // nothing is left over from before
+    check_equal(solution(recursion, model), solution(general, model), condition);  // no state is left from before
 }
 
 }  // namespace
@@ -91,10 +91,10 @@ TEST_CASE("the recursion over a forest agrees with the general path", "[forest]"
     for (unsigned seed = 0; seed < 30; ++seed) {
         const Model model = random_forest(seed, 2 + static_cast<int>(seed % 9));
         INFO("seed " << seed);
-        REQUIRE(SphericalBodies<MixedCoordinates>::fits(model));
-        compare<MixedCoordinates>(model);
-        compare<ScrewCoordinates>(model);
-        compare<QuaternionCoordinates>(model);
+        REQUIRE(SphericalBodies<SO3xR3Coordinates>::fits(model));
+        compare<SO3xR3Coordinates>(model);
+        compare<SE3Coordinates>(model);
+        compare<S3xR3Coordinates>(model);
         std::vector<int> children(model.bodies.size(), 0);
         const auto all = branches(model);
         for (const Branch& branch : all) {
@@ -127,16 +127,16 @@ TEST_CASE("branches hold every body once, parents first, with the joint between 
     }
 }
 
-TEST_CASE("loops and other joints are no forest of spherical joints", "[forest]") {
+TEST_CASE("loops and other joints are not a forest of spherical joints", "[forest]") {
     Model model = bodies_in_a_row(2);
     model.join(ground, 0, Vec3::Zero());
     model.join(0, 1, Vec3(1, 1, 0));
-    CHECK(SphericalBodies<MixedCoordinates>::fits(model));
+    CHECK(SphericalBodies<SO3xR3Coordinates>::fits(model));
     Model loop = model;
     loop.join(1, ground, Vec3(2, 2, 1));
     CHECK_FALSE(is_forest(loop));
-    CHECK_FALSE(SphericalBodies<MixedCoordinates>::fits(loop));
+    CHECK_FALSE(SphericalBodies<SO3xR3Coordinates>::fits(loop));
     model.joints[1].type = JointType::revolute;
     CHECK(is_forest(model));
-    CHECK_FALSE(SphericalBodies<MixedCoordinates>::fits(model));
+    CHECK_FALSE(SphericalBodies<SO3xR3Coordinates>::fits(model));
 }

@@ -64,7 +64,7 @@ TEST_CASE("formulations say why they do not apply", "[mechanics]") {
     CHECK_THAT(formulation("SO3").why_not(linked(2, {{0, 1}})), Catch::Contains("moving body"));
 }
 
-TEST_CASE("impossible data are refused where they stand", "[mechanics]") {
+TEST_CASE("impossible data are refused at their place", "[mechanics]") {
     const auto refused = [](const char* problem_name, const char* parameter, const ParameterValue& value) {
         ParameterValues values = defaults(problem(problem_name));
         values[parameter] = value;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The signs of NOTATION.md: each row is what the first-named body has minus what the second has, so that a unit multiplier
-// of a row along e is the force e on the second body, that of a_i.b_k the torque a_i x b_k, that of a distance a tension.
-// Written here a second time, for the two bodies in either order and either of them the ground.
+// The signs of NOTATION.md: each row is what the first-named body has minus what the second has, so that a unit
+// multiplier of a row along e is the force e on the second body, that of a_i.b_k the torque a_i x b_k, that of a
+// distance a tension. Derived here independently, for the two bodies in either order and either of them the ground.
 #include "mechanics/joints/joint_rows.hpp"
 #include "tests/mechanics/models/models.hpp"
 
@@ -11,8 +11,8 @@ using namespace models;
 
 namespace {
 
-/// A row as NOTATION.md has it: its residual, and the force and the couple of a unit multiplier on the second body, at a
-/// point from its mass centre; all in space axes.
+/// A row as NOTATION.md has it: its residual, and the force and the couple of a unit multiplier on the second body, at
+/// a point from its mass centre; all in space axes.
 struct SignedRow {
     Real phi;
     Vec3 force, point, couple;
@@ -61,7 +61,7 @@ std::vector<SignedRow> rows_of_notation(const Ends& e) {
     return {};
 }
 
-/// What speaks against rows; empty: nothing.
+/// The objection to the rows; empty: none.
 std::string fault_of(const Ends& ends, const JointRows& rows) {
     const auto expected = rows_of_notation(ends);
     if (static_cast<int>(expected.size()) != rows.count) return "number of rows";
@@ -77,7 +77,7 @@ std::string fault_of(const Ends& ends, const JointRows& rows) {
     return "";
 }
 
-/// Poses in which no joint is closed, so that every residual shows its sign.
+/// Poses that violate every joint, so that every residual shows its sign.
 Motion displaced(int i) {
     const BodyState pose = asymmetric_body(i).start;
     return {pose.x + Vec3(i, 2, 1) / 7, SO3::exp(Vec3(1, i, -2) / 9) * pose.R};
@@ -118,7 +118,7 @@ TEST_CASE("rows of every joint have the signs of the notation, the bodies in eit
     CHECK(judged == 33);
 }
 
-TEST_CASE("a reversed row of any joint is turned down", "[reactions]") {
+TEST_CASE("a reversed row of any joint is rejected", "[reactions]") {
     for_each_order([](const Ends& ends) {
         JointRows rows;
         write_rows(ends.joint, 0, ends.first, ends.second, rows);

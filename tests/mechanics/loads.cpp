@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Loads against the balances of momentum in space axes, which know nothing of formulations, and where they end a law of
-// conservation or a formulation.
+// Loads against the balances of momentum in space axes, which do not depend on the formulation, and where loads break a
+// law of conservation or exclude a formulation.
 #include "mechanics/integrals.hpp"
 #include "tests/mechanics/models/models.hpp"
 

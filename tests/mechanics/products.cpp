@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// C v, C^T lambda, M^{-1} f and solves with prepared factors, which no dense matrix takes part in, against the dense matrices
+// C v, C^T lambda, M^{-1} f and solves with prepared factors, all without dense matrices, against the dense matrices
 // of the same system.
 #include <Eigen/Cholesky>
 
@@ -28,7 +28,7 @@ void for_each_system(F f) {
         }
 }
 
-/// What speaks against the products of a system, relative to the terms that meet in them.
+/// The objection to the products of a system, relative to their terms.
 std::string products_objection(System& s, const Real& t, const std::vector<Real>& y) {
     const Eigen::Index n = s.velocities(), m = s.constraints();
     MatX C(m, n);
@@ -53,7 +53,7 @@ std::string products_objection(System& s, const Real& t, const std::vector<Real>
     return (Ma - v).norm() <= slack * max(inertias, Real(1)) ? "" : "M^{-1} f";
 }
 
-/// The system of one without the products: those of the base class, from dense matrices with one entry spoilt.
+/// A system without products of its own: those of the base class, from dense matrices with one entry spoilt.
 class Spoilt final : public System {
   public:
     Spoilt(System& healthy, bool in_jacobian)
@@ -96,7 +96,7 @@ TEST_CASE("a wrong product is seen", "[mechanics][control]") {
     CHECK(products_objection(transpose, 0, y) == "C^T lambda");
 }
 
-TEST_CASE("prepared solves answer what single ones do, right-hand side after right-hand side", "[mechanics]") {
+TEST_CASE("prepared solves equal single ones, right-hand side after right-hand side", "[mechanics]") {
     for_each_system([](System& s, const std::vector<Real>& y) {
         const Real t = Real(3) / 10;
         const Eigen::Index n = s.velocities(), m = s.constraints();
@@ -113,7 +113,7 @@ TEST_CASE("prepared solves answer what single ones do, right-hand side after rig
             const Real condition = s.kkt_round_off() / epsilon;
             const Real slack = 4000 * condition * epsilon;
             CHECK((residual - c).norm() <= slack * max(Real(1), Real(c.norm() + a.norm())));
-            // M a + C^T lambda = f, also where lambda is one of many.
+            // M a + C^T lambda = f, even if lambda is not unique.
             s.apply_jacobian_transpose(t, y.data(), lambda.data(), C_force.data());
             VecX rest = f - C_force, acceleration(n);
             s.solve_mass(y.data(), rest.data(), acceleration.data());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which rows are independent, for few of them and for so many that sparse factors find it.
+// Which rows are independent, for few rows and for so many that sparse factors are used.
 #include "mechanics/solve/rank.hpp"
 
 #include <algorithm>

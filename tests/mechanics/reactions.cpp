@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What joints exert: by hand where bodies rest, and by Newton's and Euler's laws for each body wherever they move.
+// What joints exert: by hand for bodies at rest, and by Newton's and Euler's laws for moving bodies.
 #include "mechanics/formulations/jointed_bodies.hpp"
 #include "mechanics/formulations/spherical_bodies.hpp"
 #include "mechanics/start.hpp"
@@ -44,7 +44,7 @@ Vec3 joint_point(const Joint& joint, const std::vector<BodyState>& states) {
     return p - joint.length * (n - n.dot(b) * b).normalized();
 }
 
-/// Largest share by which a body misses m x'' = F and J omega' + omega x J omega = tau about its mass centre.
+/// Largest relative residual of m x'' = F and J omega' + omega x J omega = tau about its mass centre.
 Real newton_euler_defect(const Model& model, const Answered& now, const Real& t) {
     const std::size_t n = model.bodies.size();
     std::vector<Vec3> force(n, Vec3::Zero()), torque = force;
@@ -95,7 +95,7 @@ std::vector<Named> in_both_orders() {
         for (Joint& joint : named.back().model.joints) joint = reversed(joint);
     }
     for (const JointType type : {JointType::prismatic, JointType::cylindrical, JointType::planar}) {
-        Model model = damped(type);  // the points apart along what the joint leaves free
+        Model model = damped(type);  // the points displaced along the free directions of the joint
         for (Joint& joint : model.joints) joint.r_first += joint.axes_first.col(type == JointType::planar ? 0 : 2);
         project_start(model);
         named.push_back({std::string("slid ") + name(type), model});
@@ -113,17 +113,17 @@ Real reactions_tolerance(const System& s) {
 
 }  // namespace
 
-TEST_CASE("reactions and loads move each body as Newton and Euler say, on every path", "[reactions]") {
+TEST_CASE("reactions and loads satisfy the Newton-Euler equations of each body, on every path", "[reactions]") {
     const Real t = Real(3) / 10;
     int judged = 0;
     for (const Named& named : in_both_orders()) {
         INFO(named.name);
         std::vector<std::unique_ptr<System>> systems;
         for (const SolverChoice choice : {SolverChoice::dense, SolverChoice::graph, SolverChoice::sparse})
-            systems.push_back(std::make_unique<JointedBodies<MixedCoordinates>>(named.model, choice));
+            systems.push_back(std::make_unique<JointedBodies<SO3xR3Coordinates>>(named.model, choice));
         const Real tolerance = reactions_tolerance(*systems[0]);
-        if (SphericalBodies<MixedCoordinates>::fits(named.model))
-            systems.push_back(std::make_unique<SphericalBodies<MixedCoordinates>>(named.model));
+        if (SphericalBodies<SO3xR3Coordinates>::fits(named.model))
+            systems.push_back(std::make_unique<SphericalBodies<SO3xR3Coordinates>>(named.model));
         for (const auto& system : systems) {
             const Answered now = answered(*system, named.model, t);
             CHECK(newton_euler_defect(named.model, now, t) <= tolerance);
@@ -135,7 +135,7 @@ TEST_CASE("reactions and loads move each body as Newton and Euler say, on every 
 
 TEST_CASE("a reaction on the wrong body or about the wrong point is noticed", "[reactions]") {
     const Model model = damped(JointType::prismatic);
-    JointedBodies<MixedCoordinates> system(model);
+    JointedBodies<SO3xR3Coordinates> system(model);
     const Answered good = answered(system, model, 0);
     for (std::size_t j = 0; j < model.joints.size(); ++j) {
         Answered bad = good;
@@ -214,7 +214,7 @@ TEST_CASE("joints hold a body at rest with its weight and its moment", "[reactio
             if (other_order && one.type == JointType::rolling) continue;
             INFO(name(one.type) << (other_order ? ", ground second" : ""));
             const Model model = at_rest(one.type, one.point, one.axis, one.centre, one.torque, other_order);
-            JointedBodies<MixedCoordinates> system(model);
+            JointedBodies<SO3xR3Coordinates> system(model);
             const Answered now = answered(system, model, 0);
             const Real sense = other_order ? -1 : 1, tolerance = 10000 * epsilon;
             CHECK(now.acceleration[0].norm() + now.turning[0].norm() <= tolerance);
@@ -228,7 +228,7 @@ TEST_CASE("a distance joint pulls with a positive multiplier, in either order", 
         for (const int side : {1, -1}) {  // a rod from above, and one from below
             const Model model = at_rest(JointType::distance, Vec3(0, 0, 3 * side), Vec3::UnitZ(), Vec3::Zero(),
                                         Vec3::Zero(), other_order);
-            JointedBodies<MixedCoordinates> system(model);
+            JointedBodies<SO3xR3Coordinates> system(model);
             CHECK(abs(answered(system, model, 0).lambda[0] - 20 * side) <= 100 * epsilon);
         }
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Redundant constraints: the accelerations are those without the rows that follow from others, the multipliers those of
-// least norm, each row divided by its scale; against a dense least-norm solve. And constraints that contradict each other.
+// Redundant constraints: the accelerations are those without the redundant rows, the multipliers those of
+// least norm, each row divided by its scale; against a dense least-norm solve. And constraints that contradict each
+// other.
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -39,7 +40,7 @@ int rows(const Model& model) {
     return sum;
 }
 
-/// A planar four-bar of hinges with parallel axes: 20 rows, of which the loop makes 3 depend on the others.
+/// A planar four-bar of hinges with parallel axes: 20 rows, 3 of which are redundant because of the loop.
 Model four_bar(const Vec3& axis, const Vec3& along, const Vec3& across) {
     Model model = bodies_in_a_row(3);
     const Vec3 corners[] = {Vec3::Zero(), Vec3(across), Vec3(across + 2 * along), Vec3(3 * along)};
@@ -102,7 +103,7 @@ std::vector<Redundant> redundant() {
     }
     all.push_back({"door", door(), 5});
     for (const int n : {7, 8, 9}) all.push_back({std::to_string(n) + " rods", rods(n), 6});
-    // Pairs of spherical joints: the distance of their points is kept by both bodies already.
+    // Pairs of spherical joints: the distance of their points is already constant in both bodies.
     for (const int first : {ground, 0}) {
         for (const int more : {2, 3}) {
             Model model = bodies_in_a_row(2);
@@ -225,7 +226,7 @@ TEST_CASE("joints outside of a redundant loop have unique reactions, those of th
     CHECK(std::all_of(independent.begin(), independent.end(), [](bool one) { return one; }));
 }
 
-TEST_CASE("the rows left out are named by joint", "[redundant]") {
+TEST_CASE("the dropped rows are named by joint", "[redundant]") {
     const auto s = make_system(door(), "SO3xR3");
     const ConstraintRank rank = s->constraint_rank();
     REQUIRE(rank.redundant.size() == 6);
@@ -249,11 +250,11 @@ TEST_CASE("the condition is the ratio of the extreme pivots", "[redundant]") {
     CHECK(abs(condition() - 1) <= 100 * epsilon);
 }
 
-TEST_CASE("rows left out hold where nothing moves, and where they drift a little", "[redundant]") {
+TEST_CASE("dropped rows hold at rest, and under a small drift", "[redundant]") {
     Model model = hinges_in_line(ground, 2);
     model.gravity.g.setZero();
     Body& body = model.bodies[1];
-    body.J = Mat3::Identity();  // no gyroscopic torque: the rows know of the centripetal acceleration alone
+    body.J = Mat3::Identity();  // no gyroscopic torque: only the rows contain the centripetal acceleration
     for (const Real& speed : {Real(0), Real(1)}) {
         const Vec3 turning = speed * Vec3(1, -2, 4);
         body.start.omega = body.start.R.transpose() * turning;

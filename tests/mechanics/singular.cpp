@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Singular configurations, contradictory constraints, inconsistent starts and impossible data: none is answered with numbers
-// as if it were sound. Either the start is refused with the joints named, or the first solve that meets it says so.
+// Singular configurations, contradictory constraints, inconsistent starts and impossible data: none gives numbers
+// as if it were regular. Either the start is refused with the joints named, or the first solve reports it.
 #include <algorithm>
 
 #include "mechanics/joints/joint_rows.hpp"
@@ -14,7 +14,7 @@ using namespace models;
 
 namespace {
 
-/// What stands in the way of starting from here and solving once: a refusal, a status, or nothing.
+/// Why starting from here and solving once fails: a refusal, a status, or nothing.
 std::string complaint(Model model, bool project = false) {
     try {
         if (project) project_start(model);
@@ -45,8 +45,8 @@ Model driven_against_fixed() {
     return model;
 }
 
-/// A parallelogram of hinges along z with its ground pivots at 0 and 2, cranks of 1 at `angle` to the line of the pivots,
-/// turning at `speed`. At angle 0 all bars lie in that line, from which the linkage can leave in two ways.
+/// A parallelogram of hinges along z with its ground pivots at 0 and 2, cranks of 1 at `angle` to the line of the
+/// pivots, turning at `speed`. At angle 0 all bars lie in that line, a bifurcation with two branches.
 Model parallelogram(const Real& angle, const Real& speed) {
     const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ(), u(cos(angle), sin(angle), 0), w = speed * z;
     Model model = bodies_in_a_row(3);
@@ -55,7 +55,8 @@ Model parallelogram(const Real& angle, const Real& speed) {
     model.bodies[1].start = {u + x, Mat3::Identity(), w.cross(u), Vec3::Zero()};
     model.bodies[2].start = {2 * x + u / 2, turned, w.cross(u) / 2, w};
     const Vec3 corners[] = {Vec3::Zero(), u, 2 * x + u, 2 * x};
-    for (int i = 0; i < 4; ++i) model.join(i == 0 ? ground : i - 1, i == 3 ? ground : i, corners[i], JointType::revolute, z);
+    for (int i = 0; i < 4; ++i)
+        model.join(i == 0 ? ground : i - 1, i == 3 ? ground : i, corners[i], JointType::revolute, z);
     model.gravity.g = Vec3(0, -10, 0);
     return model;
 }
@@ -69,7 +70,7 @@ Status ask(System& s, const Model& elsewhere) {
 
 }  // namespace
 
-TEST_CASE("a start beside its joints names each joint with its residual", "[singular]") {
+TEST_CASE("a start off its joints names each joint with its residual", "[singular]") {
     for (const JointType type : joint_types()) {
         INFO(name(type));
         Model position = grounded(type), velocity = position;
@@ -79,7 +80,8 @@ TEST_CASE("a start beside its joints names each joint with its residual", "[sing
         CHECK_THAT(complaint(position), Catch::Contains("at position level") &&
                                             Catch::Contains("joint 0 (ground - b0, " + std::string(name(type)) + ")"));
         velocity.bodies[0].start.v += Vec3(1, 2, 3) / 100, velocity.bodies[0].start.omega += Vec3(1, -2, 1) / 100;
-        CHECK_THAT(complaint(velocity), Catch::Contains("at velocity level") && Catch::Contains("joint 0 (ground - b0"));
+        CHECK_THAT(complaint(velocity),
+                   Catch::Contains("at velocity level") && Catch::Contains("joint 0 (ground - b0"));
         CHECK(complaint(position, true) == "");
         CHECK(complaint(velocity, true) == "");
     }
@@ -89,7 +91,7 @@ TEST_CASE("constraints that contradict each other are refused", "[singular]") {
     CHECK_THAT(complaint(driven_against_fixed()), Catch::Contains("joint"));
     for (const JointType type : joint_types()) {
         INFO(name(type));
-        Model apart = grounded(type);  // twice the same joint, a little apart: no projection can meet both
+        Model apart = grounded(type);  // twice the same joint, a little apart: no projection can satisfy both
         apart.joints.push_back(apart.joints[0]);
         apart.joints[1].r_first += Vec3(1, -2, 3) / 4, apart.joints[1].length += 1;
         apart.joints[1].axes_first = SO3::exp(Vec3(3, -2, 1) / 4) * apart.joints[1].axes_first;
@@ -106,7 +108,7 @@ TEST_CASE("rods that cannot reach are refused after every attempt to project", "
     CHECK_THAT(complaint(model, true), Catch::Contains("at position level"));
 }
 
-TEST_CASE("a start in a singular position: a row left out there is missed elsewhere", "[singular]") {
+TEST_CASE("a start in a singular position: a row dropped there is missing elsewhere", "[singular]") {
     for (const std::string formulation : {"SO3xR3", "SE3", "S3xR3"})
         for (const Real& speed : {Real(0), Real(1), Real(-3)}) {
             INFO(formulation << " at " << to_double(speed));
@@ -114,7 +116,8 @@ TEST_CASE("a start in a singular position: a row left out there is missed elsewh
             CHECK(s->constraint_rank().rank == 16);  // 17 in general position
             for (const Real& angle : {Real(1) / 4, Real(-2)}) {
                 CHECK(ask(*s, parallelogram(angle, speed)) == Status::singular_kkt);
-                CHECK_THAT(s->reason(Status::singular_kkt), Catch::Contains("followed from others at the start") && Catch::Contains("joint"));
+                CHECK_THAT(s->reason(Status::singular_kkt),
+                           Catch::Contains("followed from others at the start") && Catch::Contains("joint"));
             }
         }
 }
@@ -150,11 +153,11 @@ TEST_CASE("rank that is lost along the motion ends a solve, and the joints are n
             CHECK(ask(*s, parallelogram(0, 1)) == Status::singular_kkt);
             CHECK_THAT(s->reason(Status::singular_kkt),
                        Catch::Contains("rank 16") && Catch::Contains("17 at the start") && Catch::Contains("joint"));
-            CHECK(ask(*s, parallelogram(angle, 1)) == Status::ok);  // and the next one is answered as before
+            CHECK(ask(*s, parallelogram(angle, 1)) == Status::ok);  // and the next solve works as before
         }
 }
 
-TEST_CASE("a torsion spring whose axes the joints let part is warned of", "[singular]") {
+TEST_CASE("a torsion spring whose axes may part gives a warning", "[singular]") {
     const auto with_spring = [](Model model, int first, int second, const Vec3& axis) {
         const Mat3 axes = axes_about(axis);
         model.torsion_springs.push_back({first, second, model.axes_of(first, axes), model.axes_of(second, axes), 1});
@@ -176,7 +179,8 @@ TEST_CASE("a torsion spring whose axes the joints let part is warned of", "[sing
     CHECK(with_spring(free, ground, 0, Vec3::UnitZ()) == 1);
 }
 
-TEST_CASE("a start in a singular position or of extreme masses is warned of, with numbers, and no other is", "[singular]") {
+TEST_CASE("a start in a singular position or of extreme masses is warned of, with numbers, and no other is",
+          "[singular]") {
     const auto warnings = [](const Model& model) {
         for (const std::string& warning : start_warnings(model))
             if (!warning.starts_with("torsion spring")) return warning;
@@ -203,6 +207,6 @@ TEST_CASE("a start in a singular position or of extreme masses is warned of, wit
     CHECK_THAT(warnings(model), Catch::Contains("nearly dependent") && Catch::Contains("have a ratio of") &&
                                     Catch::Contains("\"b1\" and \"b2\""));
     model.bodies[2].mass /= ratio, model.bodies[2].J /= ratio;
-    model.bodies[0].mass *= ratio, model.bodies[0].J *= ratio;  // a light body on a heavy one does no harm
+    model.bodies[0].mass *= ratio, model.bodies[0].J *= ratio;  // a light body on a heavy one is harmless
     CHECK(warnings(model) == "");
 }

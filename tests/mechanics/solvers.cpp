@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The three ways to solve with C M^{-1} C^T give the same accelerations and multipliers, and the general path gives those of
-// the one for spherical joints.
+// The three ways to solve with C M^{-1} C^T give the same accelerations and multipliers, and the general path gives
+// those of the one for spherical joints.
 #include "mechanics/formulations/jointed_bodies.hpp"
 #include "mechanics/formulations/spherical_bodies.hpp"
 #include "tests/mechanics/models/models.hpp"
@@ -42,8 +42,9 @@ Model net(int n) {
     const auto rod = [&](int first, int second, const Vec3& foot) {
         Joint joint{.first = first, .second = second, .type = JointType::distance};
         joint.r_first = first == ground ? foot : Vec3(Vec3(1, 2, -1) / 5);
-        const Vec3 a = first == ground ? foot : Vec3(model.bodies[static_cast<std::size_t>(first)].start.x +
-                                                     model.bodies[static_cast<std::size_t>(first)].start.R * joint.r_first);
+        const Vec3 a = first == ground ? foot
+                                       : Vec3(model.bodies[static_cast<std::size_t>(first)].start.x +
+                                              model.bodies[static_cast<std::size_t>(first)].start.R * joint.r_first);
         joint.length = (model.bodies[static_cast<std::size_t>(second)].start.x - a).norm();
         model.joints.push_back(joint);
     };
@@ -69,11 +70,11 @@ std::vector<Named> with_nets() {
 TEST_CASE("dense, graph and sparse solves agree", "[solvers]") {
     for (const Named& named : with_nets()) {
         INFO(named.name);
-        JointedBodies<ScrewCoordinates> dense(named.model, SolverChoice::dense);
+        JointedBodies<SE3Coordinates> dense(named.model, SolverChoice::dense);
         const Answer expected = answer(dense, named.model);
         const Real condition = dense.constraint_rank().condition.value_or(1);
         for (const SolverChoice choice : {SolverChoice::graph, SolverChoice::sparse, SolverChoice::automatic}) {
-            JointedBodies<ScrewCoordinates> s(named.model, choice);
+            JointedBodies<SE3Coordinates> s(named.model, choice);
             check_same(answer(s, named.model), expected, condition);
         }
     }
@@ -82,12 +83,13 @@ TEST_CASE("dense, graph and sparse solves agree", "[solvers]") {
 TEST_CASE("the path for spherical joints agrees with the general one", "[solvers]") {
     int compared = 0;
     for (const Named& named : all()) {
-        if (!SphericalBodies<MixedCoordinates>::fits(named.model)) continue;
+        if (!SphericalBodies<SO3xR3Coordinates>::fits(named.model)) continue;
         INFO(named.name);
-        JointedBodies<MixedCoordinates> general(named.model);
-        SphericalBodies<MixedCoordinates> special(named.model);
+        JointedBodies<SO3xR3Coordinates> general(named.model);
+        SphericalBodies<SO3xR3Coordinates> special(named.model);
         if (general.constraint_rank().rank < general.constraints()) continue;
-        check_same(answer(special, named.model), answer(general, named.model), general.constraint_rank().condition.value_or(1));
+        check_same(answer(special, named.model), answer(general, named.model),
+                   general.constraint_rank().condition.value_or(1));
         ++compared;
     }
     CHECK(compared >= 15);

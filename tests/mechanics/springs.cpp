@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Springs and dampers against their balances: action and reaction, power against the rate of the stored energy, and nothing at
-// all where two bodies move as one.
+// Springs and dampers against their balances: action and reaction, power against the rate of the stored energy, and no
+// effect at all if two bodies move rigidly together.
 #include <functional>
 
 #include "lie/so3.hpp"
@@ -70,7 +70,7 @@ void check_power(Element element) {
 
 }  // namespace
 
-TEST_CASE("the power of springs and dampers is what their energy loses and their dampers take", "[forces]") {
+TEST_CASE("the power of springs and dampers is the loss of their energy and in their dampers", "[forces]") {
     check_power(spring);
     check_power(torsion);
 }

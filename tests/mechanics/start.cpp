@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How a start is brought onto its joints: by the least change, and what is said of it.
+// How a start is moved onto its joints: by the least change, and how that is reported.
 #include <Eigen/QR>
 
 #include "lie/so3.hpp"
@@ -36,7 +36,7 @@ struct Rows {
     MatX M, C;
 };
 
-/// The part of M u that no multiplier makes: zero if u is the least change that makes C (v + u) what it is.
+/// The part of M u outside the range of C^T: zero if u is the least change that makes C (v + u) what it is.
 Real not_least(const Rows& rows, const VecX& u) {
     const VecX momentum = rows.M * u;
     const MatX Ct = rows.C.transpose();
@@ -45,7 +45,7 @@ Real not_least(const Rows& rows, const VecX& u) {
 
 }  // namespace
 
-TEST_CASE("a correction of the start is told by its largest parts", "[start]") {
+TEST_CASE("a correction of the start is reported by its largest parts", "[start]") {
     const Vec3 d(1, -2, 3), turn(2, -1, 1), v(-1, 4, 2), omega(3, 1, -2);
     Model model =
         held(JointType::fixed, bodies_in_a_row(1).bodies[0].start.x);  // at the mass centre: nothing is coupled
@@ -113,7 +113,7 @@ TEST_CASE("a small step of the positions is least in the metric of the masses to
     }
 }
 
-TEST_CASE("a refused start tells how far each joint is apart", "[start]") {
+TEST_CASE("a refused start reports the gap of each joint", "[start]") {
     Model model = held(JointType::spherical, Vec3(1, -1, 2));
     model.joints[0].r_first += Vec3(3, 0, 4) / 20;
     CHECK_THROWS_WITH(check_start(model), Catch::Contains("at position level") &&
@@ -127,17 +127,17 @@ TEST_CASE("a refused start tells how far each joint is apart", "[start]") {
     CHECK_THROWS_WITH(check_start(model), Catch::Contains("and 1 1/s"));
 }
 
-TEST_CASE("a row is as large as the longer of its arms", "[start]") {
+TEST_CASE("the scale of a row is the longer of its arms", "[start]") {
     const Model model = bodies_in_a_row(2);
     const Vec3 near(1, 2, 2), far(2, 3, 6);  // 3 and 7 m
     CHECK(row_scale(model, {.first = 0, .second = 1, .r_first = near, .r_second = far}, 0) == 7);
     CHECK(row_scale(model, {.first = 0, .second = 1, .r_first = far, .r_second = near}, 0) == 7);
-    CHECK(row_scale(model, {.r_first = far, .r_second = near}, 0) == 3);  // the ground has a place, and no arm
+    CHECK(row_scale(model, {.r_first = far, .r_second = near}, 0) == 3);  // the ground has a place, but no arm
     CHECK(row_scale(model, {.r_first = far, .r_second = near, .type = JointType::revolute}, 3) == 1);
     CHECK(row_scale(model, {.r_second = near, .type = JointType::distance, .length = 5}, 0) == 5);
 }
 
-TEST_CASE("a row without an arm is as large as its bodies, or as the mechanism", "[start]") {
+TEST_CASE("the scale of a row without an arm is that of its bodies, or of the mechanism", "[start]") {
     Model model = bodies_in_a_row(2);
     for (Body& body : model.bodies) body.J = 9 * body.mass * Mat3(Vec3(1, 2, 5).asDiagonal());
     CHECK(row_scale(model, {}, 0) == 6);  // sqrt(9 * 8 / 2)

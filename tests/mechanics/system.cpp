@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Structured solves against a dense KKT matrix built from M, C, Q and xi. That these are what they should be is judged for
+// Structured solves against a dense KKT matrix built from M, C, Q and xi. That these are correct is checked for
 // the same models in tests/problems.
 #include "mechanics/system.hpp"
 
@@ -14,7 +14,7 @@ using namespace models;
 
 namespace {
 
-/// One system at one state, with everything the interface says of it as dense matrices.
+/// One system at one state, with all matrices and vectors of the interface in dense form.
 struct Dense {
     Dense(System& s, const Real& t, const std::vector<Real>& y)
         : n(s.velocities()), m(s.constraints()), M(MatX::Zero(n, n)), C(m, n), Q(n), xi(m) {
@@ -92,7 +92,7 @@ TEST_CASE("solve_kkt equals a dense solve for any right-hand side", "[mechanics]
     });
 }
 
-TEST_CASE("NaN and infinity in the state never answer ok", "[mechanics]") {
+TEST_CASE("NaN and infinity in the state never return ok", "[mechanics]") {
     for_each_system([](System& s, const std::vector<Real>& y) {
         const Real bad[] = {std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::infinity()};
         std::vector<Real> z(static_cast<std::size_t>(s.state_group().dim()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A mechanism in other units is the same mechanism: lengths, masses and times multiplied by powers of two leave every bit of
-// a solve, a rank, a multiplier and a start where it was, and what is refused in metres is refused in micrometres.
+// A mechanism in other units is the same mechanism: lengths, masses and times multiplied by powers of two leave every
+// bit of a solve, a rank, a multiplier and a start unchanged, and a start refused in metres is refused in micrometres.
 #include "mechanics/joints/joint_rows.hpp"
 #include "mechanics/model/scales.hpp"
 #include "mechanics/start.hpp"
@@ -39,7 +39,7 @@ Solved solved(const Model& model, const std::string& formulation) {
     return result;
 }
 
-/// What is not the same bits in other units, or nothing.
+/// What differs in a bit in other units, or nothing.
 std::string difference(const Model& model, const Model& other, const Units& u, const std::string& formulation) {
     const Solved here = solved(model, formulation), there = solved(other, formulation);
     if (here.status != there.status) return "status";
@@ -97,7 +97,8 @@ Model two_bars(const Real& size, const Vec3& place = Vec3::Zero()) {
     for (std::size_t i = 0; i < 2; ++i) {
         Body& body = model.bodies[i];
         body.mass = 1, body.J = size * size * Mat3(Vec3(1, 8, 8).asDiagonal()) / 100;
-        body.start = {place + size * Vec3(Real(static_cast<int>(2 * i + 1)) / 2, 0, 0), Mat3::Identity(), Vec3::Zero(), omega};
+        body.start = {place + size * Vec3(Real(static_cast<int>(2 * i + 1)) / 2, 0, 0), Mat3::Identity(), Vec3::Zero(),
+                      omega};
         body.start.v = omega.cross(body.start.x - place);
     }
     model.join(ground, 0, place, JointType::revolute, Vec3::UnitZ());
@@ -107,7 +108,7 @@ Model two_bars(const Real& size, const Vec3& place = Vec3::Zero()) {
 
 }  // namespace
 
-TEST_CASE("other units leave every bit of a solve", "[units]") {
+TEST_CASE("other units change no bit of a solve", "[units]") {
     for (const Named& named : mechanisms())
         for (const Units& u : other_units()) {
             const Model other = scaled(named.model, u);
@@ -134,7 +135,7 @@ TEST_CASE("what is left in its old unit shows", "[units][control]") {
     CHECK(shows([](Model& m) { m.bodies[0].start.omega[2] *= 1 + 4 * epsilon; }) != "");
 }
 
-TEST_CASE("other units leave every bit of a start that is projected", "[units]") {
+TEST_CASE("other units change no bit of a projected start", "[units]") {
     for (const Named& named : mechanisms()) {
         if (named.model.joints.empty()) continue;
         Model moved = moved_off(named.model);
@@ -157,7 +158,7 @@ TEST_CASE("other units leave every bit of a start that is projected", "[units]")
     }
 }
 
-TEST_CASE("other units leave every bit of velocities that follow from the joints", "[units]") {
+TEST_CASE("other units change no bit of velocities that follow from the joints", "[units]") {
     for (const Named& named : mechanisms()) {
         const std::vector<bool> given(named.model.bodies.size(), false);
         Model model = named.model;
@@ -197,17 +198,17 @@ TEST_CASE("a start is refused by its own size, and not by that of a metre or a s
     }
 }
 
-TEST_CASE("where nothing moves and nothing acts no velocity is small", "[units]") {
+TEST_CASE("at rest without forces no velocity counts as small", "[units]") {
     Model model = two_bars(1);
     for (Body& body : model.bodies) body.start.v.setZero(), body.start.omega.setZero();
     CHECK(refusal(model) == "");
     model.bodies[1].start.v[0] = Real(1) / 1000000000000;
     CHECK_THAT(refusal(model), Catch::Contains("velocity level"));
-    model.gravity.g = Vec3(0, -1, 0);  // the bars are going to turn by some 1/s
+    model.gravity.g = Vec3(0, -1, 0);  // the bars will rotate at about 1/s
     CHECK(refusal(model) == "");
 }
 
-TEST_CASE("far from the origin round-off of places is no violation, and a violation is one", "[units]") {
+TEST_CASE("far from the origin round-off of positions is accepted, and a violation is not", "[units]") {
     const Vec3 place(600000, -500000, 620000);
     const Real ulp = Real(1) / 8589934592;  // of a double near a million
     Model model = two_bars(1, place);
@@ -221,7 +222,7 @@ TEST_CASE("far from the origin round-off of places is no violation, and a violat
     CHECK_FALSE(project_start(model).noise);
 }
 
-TEST_CASE("masses have no part in a rank", "[units]") {
+TEST_CASE("a rank does not depend on masses", "[units]") {
     for (const Real& ratio : {Real(1) / 1000000000, Real(1000000000), Real(1000000000) * 1000000000}) {
         INFO(to_double(ratio));
         Model model = jointed(JointType::revolute);

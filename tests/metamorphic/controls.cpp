@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Faults that the suite must find, each beside the same comparison without it.
+// Faults that the suite must find, each next to the same comparison without it.
 #include <catch2/catch.hpp>
 
 #include "tests/metamorphic/descriptions/freed.hpp"
@@ -45,7 +45,7 @@ TEST_CASE("control: a multiplier of a rolling joint with the other sign", "[meta
     }
 }
 
-TEST_CASE("control: a force that nobody asked for", "[metamorphic]") {
+TEST_CASE("control: an unrequested force", "[metamorphic]") {
     CHECK(judged("multibody", "renamed", plain) == "");
     CHECK(judged("multibody", "renamed", plain, with_uninvited_spring()) != "");
 }

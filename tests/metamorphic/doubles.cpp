@@ -10,7 +10,7 @@ namespace metamorphic {
 
 namespace {
 
-/// A system that answers as another one does.
+/// A system that forwards to another one.
 class Forwarding : public System {
   public:
     explicit Forwarding(std::unique_ptr<System> inner)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Comparisons that may fail, and why. An entry that no comparison needs any more is an error.
+// Comparisons that may fail, and why. An entry that no comparison needs is an error.
 #pragma once
 
 #include <string>
@@ -17,10 +17,10 @@ struct Exception {
     std::string model, transformation, method, formulation, projection, reason;
 };
 
-/// What lies in the nature of a method, a projection or a description.
+/// Exceptions inherent in a method, a projection or a description.
 const std::vector<Exception>& exceptions();
 
-/// The first entry that a case falls under, or null.
+/// The first entry that covers a case, or null.
 const Exception* exception_for(const Case& entry);
 
 }  // namespace metamorphic

@@ -20,9 +20,9 @@ std::string of_body(const Model& model, std::size_t i, const char* quantity) {
     return std::string(quantity) + " of " + model.bodies[i].name;
 }
 
-/// Calls see(difference, effect, name) for every quantity of a pair, one after another, until it answers false.
+/// Calls see(difference, effect, name) for every quantity of a pair, one after another, until it returns false.
 template <class See>
-void each_difference(const Pair& pair, const Model& model, See see) {
+void each_difference(const RunPair& pair, const Model& model, See see) {
     const Outcome &a = pair.original, &b = pair.changed;
     for (std::size_t i = 0; i < a.bodies.size(); ++i) {
         const BodyState &s = a.bodies[i], &r = b.bodies[i];
@@ -54,7 +54,7 @@ Real heaviest(const Model& model) {
     return mass;
 }
 
-/// The momentum about a body's axis, whose sense is anybody's choice, by its size.
+/// The momentum about a body's axis, whose sign is arbitrary, by its size.
 Real without_sense(const std::string& name, const Real& value) {
     return name.starts_with("body_momentum") ? Real(abs(value)) : value;
 }
@@ -68,14 +68,14 @@ std::string missing(const std::map<std::string, Real>& from, const std::map<std:
 
 }  // namespace
 
-Pair run_both(const Model& model, const Transformed& transformed, const Combination& combination, const Span& span,
-              const Bench& bench) {
+RunPair run_both(const Model& model, const Transformed& transformed, const Combination& combination, const Span& span,
+                 const Bench& bench) {
     const Span changed{span.h * transformed.time, span.steps, transformed.restart};
     return {run(model, combination, span, bench),
             transformed.back(run(transformed.model, combination, changed, bench))};
 }
 
-std::string difference_in_bits(const Pair& pair, const Model& model) {
+std::string difference_in_bits(const RunPair& pair, const Model& model) {
     if (pair.original.failure != pair.changed.failure)
         return "status \"" + pair.original.failure + "\" and \"" + pair.changed.failure + "\"";
     std::string found;
@@ -118,7 +118,7 @@ Allowance allowance(const Model& model, const Sizes& sizes, const Real& largest_
             grown[on_omega],    grown[on_force],    grown[on_torque]};
 }
 
-Excess excess(const Pair& pair, const Model& model, const Allowance& allowance, int steps) {
+Excess excess(const RunPair& pair, const Model& model, const Allowance& allowance, int steps) {
     Excess worst;
     const Real unit = epsilon * steps;
     const auto compare = [&](const Real& difference, const Real& allowed, const std::string& name) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int steps = KREISEL_QUAD ? 16 : 64;
 
-/// Comparisons that must have been made, by class.
+/// The required numbers of comparisons, by class.
 struct Least {
     int bits, round_off, truncation;
 };
@@ -34,7 +34,7 @@ void check(Extent extent, const Least& least) {
 
 }  // namespace
 
-TEST_CASE("who is excepted from turning says so itself", "[metamorphic]") {
+TEST_CASE("methods exempt from rotation declare it themselves", "[metamorphic]") {
     for (const Exception& exception : exceptions())
         if (exception.transformation == "turned") CHECK_FALSE(method(exception.method).description.equivariant);
 }

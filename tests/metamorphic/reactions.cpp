@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Relations that one evaluation of the dynamics decides: a joint gives way to its reaction, a model to what is written of it.
+// Relations that need one evaluation of the dynamics: a joint replaced by its reaction, a model written and read back.
 #include <catch2/catch.hpp>
 #include <iostream>
 
@@ -43,7 +43,7 @@ TEST_CASE("a model that is written down and read again is the same", "[metamorph
         INFO(named.name);
         ++models;
         const VecX a = accelerations_at_start(named.model), b = accelerations_at_start(*again);
-        Model loose = named.model;  // where joints hold everything fast, accelerations are round-off of these
+        Model loose = named.model;  // if joints hold all bodies at rest, accelerations are round-off of these
         loose.joints.clear();
         const Real size = max(Real(a.norm()), Real(accelerations_at_start(loose).norm()));
         CHECK((a - b).norm() <= size / 1000000000);  // data are decimals of double precision

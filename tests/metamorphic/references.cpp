@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// References do not depend on how a motion is described, to 25 digits by series, and by extrapolation to its
-// tolerance, wherever and in whatever units.
+// References do not depend on the description of a motion, to 25 digits by series, and by extrapolation to its
+// tolerance, in any place and units.
 #include <catch2/catch.hpp>
 #include <iostream>
 

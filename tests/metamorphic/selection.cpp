@@ -26,7 +26,7 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
     return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-/// The defaults, and with all methods each other word that an option can be, the others at their defaults.
+/// The defaults, and with all methods each other value of a word option, the others at their defaults.
 std::vector<OptionValues> variants(const std::vector<OptionDescription>& options, bool all) {
     std::vector<OptionValues> list = {{}};
     if (!all) return list;
@@ -36,7 +36,7 @@ std::vector<OptionValues> variants(const std::vector<OptionDescription>& options
     return list;
 }
 
-/// Where a system has constraints to project onto, and the rows that the projection needs.
+/// Whether a system has constraints, and the rows that the projection needs.
 bool applies(const ProjectionDescription& projection, const MethodDescription& method, const std::string& formulation,
              const System& system) {
     if (projection.name == "none") return true;
@@ -45,7 +45,8 @@ bool applies(const ProjectionDescription& projection, const MethodDescription& m
     return !projection.ambient || system.has_ambient_jacobian();
 }
 
-/// Numbers for the pairs of a case that must meet: any two of model, transformation, method, formulation, projection.
+/// Numbers of the pairs of a case that must be covered: any two of model, transformation, method, formulation,
+/// projection.
 class Pairs {
   public:
     std::vector<std::size_t> of(const Case& entry) {
@@ -85,7 +86,7 @@ std::vector<Case> covering(const std::vector<Case>& all, Pairs& numbers, std::ve
     }
 }
 
-/// Those that run on a changed model too: where it has other bodies or joints, some may not.
+/// Those that also run on a changed model: with other bodies or joints, some may not.
 std::vector<Combination> common(const std::vector<Combination>& runs, const Model& model, const Model& changed,
                                 bool all_methods) {
     if (model.bodies.size() == changed.bodies.size() && model.joints.size() == changed.joints.size()) return runs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which comparisons are made: all, or so few that every two choices still meet somewhere.
+// Which comparisons are made: all, or few that still cover all pairs of choices.
 #pragma once
 
 #include "tests/metamorphic/descriptions/transformation.hpp"
@@ -20,7 +20,7 @@ std::string to_text(const Case& entry);
 
 enum class Extent {
     sparse,    ///< every two of model, transformation, method, projection, formulation meet somewhere
-    pairwise,  ///< on each model: one method of each family; every two of transformation, method, projection, formulation
+    pairwise,  ///< on each model: one method of each family; pairs of transformation, method, projection, formulation
     full       ///< on each model: every combination of all methods and their options
 };
 

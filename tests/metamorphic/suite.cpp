@@ -17,13 +17,13 @@ bool solves_positions(const Combination& combination) {
            projection(combination.projection).description.positions;
 }
 
-std::string beyond_round_off(const Case& entry, const Pair& pair, const Transformed& changed, int steps,
+std::string beyond_round_off(const Case& entry, const RunPair& pair, const Transformed& changed, int steps,
                              Report& report) {
     if (pair.original.failure != pair.changed.failure)
         return "status \"" + pair.original.failure + "\" and \"" + pair.changed.failure + "\"";
     const Model& model = entry.model->model;
     const Real& h = entry.model->h;
-    // What is added to x on the way there is lost on the way back: sizes are those of the place where the run was.
+    // Digits of x lost by the shift do not come back: sizes are those at the place of the run.
     Real far = 0;
     for (const Body& body : changed.model.bodies) far = max(far, Real(body.start.x.norm() / changed.length));
     far = max(far, max(pair.original.sizes.x, pair.changed.sizes.x));
@@ -44,7 +44,7 @@ std::string objection(const Case& entry, int steps, const Bench& bench, Report& 
     const Agreement agreement = entry.transformation->agreement(model, entry.combination);
     ++report.compared[to_text(agreement)];
     if (agreement == Agreement::truncation) return beyond_truncation(entry, changed, steps, bench);
-    const Pair pair = run_both(model, changed, entry.combination, {entry.model->h, steps}, bench);
+    const RunPair pair = run_both(model, changed, entry.combination, {entry.model->h, steps}, bench);
     if (!pair.original.failure.empty()) return "the original ends with " + pair.original.failure;
     return agreement == Agreement::bits ? difference_in_bits(pair, model)
                                         : beyond_round_off(entry, pair, changed, steps, report);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The comparisons of a selection, one after another, with what speaks against each.
+// The comparisons of a selection, one after another, with the objection to each.
 #pragma once
 
 #include <map>
@@ -23,12 +23,12 @@ struct Report {
     std::vector<std::string> objections;
 };
 
-/// "" or what speaks against a case.
+/// The objection to a case, or "".
 std::string objection(const Case& entry, int steps, const Bench& bench, Report& report);
 
 Report compare_all(const std::vector<Case>& cases, int steps, const Bench& bench = {});
 
-/// Objections, at most some dozens of them, and counts.
+/// Objections, at most a few dozen, and counts.
 std::string to_text(const Report& report);
 
 }  // namespace metamorphic

@@ -12,7 +12,8 @@ namespace metamorphic {
 
 namespace {
 
-/// The end of a motion by a method of order 4 with steps a sixteenth as long, on the constraints; kept for the next method.
+/// The end of a motion by a method of order 4 with steps a sixteenth as long, on the constraints; cached for the next
+/// method.
 const Outcome& fine(const std::string& name, const Model& model, const Span& span) {
     static std::map<std::string, Outcome> known;
     const auto found = known.find(name);
@@ -27,7 +28,7 @@ int declared_order(const Case& entry) {
     return std::min(order.configuration, order.velocity);
 }
 
-std::string beyond_errors(const Case& entry, const Transformed& changed, const Pair& pair, const Real& apart,
+std::string beyond_errors(const Case& entry, const Transformed& changed, const RunPair& pair, const Real& apart,
                           int steps) {
     const Model& model = entry.model->model;
     const Real& h = entry.model->h;
@@ -47,7 +48,7 @@ std::string beyond_errors(const Case& entry, const Transformed& changed, const P
 
 namespace {
 
-/// What round-off leaves apart: velocities of methods with multipliers are positions over h.
+/// Distance due to round-off: velocities of methods with multipliers are positions over h.
 Real left_behind(const Case& entry, const Real& h, int steps) {
     const Real common = 2000 * epsilon * steps;
     if (!method(entry.combination.method).description.own_multipliers) return common;
@@ -64,7 +65,7 @@ std::string beyond_truncation(const Case& entry, const Transformed& changed, int
     for (int level = 0; level < levels; ++level) {
         const int factor = 1 << level;
         const Real h = entry.model->h / factor;
-        const Pair pair = run_both(model, changed, entry.combination, {h, factor * steps}, bench);
+        const RunPair pair = run_both(model, changed, entry.combination, {h, factor * steps}, bench);
         if (!pair.original.failure.empty() || !pair.changed.failure.empty())
             return "ends with " + pair.original.failure + pair.changed.failure;
         const Real apart = distance(pair.original, pair.changed, model);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A step allocates nothing: the global allocator is counted while each method and projection steps.
+// A step allocates nothing: the calls of the global allocator are counted while each method and projection steps.
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -13,15 +13,15 @@ std::atomic<long> allocations{0};
 
 }  // namespace
 
-// Eigen asks malloc and not operator new, which ends there too.
-#if defined(__SANITIZE_ADDRESS__)  // malloc belongs to the sanitizer: what Eigen allocates goes uncounted
+// Eigen calls malloc, not operator new, which calls malloc too.
+#if defined(__SANITIZE_ADDRESS__)  // malloc belongs to the sanitizer: Eigen's allocations are not counted
 // Not inlined: GCC would see malloc on one side and operator delete on the other, and warn of a mismatch.
 [[gnu::noinline]] void* operator new(std::size_t size) {
     ++allocations;
     if (void* memory = std::malloc(size)) return memory;
     throw std::bad_alloc();
 }
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {  // Catch asks for this one
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {  // Catch allocates this one
     ++allocations;
     return std::malloc(size);
 }
@@ -59,7 +59,8 @@ TEST_CASE("a step and a projection allocate nothing", "[methods]") {
                     const long before = allocations;
                     const Status status = trip.run(Real(1) / 100, KREISEL_QUAD ? 2 : 10);
                     const long during = allocations - before;
-                    INFO(entry.description.name << ", " << projector.description.name << ", " << named.name << ", " << formulation);
+                    INFO(entry.description.name << ", " << projector.description.name << ", " << named.name << ", "
+                                                << formulation);
                     CHECK(status == Status::ok);
                     CHECK(during == 0);
                 }

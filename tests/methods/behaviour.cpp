@@ -43,7 +43,7 @@ TEST_CASE("a step of length zero leaves the state", "[methods]") {
 }
 
 TEST_CASE("a step of length zero leaves attitudes that are half a turn away", "[methods]") {
-    // Coordinates are found by other branches there, one for each axis.
+    // Coordinates are computed by other branches there, one for each axis.
     const Vec3 turns[] = {Vec3(3, 0, 0), Vec3(0, 3, 0), Vec3(0, 0, 3), Vec3(2, 1, 2), Vec3(-1, 2, -2)};
     for (const Method& entry : methods()) {
         if (!runs_on(entry.description, "SO3")) continue;
@@ -78,7 +78,7 @@ TEST_CASE("a step back returns near the start", "[methods]") {
     });
 }
 
-TEST_CASE("NaN in the state is answered by a status, and the state is left alone", "[methods]") {
+TEST_CASE("NaN in the state gives a status, and the state is unchanged", "[methods]") {
     for_each_run([](const Method& entry, const Named& named, const std::string& formulation) {
         Trip trip(named.model, formulation, entry);
         trip.y.back() = std::numeric_limits<Real>::quiet_NaN();  // omega of the last body
@@ -132,7 +132,8 @@ TEST_CASE("Euler angles end such a step about the other axis too", "[methods]") 
 
 TEST_CASE("quaternions renormalised stay on the sphere; without, R drifts off SO(3)", "[methods]") {
     const auto defect = [](bool renormalise) {
-        Trip trip(standard("forced_heavy_top"), "SO3", method("baseline/rk4_quaternion"), {{"renormalise", renormalise}});
+        Trip trip(standard("forced_heavy_top"), "SO3", method("baseline/rk4_quaternion"),
+                  {{"renormalise", renormalise}});
         REQUIRE(trip.run(10, 500) == Status::ok);
         return trip.system->group().orthogonality_defect(trip.y.data());
     };
@@ -157,7 +158,8 @@ TEST_CASE("the mass-weighted projection is the nearest point in the mass metric"
     VecX M_correction(s.velocities());
     for (int i = 0; i < 2; ++i)
         M_correction.segment<6>(6 * i) =
-            Eigen::Map<Eigen::Matrix<Real, 6, 6>>(&blocks[static_cast<std::size_t>(36 * i)]) * correction.segment<6>(6 * i);
+            Eigen::Map<Eigen::Matrix<Real, 6, 6>>(&blocks[static_cast<std::size_t>(36 * i)]) *
+            correction.segment<6>(6 * i);
     const VecX zero = VecX::Zero(s.constraints());
     for (int k = 0; k < 12; ++k) {
         f = VecX::Unit(s.velocities(), k);
@@ -168,7 +170,7 @@ TEST_CASE("the mass-weighted projection is the nearest point in the mass metric"
 
 TEST_CASE("the seed's projection in the metric of M is the mass-weighted one, near the constraints", "[methods]") {
     // On tangents its metric of R^{3x3} is J, and at rest positions and velocities do not mix: to first order in the
-    // distance both find the same point.
+    // distance both give the same point.
     Model model = standard("double_pendulum");
     for (Body& body : model.bodies) {
         body.start.omega.setZero(), body.start.v.setZero();
@@ -199,7 +201,7 @@ TEST_CASE("names are unique, match their files, and every file registers", "[met
     const std::string root = build::source_dir;
     const auto check = [&](const std::string& name, const std::string& file, const std::string& folder) {
         INFO(name << " in " << file);
-        // Compilers and caches may shorten the path of the root, not what lies below it.
+        // Compilers and caches may shorten the path of the root, not the part below it.
         CHECK(file.ends_with("/" + folder + name + ".cpp"));
         CHECK(std::ifstream(root + "/" + folder + name + ".cpp").good());
     };
@@ -212,6 +214,7 @@ TEST_CASE("names are unique, match their files, and every file registers", "[met
         CHECK_FALSE(entry.description.summary.empty());
         CHECK_FALSE(entry.description.cites.empty());
     }
-    for (const ProjectionMethod& entry : projections()) check(entry.description.name, entry.file, "methods/projection/");
+    for (const ProjectionMethod& entry : projections())
+        check(entry.description.name, entry.file, "methods/projection/");
     for (const Problem& entry : problems()) check(entry.description.name, entry.file, "problems/");
 }

@@ -8,7 +8,7 @@
 
 using namespace kreisel;
 
-TEST_CASE("what methods and projections cite is in the bibliography", "[methods]") {
+TEST_CASE("citations of methods and projections are in the bibliography", "[methods]") {
     for (const Method& entry : methods()) {
         INFO(entry.description.name);
         CHECK_FALSE(entry.description.cites.empty());

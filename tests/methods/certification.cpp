@@ -10,12 +10,12 @@ using namespace kreisel;
 
 namespace {
 
-/// Observing orders needs runs to the end, of which quad has its own (tests/campaign).
+/// Observed orders need complete runs; quad has its own in tests/campaign.
 bool too_slow(Check check) { return KREISEL_QUAD && check == Check::order; }
 
 }  // namespace
 
-TEST_CASE("every registered method passes every judgement", "[methods]") {
+TEST_CASE("every registered method passes every check", "[methods]") {
     for (const Judgement& judgement : running_checks()) {
         if (too_slow(judgement.check)) continue;
         for (const Method& entry : methods()) {
@@ -25,7 +25,7 @@ TEST_CASE("every registered method passes every judgement", "[methods]") {
     }
 }
 
-TEST_CASE("every control is turned down by the judgements it names", "[methods][control]") {
+TEST_CASE("every control is rejected by the checks it names", "[methods][control]") {
     for (const Judgement& judgement : running_checks()) {
         if (too_slow(judgement.check)) continue;
         for (const Control& control : controls()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The acceptance problem refutes methods that are broken on purpose because their observed order is the lower one they
-// have, not by some accident of the run.
+// The acceptance problem rejects methods broken on purpose because their observed order is the lower one they
+// really have, not by accident.
 #include <catch2/catch.hpp>
 
 #include "tests/controls/controls.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// No body at all: a state without entries runs through every method and projection. Problems refuse such parameters.
+// No bodies: an empty state passes through every method and projection. Problems refuse such parameters.
 #include "engine/run.hpp"
 #include "tests/methods/stepping.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Implicit methods on R, where they are classical ones, and the ways in which a step fails. Their equations on groups are
+// Implicit methods on R, where they are the classical ones, and how steps fail. Their equations on groups are
 // checked in tests/judges/steps/step_checks.hpp.
 #include <array>
 #include <cmath>
@@ -26,10 +26,10 @@ void for_each_with_multipliers(F f) {
 }
 
 /// x'' = f(t, x, x') with unit mass on R, in both forms of the interface.
-class Line final : public System {
+class LineSystem final : public System {
   public:
     using Force = Real (*)(const Real& t, const Real& x, const Real& v);
-    explicit Line(Force force) : System(std::make_shared<AdditiveGroup>(1)), force_(force) {}
+    explicit LineSystem(Force force) : System(std::make_shared<AdditiveGroup>(1)), force_(force) {}
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real*) override {
         *dv = force_(t, *q, *v);
         return isfinite(*dv) ? Status::ok : Status::non_finite;
@@ -42,7 +42,7 @@ class Line final : public System {
 };
 
 Real oscillator(const Real& t, const Real& x, const Real& v) { return sin(2 * t) - 4 * sin(x) - v / 4; }
-/// Faster than any method can follow: the equations of a long step have no real solution.
+/// So fast that the equations of a long step have no real solution.
 Real runaway(const Real&, const Real&, const Real& v) { return 1000 * (1 + v * v); }
 
 Model resized(Model model, const Real& length, const Real& mass) {
@@ -57,8 +57,8 @@ Model resized(Model model, const Real& length, const Real& mass) {
 }
 
 /// States (x, v) after 0, 1, ... steps.
-std::vector<std::array<Real, 2>> march(const Method& entry, const OptionValues& options, Line& system, const Real& h,
-                                       int steps) {
+std::vector<std::array<Real, 2>> march(const Method& entry, const OptionValues& options, LineSystem& system,
+                                       const Real& h, int steps) {
     std::vector<std::array<Real, 2>> states = {{Real(1), Real(1) / 2}};
     const auto integrator = entry.bind(system, options);
     REQUIRE(integrator->start(0, states[0].data()) == Status::ok);
@@ -74,7 +74,7 @@ std::vector<std::array<Real, 2>> march(const Method& entry, const OptionValues& 
 TEST_CASE("on R the generalised-alpha method is the classical one", "[methods]") {
     const Method& entry = method("generalized_alpha/index2");
     for (const double option : {0.0, 0.5, 0.9}) {
-        Line system(oscillator);
+        LineSystem system(oscillator);
         const Real rho = decimal(option), h = Real(1) / 16;
         const auto y = march(entry, {{"rho", option}}, system, h, 8);
         const Real am = (2 * rho - 1) / (rho + 1), af = rho / (rho + 1);
@@ -100,7 +100,7 @@ TEST_CASE("on R the generalised-alpha method starts with v' at its own time", "[
     // a(0) = v'(Delta h) + O(h^2), Delta = alpha_m - alpha_f; for rho = 0, Delta = -1.
     double errors[2];
     for (int i = 0; i < 2; ++i) {
-        Line system([](const Real& t, const Real&, const Real&) -> Real { return sin(2 * t); });
+        LineSystem system([](const Real& t, const Real&, const Real&) -> Real { return sin(2 * t); });
         const Real h = Real(1) / (16 << i);
         const auto y = march(method("generalized_alpha/index2"), {{"rho", 0.0}}, system, h, 1);
         const Real gamma = Real(3) / 2, beta = 1;  // rho = 0
@@ -112,7 +112,7 @@ TEST_CASE("on R the generalised-alpha method starts with v' at its own time", "[
 }
 
 TEST_CASE("on R the BLieDF method is the backward differentiation formula", "[methods]") {
-    Line system(oscillator);
+    LineSystem system(oscillator);
     const Real h = Real(1) / 16;
     const auto y = march(method("multistep/bliedf2"), {}, system, h, 8);
     for (std::size_t i = 2; i < y.size(); ++i) {
@@ -129,7 +129,7 @@ TEST_CASE("the first step is as accurate as any other", "[methods]") {
         INFO(entry.description.name);
         double errors[2];
         for (int i = 0; i < 2; ++i) {
-            Line system(oscillator);
+            LineSystem system(oscillator);
             const Real h = Real(1) / (64 << i);
             const auto y = march(entry, default_options(entry.description.options), system, h, 1).back();
             const auto exact =
@@ -258,7 +258,7 @@ TEST_CASE("a step without a solution is newton_failed, and leaves the state", "[
     for (const Method& entry : methods()) {
         if (!entry.description.implicit) continue;
         INFO(entry.description.name);
-        Line system(runaway);
+        LineSystem system(runaway);
         const auto integrator =
             entry.bind(system, default_options(entry.description.options));
         Real y[2] = {1, 0};
@@ -268,14 +268,14 @@ TEST_CASE("a step without a solution is newton_failed, and leaves the state", "[
     }
 }
 
-TEST_CASE("what is not a number never ends as ok in an implicit step", "[methods]") {
+TEST_CASE("NaN never ends as ok in an implicit step", "[methods]") {
     using enum PoisonedSystem::What;
     for (const Method& entry : methods()) {
         if (!entry.description.implicit) continue;
         for (const auto what : {acceleration, mass, applied, gyroscopic, position, velocity, jacobian})
             for (const Real& poison : {not_a_number, infinite})
                 for (const int healthy_steps : {0, 3, 9}) {
-                    // The index-1 form is all that a method without multipliers sees.
+                    // A method without multipliers uses only the index-1 form.
                     if (!entry.description.own_multipliers && what != acceleration) continue;
                     if (entry.description.own_multipliers && what == acceleration && healthy_steps > 0) continue;
                     INFO(entry.description.name << ", quantity " << static_cast<int>(what) << ", step "
@@ -297,7 +297,7 @@ TEST_CASE("what is not a number never ends as ok in an implicit step", "[methods
     }
 }
 
-TEST_CASE("a number that is none in the state never ends as ok in a step with multipliers", "[methods]") {
+TEST_CASE("NaN in the state never ends as ok in a step with multipliers", "[methods]") {
     for_each_with_multipliers([](const Method& entry) {
         const Real h = Real(1) / 100;
         for (const int healthy_steps : {0, 3}) {

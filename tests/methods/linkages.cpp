@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Implicit methods on mechanisms with redundant rows, in every unit and place, beside stiff springs, and where a mechanism
-// loses rank.
+// Implicit methods on mechanisms with redundant rows, in every unit and place, beside stiff springs, and where a
+// mechanism loses rank.
 #include "tests/methods/linkages.hpp"
 
 #include <cmath>
@@ -22,7 +22,7 @@ void for_each_implicit(F f) {
         }
 }
 
-/// Of order 4 in steps that are small beside those of the test.
+/// Of order 4, with steps much smaller than those of the test.
 std::vector<BodyState> precise(const Model& model, const std::string& formulation, const Real& t_end, long steps) {
     Trip trip(model, formulation, method("rkmk/rk4"), "position_velocity");
     REQUIRE(trip.run(t_end, steps) == Status::ok);
@@ -112,7 +112,7 @@ TEST_CASE("a linkage moves the same in every place", "[methods]") {
     });
 }
 
-TEST_CASE("stiff springs and dampers are no obstacle", "[methods]") {
+TEST_CASE("implicit methods handle stiff springs and dampers", "[methods]") {
     const Real h = Real(1) / 100;
     for_each_implicit([&](const Method& entry) {
         for (const Real& stiffness : {Real(100), Real(10000)})

@@ -23,7 +23,7 @@ inline Body bar(const std::string& name, const Real& mass, const Vec3& from, con
     return {.name = name, .mass = mass, .J = J, .start = {.x = (from + to) / 2, .R = R}};
 }
 
-/// Adds a bar and answers its number.
+/// Adds a bar and returns its index.
 inline int add_bar(Model& model, const std::string& name, const Real& mass, const Vec3& from, const Vec3& to) {
     model.bodies.push_back(bar(name, mass, from, to));
     return static_cast<int>(model.bodies.size()) - 1;
@@ -45,8 +45,8 @@ inline Model planar_four_bar() {
     return model;
 }
 
-/// Scott Russell's straight-line mechanism twice on one bar: its ends slide along x and y, and two cranks from the origin
-/// hold its middle. One freedom, and each part alone would do.
+/// Scott Russell's straight-line mechanism twice on one bar: its ends slide along x and y, and two cranks from the
+/// origin hold its middle. One freedom, and each part by itself suffices.
 inline Model double_scott_russell() {
     const Vec3 o(0, 0, 0), x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
     const Vec3 right(Real(8) / 5, 0, 0), top(0, Real(6) / 5, 0), middle = (right + top) / 2;
@@ -71,8 +71,8 @@ inline Model double_scott_russell() {
     return model;
 }
 
-/// Two parallel shafts along z, and between them two Cardan shafts side by side, each with a joint at both ends in the phase
-/// that keeps the speeds equal: each branch alone would do.
+/// Two parallel shafts along z, and between them two Cardan shafts side by side, each with a joint at both ends in the
+/// phase that keeps the speeds equal: each branch by itself suffices.
 inline Model parallel_cardan_branches() {
     const Vec3 z = Vec3::UnitZ();
     Model model;
@@ -105,8 +105,8 @@ inline std::vector<Named> redundant_linkages() {
             {"bricard", standard("bricard")}};
 }
 
-/// Lengths in units of L metres, masses in units of m kilograms, the origin moved; forces follow, so that the motion is the
-/// same. Without springs.
+/// Lengths in units of L metres, masses in units of m kilograms, the origin moved; forces follow, so that the motion is
+/// the same. Without springs.
 inline Model in_units(Model model, const Real& length, const Real& mass, const Vec3& origin = Vec3::Zero()) {
     for (Body& body : model.bodies) {
         body.mass *= mass;

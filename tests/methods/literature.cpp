@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// rkmk/rk4 on the literature's fast top: errors and drift of the index-1 form without stabilisation, and what the
-// projections make of them. The reference at t = 1 was obtained by two independent programs to 22 digits. The expected
+// rkmk/rk4 on the literature's fast top: errors and drift of the index-1 form without stabilisation, and the
+// effect of the projections. The reference at t = 1 was obtained by two independent programs to 22 digits. The expected
 // errors are those of double precision runs, so the file is empty in quad.
 #include "tests/methods/stepping.hpp"
 
@@ -75,8 +75,8 @@ TEST_CASE("position_velocity and terze hold both constraints below 1e-11", "[met
 }
 
 TEST_CASE("projections keep the order of the method", "[methods]") {
-    // terze in the identity norm has a large next term: its slopes fall to 4 as 4.44, 4.29, 4.17, 4.09, 4.05 from 1,000 to
-    // 32,000 steps, halving the excess each time, so the asymptotic range starts there.
+    // terze in the identity norm has a large next term: its slopes fall to 4 as 4.44, 4.29, 4.17, 4.09, 4.05 from 1,000
+    // to 32,000 steps, halving the excess each time, so the asymptotic range starts there.
     for (const char* projector : {"velocity", "position", "position_velocity", "terze"}) {
         const Real coarse = error_at_one("SO3xR3", 16000, projector), fine = error_at_one("SO3xR3", 32000, projector);
         INFO(projector);
@@ -85,7 +85,8 @@ TEST_CASE("projections keep the order of the method", "[methods]") {
 }
 
 TEST_CASE("on a pivoted body the formulations give the same rotation at equal h", "[methods]") {
-    // Eliminating the multipliers from the index-1 form gives the pivot's own equation; as unknowns they are discretised.
+    // Eliminating the multipliers from the index-1 form gives the pivot's own equation; as unknowns they are
+    // discretised.
     for (const Method& entry : methods()) {
         if (!entry.description.formulations.empty() || entry.description.own_multipliers) continue;
         std::vector<std::vector<BodyState>> ends;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// KKT systems with C^T at one configuration and C at another, a step apart, against their two equations by dense matrices.
+// KKT systems with C^T at one configuration and C at another, a step apart, against their two equations by dense
+// matrices.
 #include "methods/implicit/mixed_kkt.hpp"
 
 #include <Eigen/Cholesky>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The Newton iteration by itself: where it ends, and how it fails.
+// The Newton iteration by itself: where it converges, and how it fails.
 #include "methods/implicit/newton.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The N-fold spherical pendulum of the literature [celledoni2022, Sec. 4.3: N = 2, ..., 20, end at 3 s] against its equations in
-// Cartesian coordinates, which know neither bodies nor groups: with r_i = x_i - x_{i-1} and the tensions T_i along them,
+// The N-fold spherical pendulum of the literature [celledoni2022, Sec. 4.3: N = 2, ..., 20, end at 3 s] against its
+// equations in Cartesian coordinates, which involve neither bodies nor groups: with r_i = x_i - x_{i-1} and the
+// tensions T_i along them,
 //   m x_i'' = m g - T_i r_i + T_{i+1} r_{i+1},   r_i . r_i'' + |r_i'|^2 = 0.
 #include <Eigen/LU>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
@@ -64,8 +65,8 @@ Points cartesian_motion(int N, double t_end, int steps) {
 
 }  // namespace
 
-TEST_CASE("the N-fold pendulum of the literature moves as its Cartesian equations say", "[methods][published]") {
-    if (KREISEL_QUAD) return;  // the equations beside are in double
+TEST_CASE("the N-fold pendulum of the literature satisfies its Cartesian equations", "[methods][published]") {
+    if (KREISEL_QUAD) return;  // the equations here are in double
     for (const int N : {2, 3, 5, 10, 20}) {
         const Points expected = cartesian_motion(N, 3, 6000);
         ParameterValues values = defaults(problem("spherical_pendulum_chain"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A system that hands on what another one answers, but for one quantity, in which the last entry is replaced on demand.
+// A system that forwards to another one, except that the last entry of one quantity is replaced on demand.
 #pragma once
 
 #include <limits>
@@ -27,7 +27,7 @@ class PoisonedSystem final : public System {
     int mass_block() const override { return healthy_.mass_block(); }
     void row_scale(Real* scale) const override { healthy_.row_scale(scale); }
     void position_scale(const Real* q, Real* size) const override { healthy_.position_scale(q, size); }
-    /// A system that meets a number which is none says so.
+    /// A system that meets NaN reports it.
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
         const Status status = healthy_.accelerations(t, q, v, dv, lambda);
         return what == What::acceleration ? Status::non_finite : status;

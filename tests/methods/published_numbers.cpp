@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Mechanisms against numbers that others have published, and what they keep over 10 s. In quad fewer steps do.
+// Mechanisms against published numbers, and their invariants over 10 s. Quad runs use fewer steps.
 #include "tests/methods/stepping.hpp"
 
 using namespace kreisel;
@@ -22,7 +22,7 @@ Real integral(const Trip& trip, const std::string& name) {
     throw std::out_of_range(name);
 }
 
-/// omega of the only body at t, as all formulations give it.
+/// omega of the only body at t, as given by all formulations.
 Vec3 turned(const Model& model, int t) {
     Vec3 omega;
     for (const std::string formulation : {"SO3xR3", "SE3", "S3xR3", "SO3"}) {
@@ -36,7 +36,7 @@ Vec3 turned(const Model& model, int t) {
 
 }  // namespace
 
-TEST_CASE("the simple pendulum of the benchmark library ends where it is published", "[methods][published]") {
+TEST_CASE("the simple pendulum of the benchmark library ends at the published position", "[methods][published]") {
     // m = L = 1, released at rest from the horizontal; x(10), y(10) as published for a start at x = -1.
     const Model model =
         with("spherical_pendulum_chain", {{"masses", 1.0}, {"length", 1.0}, {"gravity", Vector3{0, -9.81, 0}}});
@@ -64,10 +64,11 @@ TEST_CASE("a pendulum of period 2 is back after a period and after three", "[met
 }
 
 TEST_CASE("a free body turns as in problem B5 of DETEST", "[methods][published]") {
-    // J = (2, 3, 3/2) makes Euler's equations those of Krogh's problem, y1' = y2 y3, y2' = -y1 y3, y3' = -0.51 y1 y2 with
-    // y = omega / (sqrt 4.59, sqrt 1.02, sqrt 8), from (0, 1, 1); y(20) [hull1972], [enrightpryce1987].
+    // J = (2, 3, 3/2) makes Euler's equations those of Krogh's problem, y1' = y2 y3, y2' = -y1 y3, y3' = -0.51 y1 y2
+    // with y = omega / (sqrt 4.59, sqrt 1.02, sqrt 8), from (0, 1, 1); y(20) [hull1972], [enrightpryce1987].
     const Vec3 scale(sqrt(from_text("4.59")), sqrt(from_text("1.02")), sqrt(Real(8)));
-    const Vec3 published(from_text("-0.9396570798729192"), from_text("-0.3421177754000779"), from_text("0.7414126596199957"));
+    const Vec3 published(from_text("-0.9396570798729192"), from_text("-0.3421177754000779"),
+                         from_text("0.7414126596199957"));
     Model model = standard("free_top");
     model.bodies[0].J = Vec3(2, 3, Real(3) / 2).asDiagonal();
     model.bodies[0].start = {Vec3::Zero(), Mat3::Identity(), Vec3::Zero(), Vec3(0, scale[1], scale[2])};
@@ -92,10 +93,10 @@ TEST_CASE("the energy of the four-bar is the published one", "[methods][publishe
     }
 }
 
-TEST_CASE("the slider of the spatial slider-crank is where others have it", "[methods][published]") {
-    // x of the slider in solutions submitted to the IFToMM library: of F. Gonzalez to nine digits, of P. Masarati (MBDyn) to
-    // seven; their own errors grow to 4e-5 in a second. With its crank's mass centre on the axle or the universal joint's
-    // axis upright, x(1) is off by more than 3e-3.
+TEST_CASE("the slider of the spatial slider-crank agrees with published results", "[methods][published]") {
+    // x of the slider in solutions submitted to the IFToMM library: of F. Gonzalez to nine digits, of P. Masarati
+    // (MBDyn) to seven; their own errors grow to 4e-5 in a second. With its crank's mass centre on the axle or the
+    // universal joint's axis upright, x(1) is off by more than 3e-3.
     struct Value {
         double t, gonzalez, masarati, close;
     };
@@ -136,5 +137,5 @@ TEST_CASE("Kovalevskaya's integral is constant to the order of the method", "[me
     };
     const double order = std::log2(to_double(error(400) / error(800)));
     CHECK(order >= 3.8);
-    CHECK(order <= 5.3);  // invariants are often kept to one order more
+    CHECK(order <= 5.3);  // invariants are often conserved to one order more
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The front door does what its parts do one by one, and says what has gone wrong.
+// The front door gives the same results as its parts, and reports failures.
 #include "methods/simulation.hpp"
 
 #include "problems/problem.hpp"

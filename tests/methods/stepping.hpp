@@ -16,7 +16,9 @@ namespace stepping {
 
 using namespace kreisel;
 
-inline OptionValues default_options(const std::vector<OptionDescription>& options) { return with_defaults({}, options); }
+inline OptionValues default_options(const std::vector<OptionDescription>& options) {
+    return with_defaults({}, options);
+}
 
 inline bool runs_on(const MethodDescription& method, const std::string& formulation) {
     const auto& only = method.formulations;
@@ -29,7 +31,7 @@ inline bool runs_on(const ProjectionDescription& projection, const Model& model,
     return !projection.ambient || make_system(model, formulation)->has_ambient_jacobian();
 }
 
-/// The literature's top turns by 150 rad/s, the other models by some 5: steps that are short for these are long for it.
+/// The literature's top rotates at 150 rad/s, the other models at about 5: it needs shorter steps.
 inline bool spins_fast(const Model& model) {
     return std::any_of(model.bodies.begin(), model.bodies.end(),
                        [](const Body& body) { return body.start.omega.norm() > 50; });

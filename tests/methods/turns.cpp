@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Torsion springs through several turns, by every method in every formulation, against closed forms; and steps that cannot
-// know how often a spring has turned, which must say so.
+// Torsion springs through several turns, by every method in every formulation, against closed forms; and steps that
+// cannot resolve the turns of a spring, which must report it.
 #include "mechanics/start.hpp"
 #include "tests/mechanics/models/turning.hpp"
 #include "tests/methods/stepping.hpp"
@@ -38,10 +38,10 @@ Miss miss(const Turner& turner, Trip& trip, const Real& t_end, long steps) {
     return {status, abs(angle_of(trip).theta - theta), abs(turner.rate(trip.bodies()) - rate)};
 }
 
-/// Worse than all that a method may leave: a turn forgotten is some 2 pi off.
+/// Above any admissible error of a method: a lost turn is an error of 2 pi.
 const Real wrong = 3;
 
-/// What speaks against a method that is bound to a system by `bind`: nothing, or words.
+/// The objection to a method that is bound to a system by `bind`, or "".
 template <class Bind>
 std::string turning_objection(const Turner& turner, const std::string& form, const Order& order, const Real& t_end,
                               long steps, const Method& entry, Bind bind) {
@@ -54,7 +54,7 @@ std::string turning_objection(const Turner& turner, const std::string& form, con
             return name(misses[level].status) + (": " + trip.system->reason(Status::turn_lost));
         if (!(misses[level].theta < wrong)) return "the angle misses by " + to_text(misses[level].theta);
     }
-    // Each alone has times at which its error passes zero; their distance in the plane of theta and theta'/w does not.
+    // Each error by itself passes through zero at times; the distance in the plane of theta and theta'/w does not.
     const Real w = sqrt(turner.exact.k / turner.exact.J);
     const auto error = [&](const Miss& m) { return Real(sqrt(m.theta * m.theta + m.rate * m.rate / (w * w))); };
     const Real coarse = error(misses[0]), fine = error(misses[1]), floor = 100000 * epsilon;
@@ -71,8 +71,8 @@ std::string turning_objection(const Turner& turner, const std::string& form, con
                              [&](System& system) { return entry.bind(system, options); });
 }
 
-/// A first-order method needs short steps before its order shows. So does BLieDF on SO3xR3: at 30 rad/s its errors are 0.24,
-/// 0.078, 0.022, 0.0058 and 0.0015 from 128 steps on, orders 1.61, 1.82, 1.92, 1.96.
+/// A first-order method needs short steps before its order shows. So does BLieDF on SO3xR3: at 30 rad/s its errors are
+/// 0.24, 0.078, 0.022, 0.0058 and 0.0015 from 128 steps on, orders 1.61, 1.82, 1.92, 1.96.
 long steps_for(const Method& entry, long steps) {
     if (entry.description.order.configuration == 1) return 16 * steps;
     return entry.description.own_multipliers ? 4 * steps : steps;
@@ -99,11 +99,11 @@ TEST_CASE("springs through several turns follow their closed forms, by every met
             }
 }
 
-TEST_CASE("a spring that forgets its turns is turned down", "[turns]") {
+TEST_CASE("a spring that loses its turns is rejected", "[turns]") {
     for (const char* name : {"rkmk/rk4", "crouch_grossman/cg3a", "generalized_alpha/index2", "baseline/rk4_matrix"}) {
         const Method& entry = method(name);
         const OptionValues options = default_options(entry.description.options);
-        // Without the bracket of begin_step and end_step labels stay where they were: half a turn is as far as it goes.
+        // Without the bracket of begin_step and end_step labels are not updated: it works only up to half a turn.
         const auto forgetful = [&](System& system) { return entry.factory.make(system, options, entry.description); };
         CHECK(turning_objection(wheel(JointType::revolute, 10), "SO3xR3", entry.description.order, 1, 64, entry,
                                 forgetful) != "");
@@ -166,7 +166,7 @@ TEST_CASE("projections and restarts keep the turns", "[turns]") {
             Trip trip(turner.model, form, method("rkmk/rk4"), projector);
             CHECK(miss(turner, trip, 1, 256).theta < Real(1) / 10000);
         }
-    // The seed's projection, of spherical joints alone.
+    // The seed's projection, for spherical joints only.
     const Turner ball = wheel(JointType::spherical, 10, 20);
     Trip seed(ball.model, "SO3xR3", method("rkmk/rk4"), "terze");
     CHECK(miss(ball, seed, 1, 256).theta < Real(1) / 10000);
@@ -203,13 +203,13 @@ TEST_CASE("a wheel may turn by almost half a turn in a step, and not by more", "
 }
 
 TEST_CASE("an angle far from where the step began to lead is lost, and the state stays", "[turns]") {
-    // 31 rad/s slowed down by some 400 rad/s^2 within 0.1 s: no stage turns by pi, but the end lies 2 rad behind.
+    // 31 rad/s decelerated by about 400 rad/s^2 within 0.1 s: no stage turns by pi, but the end lies 2 rad behind.
     const Turner turner = wheel(JointType::spherical, 31);
     const Model model = with_torque(turner.model, -400);
     for (const Method& entry : methods())
         for (const std::string& form : formulations_of(entry, model)) {
-            if (entry.description.order.configuration == 1) continue;  // goes where the step began to lead
-            if (!entry.description.equivariant) continue;  // answers that its coordinates cannot turn so far
+            if (entry.description.order.configuration == 1) continue;  // extrapolates the start of the step
+            if (!entry.description.equivariant) continue;  // reports that its coordinates cannot rotate so far
             INFO(entry.description.name << " on " << form);
             Trip trip(model, form, entry);
             REQUIRE(trip.integrator->start(0, trip.y.data()) == Status::ok);
@@ -217,7 +217,7 @@ TEST_CASE("an angle far from where the step began to lead is lost, and the state
             CHECK(trip.integrator->step(0, Real(1) / 10, trip.y.data()) == Status::turn_lost);
             CHECK(trip.y == y);
             CHECK_THAT(trip.system->reason(Status::turn_lost), Contains("torsion spring 0 (ground - wheel)"));
-            // The failed step has left nothing behind.
+            // The failed step has left no trace.
             Trip fresh(model, form, entry);
             for (Trip* one : {&trip, &fresh}) CHECK(one->run(Real(1) / 100, 10) == Status::ok);
             CHECK(trip.y == fresh.y);
@@ -242,7 +242,7 @@ TEST_CASE("axes that part have no turns to count", "[turns]") {
     CHECK_THROWS_WITH(check_start(model), Contains("torsion spring 0 (ground - wheel) has axes that part"));
 }
 
-TEST_CASE("energy is kept through many turns", "[turns]") {
+TEST_CASE("energy is conserved through many turns", "[turns]") {
     const Turner turner = wheel(JointType::spherical, 100, 5);
     for (const std::string& form : applicable(turner.model)) {
         INFO(form);
@@ -269,7 +269,7 @@ TEST_CASE("energy is kept through many turns", "[turns]") {
     }
 }
 
-TEST_CASE("what is no number in a state with springs is not accepted", "[turns]") {
+TEST_CASE("NaN in a state with springs is not accepted", "[turns]") {
     const Turner turner = wheel(JointType::revolute, 10);
     for (const Method& entry : methods())
         for (const std::string& form : formulations_of(entry, turner.model))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Projections know no metre, kilogram and second: other units leave their bits, and a parallelogram of micrometres passes
+// Projections do not depend on units: other units leave their bits unchanged, and a parallelogram of micrometres passes
 // its flat poses like one of kilometres.
 #include "mechanics/joints/joint_rows.hpp"
 #include "tests/mechanics/models/scaled.hpp"
@@ -12,14 +12,15 @@ using namespace stepping;
 
 namespace {
 
-/// Cranks of length `size`/2 on hinges along z, `size` apart, at 2 rad, turning at `rate`. No forces act: the cranks keep
-/// their speed, also through the two flat poses, where the rank drops.
+/// Cranks of length `size`/2 on hinges along z, `size` apart, at 2 rad, turning at `rate`. No forces act: the cranks
+/// keep their speed, also through the two flat poses, where the rank drops.
 Model parallelogram(const Real& size, const Real& mass, const Real& rate) {
     const Real angle = 2;
     const Vec3 x = size * Vec3::UnitX(), z = Vec3::UnitZ(), u = size / 2 * Vec3(cos(angle), sin(angle), 0);
     const auto bar = [&](const Real& length) { return Mat3(mass * length * length / 24 * Vec3(1, 2, 2).asDiagonal()); };
     Model model;
-    for (const char* name : {"k1", "k2", "k3"}) model.bodies.push_back({.name = name, .mass = mass, .J = bar(size / 2)});
+    for (const char* name : {"k1", "k2", "k3"})
+        model.bodies.push_back({.name = name, .mass = mass, .J = bar(size / 2)});
     model.bodies[1].J = bar(size);
     const Vec3 omega = rate * z;
     const Mat3 R = SO3::exp(angle * z);
@@ -27,7 +28,8 @@ Model parallelogram(const Real& size, const Real& mass, const Real& rate) {
     model.bodies[1].start = {u + x / 2, Mat3::Identity(), omega.cross(u), Vec3::Zero()};
     model.bodies[2].start = {x + u / 2, R, omega.cross(u) / 2, omega};
     const Vec3 corners[] = {Vec3::Zero(), u, x + u, x};
-    for (int i = 0; i < 4; ++i) model.join(i == 0 ? ground : i - 1, i == 3 ? ground : i, corners[i], JointType::revolute, z);
+    for (int i = 0; i < 4; ++i)
+        model.join(i == 0 ? ground : i - 1, i == 3 ? ground : i, corners[i], JointType::revolute, z);
     return model;
 }
 
@@ -76,7 +78,7 @@ bool same(const std::vector<BodyState>& here, const std::vector<BodyState>& ther
     return true;
 }
 
-/// A system whose rows are said to be of a metre each, as if all mechanisms were.
+/// A system whose row scales are all one metre, whatever the mechanism.
 class InMetres final : public System {
   public:
     explicit InMetres(System& true_one)
@@ -88,13 +90,16 @@ class InMetres final : public System {
     Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override {
         return true_.solve_kkt(t, q, f, c, a, lambda);
     }
-    void position_residual(const Real& t, const Real* q, Real* phi) const override { true_.position_residual(t, q, phi); }
+    void position_residual(const Real& t, const Real* q, Real* phi) const override {
+        true_.position_residual(t, q, phi);
+    }
 
   private:
     System& true_;
 };
 
-/// Largest position row relative to its scale after the projection of a parallelogram moved off its joints by 1e-5 of it.
+/// Largest position row relative to its scale after the projection of a parallelogram moved off its joints by 1e-5 of
+/// it.
 Real left_over(System& judged, System& true_one, const Model& model) {
     Model moved = model;
     moved.bodies[1].start.x *= 1 + Real(1) / 100000;
@@ -113,8 +118,8 @@ TEST_CASE("a parallelogram passes its flat poses at constant speed, of any size"
         Real size, mass, rate;
     };
     const Real k = 1000;
-    for (const Case& c : {Case{1, 1, 7}, Case{1 / k / k, 1, 7}, Case{1 / k, 1, 7}, Case{k, 1, 7}, Case{1, 1 / k / k / k, 7},
-                          Case{1 / k / k, k * k * k, 1 / k / k / 31}, Case{k, 1, k * k * k}})
+    for (const Case& c : {Case{1, 1, 7}, Case{1 / k / k, 1, 7}, Case{1 / k, 1, 7}, Case{k, 1, 7},
+                          Case{1, 1 / k / k / k, 7}, Case{1 / k / k, k * k * k, 1 / k / k / 31}, Case{k, 1, k * k * k}})
         for (const std::string formulation : {"SO3xR3", "SE3", "S3xR3"})
             for (const std::string projector : {"none", "velocity", "position", "position_velocity"}) {
                 if (KREISEL_QUAD && (formulation != "SE3" || projector == "none")) continue;  // slow
@@ -126,7 +131,7 @@ TEST_CASE("a parallelogram passes its flat poses at constant speed, of any size"
             }
 }
 
-TEST_CASE("rows that count as metres leave a micrometre mechanism off its joints", "[units][control]") {
+TEST_CASE("rows scaled in metres leave a micrometre mechanism off its joints", "[units][control]") {
     if (KREISEL_QUAD) return;  // the last correction is far below any tolerance there, the right one or not
     const Model model = parallelogram(Real(1) / 1000000, 1, 7);
     const auto system = make_system(model, "SE3");
@@ -135,7 +140,7 @@ TEST_CASE("rows that count as metres leave a micrometre mechanism off its joints
     CHECK(left_over(judged, *system, model) > 1000 * epsilon);
 }
 
-TEST_CASE("other units leave every bit of a projection", "[units]") {
+TEST_CASE("other units change no bit of a projection", "[units]") {
     for (const ProjectionMethod& entry : projections())
         for (const Named& named : for_methods())
             for (const std::string& formulation : applicable(named.model)) {
@@ -148,8 +153,8 @@ TEST_CASE("other units leave every bit of a projection", "[units]") {
                 for (const Units& u : other_units()) {
                     if (seed && u.time != 0) continue;  // it adds positions to velocities
                     if (KREISEL_QUAD && abs(u.length + u.mass + u.time) != 7) continue;
-                    INFO(entry.description.name << ", " << named.name << " as " << formulation << ": " << u.length << " "
-                                                << u.mass << " " << u.time);
+                    INFO(entry.description.name << ", " << named.name << " as " << formulation << ": " << u.length
+                                                << " " << u.mass << " " << u.time);
                     CHECK(same(here, projected(scaled(named.model, u), u, formulation, entry, options), u));
                 }
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Every registered Munthe-Kaas method satisfies the classical conditions of its declared order exactly, violates one of
-// the next order, and notices every single coefficient.
+// the next order, and a change of any single coefficient is detected.
 #include <catch2/catch.hpp>
 
 #include "methods/contract/method.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The conditions of commutator-free methods are those of Crouch-Grossman methods where each factor holds one slope, accept
-// the published schemes at their order, and see factors that are swapped.
+// The conditions of commutator-free methods are those of Crouch-Grossman methods if each factor has one slope, accept
+// the published schemes at their order, and detect swapped factors.
 #include <catch2/catch.hpp>
 
 #include "tests/judges/conditions/commutator_free_series.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every control is turned down by the judgements of schemes that it names; tests/methods asks the same of the others.
-// On request (tag [list], hidden) prints for each control what turns it down, and why, as a table in Markdown.
+// Every control is rejected by the checks of schemes that it names; tests/methods tests the others.
+// On request (tag [list], hidden) prints which check rejects each control, and why, as a table in Markdown.
 #include <catch2/catch.hpp>
 #include <iostream>
 
@@ -20,7 +20,7 @@ const std::vector<Judgement>& scheme_checks() {
 
 }  // namespace
 
-TEST_CASE("controls are turned down by the judgements of schemes that they name", "[one_step]") {
+TEST_CASE("controls are rejected by the checks of schemes that they name", "[one_step]") {
     int named = 0;
     for (const Judgement& judgement : scheme_checks())
         for (const Control& control : controls()) {
@@ -32,7 +32,7 @@ TEST_CASE("controls are turned down by the judgements of schemes that they name"
     CHECK(named >= 12);
 }
 
-TEST_CASE("every control names what must turn it down, and they are at least twelve", "[one_step]") {
+TEST_CASE("every control names the checks that must reject it, and there are at least twelve controls", "[one_step]") {
     CHECK(controls().size() >= 12);
     for (const Control& control : controls()) {
         INFO(control.method.description.name);
@@ -42,7 +42,7 @@ TEST_CASE("every control names what must turn it down, and they are at least twe
 
 #if !KREISEL_QUAD
 
-// Hidden because it judges nothing: it prints what the tests above assert.
+// Hidden because it tests nothing: it prints what the tests above assert.
 TEST_CASE("control -> what catches it", "[.][list]") {
     std::vector<Judgement> all = scheme_checks();
     all.insert(all.end(), running_checks().begin(), running_checks().end());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The generated Crouch-Grossman conditions are the literature's, and every registered Crouch-Grossman method satisfies
-// those of its declared order, violates one of the next, and notices each coefficient and the order of its factors.
+// those of its declared order, violates one of the next, and a change of any coefficient or of the order of factors is
+// detected.
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 #include <random>
@@ -75,7 +76,7 @@ TEST_CASE("the conditions on Lyndon words are independent", "[crouch_grossman]")
     const Matrix100 jacobian = conditions_jacobian(unknowns(tableau), stages, 5);
     REQUIRE(jacobian.rows() == 1 + 1 + 3 + 8 + 25);
     Eigen::FullPivLU<Matrix100> lu(jacobian);
-    lu.setThreshold(Float100("1e-30"));  // the differences are good to some 50 digits
+    lu.setThreshold(Float100("1e-30"));  // the differences are accurate to about 50 digits
     CHECK(lu.rank() == jacobian.rows());
 }
 
@@ -145,7 +146,7 @@ TEST_CASE("the order of the factors matters, and where", "[crouch_grossman]") {
     CHECK(order("crouch_grossman/cg3a", ascending, descending) == 2);
     CHECK(order("crouch_grossman/cg3b", ascending, descending) == 2);
     CHECK(order("crouch_grossman/cg4a", ascending, descending) == 2);
-    // Two different branches at one node take four nodes: orders up to 3 cannot see the stage products.
+    // Two different branches at one node take four nodes: orders up to 3 do not involve the stage products.
     CHECK(order("crouch_grossman/cg3a", descending, ascending) == 3);
     CHECK(order("crouch_grossman/cg3b", descending, ascending) == 3);
     CHECK(order("crouch_grossman/cg4a", descending, ascending) == 3);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// No method escapes the check of its steps: the table of step checks is complete and has no dead line, and each check
-// turns down steps that follow other equations.
+// No method escapes the check of its steps: the table of step checks is complete and has no unused line, and each check
+// rejects steps that follow other equations.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -11,7 +11,7 @@ using namespace kreisel;
 
 namespace {
 
-/// A method that is right in itself, of a family that no test has heard of.
+/// A correct method of a family unknown to the tests.
 Method stranger() {
     Method made_up = method("rkmk/rk4");
     made_up.description.name = "commutator_free/cf3";
@@ -21,12 +21,12 @@ Method stranger() {
 
 }  // namespace
 
-TEST_CASE("a method that no one-step check knows is turned down", "[one_step]") {
+TEST_CASE("a method without a one-step check is rejected", "[one_step]") {
     CHECK(one_step_objection(stranger()) ==
           "no one-step check knows this method: declare its scheme, or bring a check of its own");
 }
 
-TEST_CASE("an explicit method without a scheme is turned down", "[one_step]") {
+TEST_CASE("an explicit method without a scheme is rejected", "[one_step]") {
     CHECK(order_conditions_objection(stranger()) ==
           "no order conditions for an explicit method without a scheme: declare it, or state why it has none");
     Method implicit = stranger();
@@ -52,7 +52,7 @@ TEST_CASE("a step check covers its method, its family, and controls that claim t
     CHECK_FALSE(covers("base/", "baseline/rk4_matrix"));
 }
 
-TEST_CASE("methods with multipliers take no steps but those of their equations", "[one_step]") {
+TEST_CASE("steps of methods with multipliers satisfy their equations", "[one_step]") {
     const StabilisedForm left = {.side = DenseBodies::Side::left}, end = {.eta_from_end = true},
                          massless = {.eta_without_mass = true}, bare = {.without_eta = true},
                          negated = {.multipliers_negated = true};
@@ -72,8 +72,8 @@ TEST_CASE("steps are checked in every formulation, with and without constraints"
     CHECK(make_system(models::standard("double_pendulum"), "SE3")->constraints() == 6);
 }
 
-TEST_CASE("baselines take no steps but those of their coordinates", "[one_step]") {
-    // Of the same order, so that only the comparison of one step can tell.
+TEST_CASE("steps of baselines are those of their coordinates", "[one_step]") {
+    // Of the same order, so only the comparison of one step detects it.
     const Method& other = method("crouch_grossman/cg4a");
     CHECK(quaternion_step_objection(other) != "");
     CHECK(matrix_step_objection(other) != "");

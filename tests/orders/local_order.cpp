@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The running code has the order that the generated conditions predict for its tableau and its products: so the
-// conditions belong to this side of the trivialisation and to this order of factors. Measured as the local error of one
-// step against Boost.Odeint's Runge-Kutta-Fehlberg method of order 8 on the entries of the rotation matrix. In quad only:
-// where the local slopes of order 4 have settled, double has nothing left but round-off.
+// The running code has the order that the generated conditions predict for its tableau and its products, so the
+// conditions belong to this trivialisation and this order of factors. Measured as the local error of one
+// step against Boost.Odeint's Runge-Kutta-Fehlberg method of order 8 on the entries of the rotation matrix. In quad
+// only: where the local slopes of order 4 have settled, double has only round-off left.
 #include "lie/real.hpp"
 
 #if KREISEL_QUAD

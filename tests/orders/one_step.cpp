@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One step of the running code against its declared scheme (one_step_check.cpp) or its equations (step_checks.hpp). This
-// sees what no order can: a missing dexpinv at order 2, the order of stage factors.
+// One step of the running code against its declared scheme (one_step_check.cpp) or its equations (step_checks.hpp).
+// This detects what no observed order can: a missing dexpinv at order 2, the order of stage factors.
 #include <catch2/catch.hpp>
 
 #include "tests/judges/steps/scheme_checks.hpp"

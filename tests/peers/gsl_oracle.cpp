@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The angular velocity of the free body from the classical solution and the Jacobi functions of [gsl], which share
-// nothing with the closed form under test but the data.
+// The angular velocity of the free body from the classical solution and the Jacobi functions of [gsl], which share only
+// the data with the closed form under test.
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_sf_elljac.h>
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// An outside oracle: IDA of SUNDIALS [hindmarsh2005], variable-order BDF in double, on the index-1
-// differential-algebraic equations of a model in rotation matrices, written down here once more.
+// An independent reference: IDA of SUNDIALS [hindmarsh2005], variable-order BDF in double, on the index-1
+// differential-algebraic equations of a model in rotation matrices, coded independently here.
 #include <ida/ida.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_dense.h>
@@ -197,7 +197,7 @@ double difference(const Model& model, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("the references are what IDA of SUNDIALS finds, to its tolerance") {
+TEST_CASE("the references agree with IDA of SUNDIALS, to its tolerance") {
     for (const Model& model : {standard_model("double_pendulum"), standard_model("forced_heavy_top"), hinged_pair()}) {
         const double rough = difference(model, 1e-7), fine = difference(model, 1e-10);
         CAPTURE(model.bodies.back().name, rough, fine);

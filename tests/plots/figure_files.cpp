@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is on the page, in each of the three formats: every entry of a legend and every label, within the page and apart
-// from each other. Text is read from SVG with its place, from PDF by pdftotext; of a PNG its size is known, which is that of
-// the page all three share.
+// The contents of the page, in each of the three formats: every entry of a legend and every label, within the page and
+// apart from each other. Text is read from SVG with its place, from PDF by pdftotext; of a PNG only the size is
+// checked, which is that of the page all three share.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
@@ -46,7 +46,7 @@ double attribute(const std::string& svg, const std::string& name) {
     return std::stod(svg.substr(at + name.size() + 2));
 }
 
-// What speaks against an SVG file that should show each of the texts `times` times; empty if nothing does.
+// The objection to an SVG file that should show each of the texts `times` times; empty if there is none.
 std::string fault(const std::string& svg, const std::vector<std::string>& texts, std::size_t times) {
     const double width = attribute(svg, "width"), height = attribute(svg, "height");
     std::vector<PlacedText> found;

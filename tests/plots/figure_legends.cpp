@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What figures of curves show: which cells and samples, and what their legends say of orders and growth.
+// What figures of curves show: which cells and samples, and the orders and growth laws in their legends.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
@@ -192,7 +192,7 @@ TEST_CASE("components are drawn until the time asked for, in one panel or stacke
     CHECK(figure({{"quantity", "v"}, {"stacked", true}}).panels[0].x_label == "t [s]");
 }
 
-TEST_CASE("an axis is labelled with symbol and unit, also where the metric is no common one") {
+TEST_CASE("an axis is labelled with symbol and unit, even for an uncommon metric") {
     CHECK(metric_label("error.position") == "|x − x_{ref}| [m]");
     CHECK(metric_label("invariant.spin_axial") == "invariant.spin\\_axial");
     CHECK(metric_label("defect.position.final") == "defect.position.final [m]");

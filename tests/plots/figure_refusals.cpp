@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Figures that cannot be drawn from the results there are, and a gnuplot that cannot draw: what is said.
+// Messages for figures that cannot be drawn from the results, and for a gnuplot that fails.
 #include <stdlib.h>
 
 #include <catch2/catch.hpp>
@@ -50,7 +50,7 @@ void write_results_into(const ResultFolder& folder) {
     folder.write("trajectories/cc.csv", "t [s],top.x1 [m],top.x2 [m],top.x3 [m]\n0,0,1,0\n1,0,1,0\n");
 }
 
-/// What is said of one figure that is refused.
+/// The message for one refused figure.
 std::string refusal(nlohmann::json figure) {
     const ResultFolder folder;
     write_results_into(folder);
@@ -140,7 +140,7 @@ TEST_CASE("results without a config, or of a kind without a figure, are not draw
     CHECK_THAT(plotted.messages, Catch::Contains("n: no figure shows an experiment of kind timing; describe one"));
 }
 
-TEST_CASE("what is damaged is named, and the figure shows the rest") {
+TEST_CASE("damaged lines are named, and the figure shows the rest") {
     const ResultFolder folder;
     folder.write("results.jsonl", convergence_lines(4) + "{\"cell\"\n");
     folder.manifest({{"name", "n"}, {"kind", "convergence"}});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Figures: what a config may ask for, what gnuplot is given, and that nothing in a label is executed.
+// Figures: what a config may request, what gnuplot is given, and that nothing in a label is executed.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -41,16 +41,14 @@ void check_drawn(const ResultFolder& folder, const std::string& name) {
 
 TEST_CASE("good figures pass") {
     CHECK(first_issue(R"({"kind": "path3d", "body": "top", "view": [60, 30], "until": 1})") == "");
-    CHECK(
-        first_issue(
-            R"([{"kind": "motion", "name": "a", "instants": 5, "lever": [0, 0, 1]}, {"kind": "drift", "name": "b"}])") ==
-        "");
+    CHECK(first_issue(R"([{"kind": "motion", "name": "a", "instants": 5, "lever": [0, 0, 1]}, {"kind": "drift", )"
+                      R"("name": "b"}])") == "");
     CHECK(first_issue(R"({"kind": "convergence", "metric": ["error.position", "error.omega"], "facet": "formulation",
                           "select": {"steps": [10, 20], "method": "rkmk/rk4"}})") == "");
     CHECK(first_issue(R"({"kind": "invariants", "metric": "invariant.energy", "relative": true})") == "");
 }
 
-TEST_CASE("bad figures are refused where the error stands") {
+TEST_CASE("bad figures are refused at the error") {
     const std::pair<const char*, const char*> cases[] = {
         {"{}", "/figure"},
         {"[]", ""},
@@ -121,7 +119,7 @@ TEST_CASE("a drawn top is a rigid picture of the body") {
     }
 }
 
-TEST_CASE("every kind of figure is drawn, without a word from gnuplot") {
+TEST_CASE("every kind of figure is drawn, without messages from gnuplot") {
     const ResultFolder folder;
     const auto changes =
         nlohmann::json{{"trajectory", "trajectories/aa.csv"}, {"metrics", {{"defect.position", 1e-6}}}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What tables say where there is no number to say: reasons in short, marks, units of any metric.
+// Table entries without a number: short reasons, marks, units of any metric.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -52,7 +52,7 @@ std::string entry(const TextTable& table, const std::string& first, const std::s
 
 TEST_CASE("where no order can be stated the table says why") {
     const ResultFolder folder;
-    // The local slopes 0.6, 0.6, 0.42, 0.55, 0.6 agree, are no plateau, and one is below 1/2.
+    // The local slopes 0.6, 0.6, 0.42, 0.55, 0.6 agree, are not a plateau, and one is below 1/2.
     const auto slow = [](double h) {
         const std::array<double, 6> falls = {0, 0.6, 1.2, 1.62, 2.17, 2.77};
         return 1e-3 * std::pow(2, -falls.at(static_cast<std::size_t>(std::lround(-std::log2(h))) - 6));

@@ -71,7 +71,8 @@ TEST_CASE("cells far from a first integral are counted, and the farthest is name
                                       convergence_lines(2, drifted(0.5), 32));
     const auto notes = lost_integral_notes(read_results(folder.path()).rows);
     REQUIRE(notes.size() == 1);
-    CHECK_THAT(notes[0], Catch::Contains("far: 12 of 18 cells end ok") && Catch::Contains("energy by 50 % at most (rkmk/rk4"));
+    CHECK_THAT(notes[0],
+               Catch::Contains("far: 12 of 18 cells end ok") && Catch::Contains("energy by 50 % at most (rkmk/rk4"));
 }
 
 TEST_CASE("declared and observed orders stand side by side, and a shortfall is marked") {

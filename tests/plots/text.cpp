@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Labels are data in every format a table is written in.
+// Labels are data in every table format.
 #include "plots/tables/text.hpp"
 
 #include <algorithm>
@@ -63,7 +63,7 @@ TEST_CASE("numbers read back, and absent ones stay absent") {
     CHECK(short_number(std::nan("")) == "-");
 }
 
-TEST_CASE("columns that say the same all over become a note") {
+TEST_CASE("columns with one value become a note") {
     const TextTable table{"t", "title", {"problem", "method", "x"}, {{"top", "a", "1"}, {"top", "b", "1"}}, {"how"}};
     const TextTable brief = without_constant_columns(table, {"problem", "method"});
     CHECK(brief.columns == std::vector<std::string>{"method", "x"});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Quad against double: the same source at the same points differs by round-off of double, and by no less.
+// Quad against double: the same source at the same points differs by round-off of double, and not by less.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -26,7 +26,7 @@ enum class Fault {
     integral_drifts,     ///< a declared first integral that is not one
 };
 
-/// A system of the library but for the fault.
+/// A system of the library except for the fault.
 class Broken final : public System {
   public:
     Broken(const Model& model, const std::string& formulation, Fault fault)
@@ -84,8 +84,8 @@ class Broken final : public System {
           fault_(fault) {
         auto integrals = inner_->integrals();
         if (fault == Fault::integral_drifts)
-            integrals.push_back(
-                {"height", "m", "none", [](const MotionState& s) { return s.bodies[0].x[2]; }, [](const MotionState&) { return Real(1); }});
+            integrals.push_back({"height", "m", "none", [](const MotionState& s) { return s.bodies[0].x[2]; },
+                                 [](const MotionState&) { return Real(1); }});
         set_integrals(std::move(integrals));
     }
 
@@ -95,8 +95,8 @@ class Broken final : public System {
 
 using Check = std::string (*)(System&, const At&);
 
-/// Whether `check` complains about the fault at some state of the double pendulum. (A top on a joint to ground has xi = 0
-/// on SE3, and one with its lever along an axis has zeros in C: faults there would be none.)
+/// Whether `check` complains about the fault at some state of the double pendulum. (A top on a joint to ground has
+/// xi = 0 on SE3, and one with its lever along an axis has zeros in C: such faults would not be faults.)
 bool rejects(Check check, Fault fault, const std::string& formulation) {
     const Model model = models::standard("double_pendulum");
     Broken system(model, formulation, fault);
@@ -152,7 +152,7 @@ TEST_CASE("formulations that differ are rejected", "[problems][control]") {
     CHECK_FALSE(same_dynamics(reference, nothing).empty());
 }
 
-TEST_CASE("a start beside the joints is rejected", "[problems][control]") {
+TEST_CASE("a start off the joints is rejected", "[problems][control]") {
     Model model = models::standard("double_pendulum");
     model.bodies[1].start.x[0] += Real(1) / 1000000;
     CHECK_THROWS_AS(check_start(model), ParameterError);

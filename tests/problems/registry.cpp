@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every registered problem in every formulation, with no line written for a new one.
+// Every registered problem in every formulation, new ones included automatically.
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -26,7 +26,7 @@ std::string text_of(const std::string& path) {
     return text.str();
 }
 
-/// Masses, inertias and all forces but gravity times `factor`.
+/// Masses, inertias and all forces except gravity times `factor`.
 Model scaled(Model model, const Real& factor) {
     for (Body& body : model.bodies) body.mass *= factor, body.J *= factor;
     for (Load& load : model.loads) load.force *= factor, load.torque *= factor;
@@ -125,8 +125,8 @@ TEST_CASE("every problem says what its numbers are and where they come from", "[
             INFO(parameter.name);
             CHECK_FALSE(parameter.summary.empty());
             // Entries of lists carry their own units, flags have none.
-            const std::set<ParameterKind> without = {ParameterKind::bodies, ParameterKind::joints, ParameterKind::forces,
-                                                     ParameterKind::flag};
+            const std::set<ParameterKind> without = {ParameterKind::bodies, ParameterKind::joints,
+                                                     ParameterKind::forces, ParameterKind::flag};
             CHECK(parameter.unit.empty() == without.contains(parameter.kind));
         }
         check_cites(about.name, about.cites);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The registered problems and the models of the tests, and states at which they are judged: their own start, and random
-// poses and velocities brought onto the joints.
+// The registered problems and the models of the tests, and states at which they are checked: their own start, and
+// random poses and velocities brought onto the joints.
 #pragma once
 
 #include <catch2/catch.hpp>

@@ -11,17 +11,17 @@
 using namespace kreisel;
 
 TEST_CASE("a straight line is fitted exactly, and its error is that of the textbook") {
-    const Line exact = fit_line({0, 1, 2, 3}, {1, 3, 5, 7});
+    const FittedLine exact = fit_line({0, 1, 2, 3}, {1, 3, 5, 7});
     CHECK(exact.slope == Approx(2));
     CHECK(exact.intercept == Approx(1));
     CHECK(exact.slope_error == Approx(0).margin(1e-12));
     // y = (0, 1, 1, 2): slope 0.6, residual sum 0.2, error sqrt(0.2 / 2 / 5).
-    const Line rough = fit_line({0, 1, 2, 3}, {0, 1, 1, 2});
+    const FittedLine rough = fit_line({0, 1, 2, 3}, {0, 1, 1, 2});
     CHECK(rough.slope == Approx(0.6));
     CHECK(rough.slope_error == Approx(std::sqrt(0.02)));
-    const Line far = fit_line({1e8, 1e8 + 1, 1e8 + 2}, {5, 8, 11});  // sums of squares would cancel
+    const FittedLine far = fit_line({1e8, 1e8 + 1, 1e8 + 2}, {5, 8, 11});  // sums of squares would cancel
     CHECK(far.slope == Approx(3));
-    const Line two = fit_line({1, 3}, {0, 1});
+    const FittedLine two = fit_line({1, 3}, {0, 1});
     CHECK(two.slope == Approx(0.5));
     CHECK(two.slope_error == 0);
     CHECK_THROWS_AS(fit_line({1, 1}, {0, 1}), std::invalid_argument);

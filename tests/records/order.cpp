@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The observed order states the right one, with an honest window, or says why it states none.
+// The observed order is right, with a correct window, or there is a reason for its absence.
 #include "records/fits/order.hpp"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ TEST_CASE("orders 1 to 8 are found beside a next term and under round-off") {
             if (found.order) {
                 CHECK(*found.order == Approx(p).margin(0.15));
             } else {
-                CHECK(p > 5);  // so steep a curve has hardly four points between ceiling and floor
+                CHECK(p > 5);  // such a steep curve has barely four points between ceiling and floor
             }
         }
     }
@@ -136,7 +136,7 @@ TEST_CASE("a plateau just above the stated floor is seen and kept out") {
     const auto told = observed_order(curve(high, 4, 11), exact);
     check_order(told, 4);
     CHECK(told.stall);
-    // Where the plateau itself is not seen, its onset spoils the finest slopes: no order.
+    // If the plateau itself is not visible, its onset spoils the finest slopes: no order.
     CHECK(observed_order(curve(high, 4, 8), exact).why == NoOrder::not_settled);
 }
 
@@ -153,10 +153,10 @@ TEST_CASE("a lower order that shows only late is not hidden by a higher one befo
         INFO("weight of the lower order " << weight);
         const auto law = [&](double h, long) { return std::pow(h, 4) + weight * h * h; };
         const auto all = observed_order(curve(law, 8, 14), exact);
-        // The smaller weight shows just above round-off only: too late for an order, early enough to refute 4.
+        // The smaller weight shows only just above round-off: too late for an order, early enough to refute 4.
         CHECK(all.order.has_value() == (weight == 1e-4));
         if (all.order) { CHECK(*all.order == Approx(2).margin(0.1)); }
-        // Cut at any level: never a claim of 4 while the slopes are leaving it by more than 0.2.
+        // Truncated at any level: order 4 is never claimed while the slopes deviate by more than 0.2.
         for (int levels = 4; levels <= 14; ++levels) {
             const auto cut = observed_order(curve(law, 8, levels), exact);
             if (!cut.order) { continue; }
@@ -212,7 +212,7 @@ TEST_CASE("the scale decides what is small") {
     CHECK(observed_order(curve(law, 16, 6), tiny).why == NoOrder::pre_asymptotic);
 }
 
-TEST_CASE("quad precision sees what double cannot") {
+TEST_CASE("quad precision detects errors below double") {
     OrderLimits quad;
     quad.epsilon = epsilon_of("quad");
     const auto law = [](double h, long) { return std::pow(h, 8); };
@@ -233,7 +233,7 @@ TEST_CASE("other factors than two, and points in any order, give the same order"
     check_order(observed_order(points, exact), 3);
 }
 
-TEST_CASE("input that is no error curve is refused") {
+TEST_CASE("input that is not an error curve is refused") {
     CHECK_THROWS_AS(observed_order({{10, 0.1, 1e-3}, {10, 0.1, 1e-3}}, exact), std::invalid_argument);
     CHECK_THROWS_AS(observed_order({{10, 0.1, 1e-3}, {20, 0.1, 1e-3}}, exact), std::invalid_argument);
     CHECK_THROWS_AS(observed_order({{10, 0.1, std::nan("")}}, exact), std::invalid_argument);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every stored series coefficient against exact rational arithmetic, one by one: function values forgive an error in a
-// high coefficient, this does not.
+// Every stored series coefficient against exact rational arithmetic, one by one: function values would hide an error in
+// a high coefficient.
 #include <catch2/catch.hpp>
 
 #include "lie/chart.hpp"
@@ -51,7 +51,7 @@ Worst worst_error(const Array& stored, Definition definition, const Decimal& uni
 const Decimal ulp = exact::decimal_of(epsilon);
 const Decimal wide_ulp = ldexp(Decimal(1), -112);
 
-/// The recursions run in 113 bits and gather some ulp of these: 1.8 in the factorials, a quarter per coefficient in the
+/// The recursions run in 113 bits and lose a few ulp of these: 1.8 in the factorials, a quarter per coefficient in the
 /// Bernoulli numbers. Double is rounded once, at their end.
 const double recursion = 16, bernoulli_limit = KREISEL_QUAD ? recursion : 1, factorial_limit = KREISEL_QUAD ? 2 : 1;
 

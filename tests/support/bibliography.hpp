@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Keys of the bibliography, for what methods, projections and problems cite.
+// Keys of the bibliography, for the citations of methods, projections and problems.
 #pragma once
 
 #include <catch2/catch.hpp>

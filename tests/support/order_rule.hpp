@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What declared orders are held against, whoever ran the method: the rule that certifies a registered method is the one
-// that turns a control down.
+// The rule for declared orders: the rule that certifies a registered method is the one
+// that rejects a control.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ inline int declared(const Order& order, const std::string& metric) {
     return is_velocity(metric) ? order.velocity : order.configuration;
 }
 
-/// Sizes of the quantities on the acceptance problems, for what counts as round-off and as pre-asymptotic.
+/// Sizes of the quantities on the acceptance problems, for the limits of round-off and of the pre-asymptotic range.
 inline double scale_of(const std::string& metric) {
     return is_multiplier(metric) ? 100 : is_velocity(metric) ? 5 : 1;
 }
@@ -35,12 +35,12 @@ struct OrderCurve {
     double reference_error = 0;
 };
 
-/// What speaks against the declared orders, in words; empty: nothing. No quantity's finest admissible slope may lie below
-/// the declared order by more than 0.1, and none may be without an order; where `sharp`, one quantity of configuration
+/// The objection to the declared orders, in words; empty: none. No quantity's finest admissible slope may lie below
+/// the declared order by more than 0.1, and each must have an order; if `sharp`, one quantity of configuration
 /// and one of velocity level must come within 0.1 of it (a method may converge faster on one problem than its order
-/// promises, so this is asked of one acceptance problem only).
+/// promises, so this is required of one acceptance problem only).
 /// The finest slope and not the mean: on the pendulum some curves approach their order from below, rk4's omega as 3.85,
-/// 3.88, 3.93, 3.99, and a mean over the window keeps the memory of the coarse steps.
+/// 3.88, 3.93, 3.99, and a mean over the window is still affected by the coarse steps.
 inline std::string order_rule(const std::map<std::string, OrderCurve>& curves, const Order& order, bool sharp) {
     double nearest[2] = {1, 1};  // configuration, velocity
     for (const auto& [metric, curve] : curves) {

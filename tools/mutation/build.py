@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Suites built from changed sources: only the objects that see a changed file are compiled again, beside a build that
+"""Suites built from changed sources: only the objects that depend on a changed file are compiled again, beside a build that
 stays as it is. A changed file shadows the original by standing first in the include path."""
 
 import concurrent.futures
@@ -20,7 +20,7 @@ TIMEOUT = 300  # s for one suite: a mutant that loops for ever is one that a tes
 
 
 def copy_tree(tree):
-    """Brings the copy up to date; what has not changed keeps its time, so that it is not built again."""
+    """Brings the copy up to date; unchanged files keep their times, so they are not rebuilt."""
     wanted = tracked_files()
     for name in wanted:
         source, target = ROOT / name, tree / name
@@ -68,7 +68,7 @@ class Build:
         return subprocess.run(["ninja", "-C", str(self.folder), "--quiet", *arguments], capture_output=True, text=True)
 
     def link(self, suite):
-        """The command that links a suite; builds it first, and ends the program unless it is green as it stands."""
+        """The command that links a suite; builds it first, and ends the program unless it passes unchanged."""
         if suite not in self.links:
             target = f"test_{suite}_binary64"
             built = self.ninja("-j", str(self.jobs), target)
@@ -88,7 +88,7 @@ class Build:
             self.deps[head.split(":")[0]] = {os.path.normpath(path) for path in paths}
 
     def seeing(self, suite, file):
-        """The objects of a suite that see a file."""
+        """The objects of a suite that depend on a file."""
         path = os.path.normpath(self.source / file)
         return [name for name in self.link(suite) if name.endswith(".o") and path in self.deps.get(name, ())]
 
@@ -104,7 +104,7 @@ class Overlay:
         (self.folder / file).write_text(text)
 
     def compiled(self, name):
-        """Compiles one object; answers its path, or None where the compiler refuses."""
+        """Compiles one object; returns its path, or None if that fails."""
         if name not in self.objects:
             argv = list(self.build.compile[name])
             target = self.folder / "objects" / name.replace("/", "_")

@@ -47,7 +47,7 @@ class Mutant:
 
 
 def tracked_files():
-    """The sources: what git knows or would add; without git, all files but those of builds and results."""
+    """The sources: files that git tracks or would add; without git, all files but those of builds and results."""
     try:
         listing = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT,
                                  check=True, capture_output=True)

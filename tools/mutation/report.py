@@ -91,7 +91,7 @@ class Counts:
 
 
 class Journal:
-    """Verdicts of one tool in build/mutation/<name>.json. One holds as long as the mutated file is what it was."""
+    """Verdicts of one tool in build/mutation/<name>.json. One is valid while the mutated file is unchanged."""
 
     def __init__(self, name):
         self.name, self.path = name, HOME / f"{name}.json"
@@ -110,7 +110,7 @@ class Journal:
         self.path.write_text(json.dumps(self.entries, indent=1))
 
     def write_report(self, title, mutants, reasons):
-        """build/mutation/report-<name>.md, from all verdicts that hold for one of `mutants`."""
+        """build/mutation/report-<name>.md, from all valid verdicts on `mutants`."""
         held = {mutant: self.entries[self.id_of(mutant)] for mutant in mutants if self.verdict(mutant)}
         counts = Counts({mutant: entry["verdict"] for mutant, entry in held.items()}, reasons)
         run_at = collections.Counter(entry["sources"] for entry in held.values())

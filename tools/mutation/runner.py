@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs mutants and tells which suite turns red first for each of them."""
+"""Runs mutants and reports the first suite to fail for each of them."""
 
 import os
 import sys

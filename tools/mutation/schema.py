@@ -60,7 +60,7 @@ def with_choice(text):
 
 
 class Schema:
-    """Runs the mutants of the series; with factor 1 in place of theirs, each array must leave the suites green."""
+    """Runs the mutants of the series; with factor 1 in place of theirs, the suites must pass for each array."""
 
     def __init__(self, build):
         self.overlay = Overlay(build, FILE, with_choice((build.source / FILE).read_text()), "series")

@@ -93,7 +93,7 @@ struct Box {
             high[i] = std::max(high[i], point[i]);
         }
     }
-    /// A cube about the same centre, so that all axes have one scale and the drawing has no tilt of its own.
+    /// A cube about the same centre, so that all axes have the same scale and the drawing is not distorted.
     Box cube() const {
         double half = 0.05;
         for (std::size_t i = 0; i < 3; ++i) { half = std::max(half, 0.53 * (high[i] - low[i])); }

@@ -90,7 +90,7 @@ std::vector<Point> window_points(const ObservedOrder& order) {
     return points;
 }
 
-// One triangle for each whole order, at the lowest of its curves: there the space below is free.
+// One triangle for each whole order, below the lowest of its curves, where there is space.
 void add_triangles(Panel& panel, const std::vector<ObservedOrder>& orders) {
     std::map<int, std::vector<Point>> lowest;
     for (const ObservedOrder& order : orders) {
@@ -145,7 +145,7 @@ double largest_of(const std::vector<double>& values) {
     return largest;
 }
 
-// What a legend says of a row when trajectories are drawn: step counts join where they vary.
+// The legend of a row for trajectories: with step counts if they vary.
 std::string trajectory_legend(const CellNames& names, const std::vector<std::string>& axes, const ResultRow& row,
                               bool steps_vary) {
     std::string text = axes.empty() && steps_vary ? "" : names.legend(row, axes);
@@ -153,7 +153,7 @@ std::string trajectory_legend(const CellNames& names, const std::vector<std::str
     return text;
 }
 
-// What became of a cell that did not come to its end; its samples are drawn up to there.
+// Why a cell did not finish; its samples are drawn up to there.
 std::string end_text(const ResultRow& row) {
     return enhanced_escape(row.status) + fmt::format(" at {:.3g} s", row.t_reached);
 }
@@ -298,7 +298,7 @@ PanelFigure scaling_figure(const FigureSpec& spec, const Results& results) {
             quantity->per_body};
         for (const CellGroup& group : curves) {
             if (!in_panel(spec, names, group.front(), key)) { continue; }
-            // Constant or not is what a curve per body shows by itself, on an axis that starts at zero.
+            // A curve per body shows by itself whether it is constant, on an axis that starts at zero.
             const auto law = quantity->per_body ? std::nullopt : scaling_law(group, key.metric);
             const std::string label = names.legend(group.front(), axes);
             Curve curve{enhanced_escape(label) + scaling_text(law), {}, styles.of(label)};

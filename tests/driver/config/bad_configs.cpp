@@ -25,9 +25,9 @@ const std::vector<BadConfig>& bad_configs() {
         {R"({"name": "tab\tname"})", "/name", "without control characters"},
         {R"({"description": 1})", "/description", "a text"},
         {R"({"kind": "convergance"})", "/kind", "did you mean \"convergence\"?"},
-        {R"({"kind": "work_precision"})", "/kind", "does not run yet"},
-        {R"({"kind": "scaling", "metrics": ["defect.*"]})", "/metrics", "measures the steps alone"},
-        {R"({"kind": "scaling", "output": {"samples": 1}})", "/output/samples", "measures the steps alone"},
+        {R"({"kind": "work_precision"})", "/kind", "\"convergence\""},
+        {R"({"kind": "scaling", "metrics": ["defect.*"]})", "/metrics", "measures only the steps"},
+        {R"({"kind": "scaling", "output": {"samples": 1}})", "/output/samples", "measures only the steps"},
         {R"({"kind": "scaling", "figure": {"kind": "drift"}})", "/figure/kind", "\"scaling\""},
         {R"({"kind": "drift", "figure": {"kind": "scaling"}})", "/figure/kind", "draws experiments of that kind"},
         {R"({"kind": "scaling", "figure": {"kind": "scaling", "metric": "cost.steps"}})", "/figure/metric",
@@ -86,13 +86,17 @@ const std::vector<BadConfig>& bad_configs() {
          "/problems/0/parameters/bodies", "a list of bodies"},
         {R"({"problems": [{"name": "double_pendulum", "parameters": {"bodies": [1]}}]})",
          "/problems/0/parameters/bodies/0", "a body"},
-        {R"({"problems": [{"name": "double_pendulum", "parameters": {"bodies": [{"name": "a", "mass": -1, "inertia": [1, 1, 1], "x": [0, 0, 0]}]}}]})",
+        {R"({"problems": [{"name": "double_pendulum", "parameters": {"bodies": [{"name": "a", "mass": -1, )"
+         R"("inertia": [1, 1, 1], "x": [0, 0, 0]}]}}]})",
          "/problems/0/parameters/bodies/0/mass", "a mass greater than 0"},
-        {R"({"problems": [{"name": "double_pendulum", "parameters": {"bodies": [{"name": "a", "inertia": [1, 1, 1], "x": [0, 0, 0]}]}}]})",
+        {R"({"problems": [{"name": "double_pendulum", "parameters": {"bodies": [{"name": "a", )"
+         R"("inertia": [1, 1, 1], "x": [0, 0, 0]}]}}]})",
          "/problems/0/parameters/bodies/0", "the key \"mass\""},
-        {R"({"problems": [{"name": "double_pendulum", "parameters": {"bodies": [{"name": "a", "mass": 1, "inertia": [1, 1, 1], "x": [0, 0, 0], "omga": 1}]}}]})",
+        {R"({"problems": [{"name": "double_pendulum", "parameters": {"bodies": [{"name": "a", "mass": 1, )"
+         R"("inertia": [1, 1, 1], "x": [0, 0, 0], "omga": 1}]}}]})",
          "/problems/0/parameters/bodies/0/omga", "did you mean \"omega\"?"},
-        {R"({"problems": [{"name": "double_pendulum", "parameters": {"bodies": [{"name": "a", "mass": 1, "inertia": [1, 1, 1], "x": [0, 0, 0]}]}}]})",
+        {R"({"problems": [{"name": "double_pendulum", "parameters": {"bodies": [{"name": "a", "mass": 1, )"
+         R"("inertia": [1, 1, 1], "x": [0, 0, 0]}]}}]})",
          "/problems/0/parameters/bodies", "two bodies"},
         // formulations, methods, projections
         {R"({"formulations": ["SE 3"]})", "/formulations/0", "got \"SE 3\""},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Mechanisms that are written wrongly: what the reader alone can tell. Each line changes one value of a good mechanism.
+// Malformed mechanisms: the errors that the reader itself detects. Each line changes one value of a good mechanism.
 #include "tests/driver/config/bad_mechanisms.hpp"
 
 namespace kreisel {
@@ -12,9 +12,11 @@ std::string good_mechanism() {
                "joints": [{"type": "spherical", "between": ["ground", "crank"], "point": [0, 0, 0]},
                           {"type": "revolute", "between": ["crank", "rod"], "point": [1, 0, 0], "axis": [0, 0, 1]},
                           {"type": "distance", "between": ["rod", "bob"], "points": [[2, 0, 1], [2, 0, 0]]}],
-               "forces": [{"type": "spring", "between": ["ground", "rod"], "points": [[1, 0, 1], [1.5, 0, 0]], "stiffness": 10},
+               "forces": [{"type": "spring", "between": ["ground", "rod"], "points": [[1, 0, 1], [1.5, 0, 0]],
+                   "stiffness": 10},
                           {"type": "torque", "body": "rod", "value": [0, 0, 1]},
-                          {"type": "torsion_spring", "between": ["crank", "rod"], "axis": [0, 0, 1], "stiffness": 1}]})";
+                          {"type": "torsion_spring", "between": ["crank", "rod"], "axis": [0, 0, 1],
+                              "stiffness": 1}]})";
 }
 
 const std::vector<BadMechanism>& bad_mechanisms() {
@@ -90,7 +92,8 @@ const std::vector<BadMechanism>& bad_mechanisms() {
         {"/joints/2/radius", "1", "/joints/2/radius", "of a joint of type \"distance\""},
         {"/joints/2/type", "\"rolling\"", "/joints/2", "the key \"axes\""},
         {"/joints/2",
-         R"({"type": "rolling", "between": ["ground", "rod"], "points": [[0, 0, 0], [0, 0, 1]], "axes": [[0, 0, 1], [1, 0, 0]]})",
+         R"({"type": "rolling", "between": ["ground", "rod"], "points": [[0, 0, 0], [0, 0, 1]], )"
+         R"("axes": [[0, 0, 1], [1, 0, 0]]})",
          "/joints/2", "the key \"radius\": a number greater than 0"},
         // forces
         {"/forces/0/type", "\"sprign\"", "/forces/0/type", "did you mean \"spring\"?"},

@@ -13,8 +13,8 @@ std::string good_mechanism();
 struct BadMechanism {
     std::string place;    ///< where the value is put: a JSON pointer below the parameters
     std::string value;    ///< JSON
-    std::string pointer;  ///< where the error is to be found, below the parameters
-    std::string phrase;   ///< what the message has to say
+    std::string pointer;  ///< location of the error, below the parameters
+    std::string phrase;   ///< required text of the message
 };
 
 const std::vector<BadMechanism>& bad_mechanisms();

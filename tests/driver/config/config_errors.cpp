@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A bad config never runs: exit 2 and a message with file, line, column, JSON pointer, what was expected and what came.
+// A bad config never runs: exit 2 and a message with file, line, column, JSON pointer, what was expected and what was
+// found.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -14,7 +15,7 @@ using namespace kreisel;
 
 namespace {
 
-// The line of the messages that speaks of `pointer`.
+// The line of the messages about `pointer`.
 std::string message_at(const std::string& messages, const std::string& pointer) {
     std::istringstream lines(messages);
     for (std::string line; std::getline(lines, line);) {
@@ -39,7 +40,7 @@ TEST_CASE("the config that the bad ones are made from is good") {
     CHECK(result.out.find("12 cells: 12 to run, 0 skipped; 1 reference solution") != std::string::npos);
 }
 
-TEST_CASE("each bad config is refused where its error stands") {
+TEST_CASE("each bad config is refused at its error") {
     const ScratchFolder scratch;
     REQUIRE(bad_configs().size() >= 60);
     for (const BadConfig& bad : bad_configs()) {
@@ -56,7 +57,7 @@ TEST_CASE("each bad config is refused where its error stands") {
     }
 }
 
-TEST_CASE("text that is no JSON is refused where it breaks") {
+TEST_CASE("text that is not JSON is refused at the error") {
     const ScratchFolder scratch;
     for (const BadConfig& bad : bad_texts()) {
         const std::string file = scratch.file("bad.json", bad.patch);
@@ -78,7 +79,7 @@ TEST_CASE("files that cannot be configs at all") {
     CHECK(run_program({"check", (scratch / "").string()}).messages.find("got a folder") != std::string::npos);
 }
 
-TEST_CASE("all errors of a config are told at once, in the order of the text") {
+TEST_CASE("all errors of a config are reported at once, in the order of the text") {
     const ScratchFolder scratch;
     const auto result = run_program(
         {"check", scratch.file("bad.json", patched(R"({"kind": "x", "time": {"end": -1}, "metrics": 1})"))});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Mechanisms in a config: what is refused and where, what is accepted with which values, and how it is written again.
+// Mechanisms in a config: what is refused and where, which values are accepted, and how they are written back.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -30,7 +30,8 @@ ParameterValues read(const ordered_json& parameters) {
 
 template <class Data>
 std::vector<Data> entries(const std::string& key, const std::string& list) {
-    ordered_json parameters = {{"bodies", {ordered_json::parse(R"({"name": "b", "mass": 1, "inertia": [1, 1, 1], "x": [0, 0, 0]})")}}};
+    ordered_json parameters = {
+        {"bodies", {ordered_json::parse(R"({"name": "b", "mass": 1, "inertia": [1, 1, 1], "x": [0, 0, 0]})")}}};
     parameters[key] = ordered_json::parse(list);
     return std::get<std::vector<Data>>(read(parameters).at(key));
 }
@@ -45,7 +46,7 @@ TEST_CASE("the mechanism that the bad ones are made from is good") {
     CHECK(result.code == 0);
 }
 
-TEST_CASE("each bad mechanism is refused where its error stands") {
+TEST_CASE("each bad mechanism is refused at its error") {
     const ScratchFolder scratch;
     REQUIRE(bad_mechanisms().size() >= 60);
     for (const BadMechanism& bad : bad_mechanisms()) {
@@ -62,7 +63,7 @@ TEST_CASE("each bad mechanism is refused where its error stands") {
     }
 }
 
-TEST_CASE("a mechanism without bodies is refused, and says what it needs") {
+TEST_CASE("a mechanism without bodies is refused, with the reason") {
     const ScratchFolder scratch;
     const auto check = [&](const ordered_json& problem) {
         ordered_json config = ordered_json::parse(good_config());
@@ -73,7 +74,8 @@ TEST_CASE("a mechanism without bodies is refused, and says what it needs") {
     };
     for (const ordered_json& bare : {ordered_json("multibody"), ordered_json{{"name", "multibody"}}}) {
         const std::string message = check(bare);
-        CHECK_THAT(message, Catch::Contains("/problems/0: expected the parameters of \"multibody\", at least \"bodies\""));
+        CHECK_THAT(message,
+                   Catch::Contains("/problems/0: expected the parameters of \"multibody\", at least \"bodies\""));
         CHECK_THAT(message, Catch::Contains("kreisel info multibody"));
     }
     const ordered_json nothing = {{"name", "multibody"}, {"parameters", ordered_json::object()}};
@@ -81,7 +83,7 @@ TEST_CASE("a mechanism without bodies is refused, and says what it needs") {
                Catch::Contains("/problems/0/parameters: expected the key \"bodies\": a list of bodies, at least one"));
 }
 
-TEST_CASE("joints and forces that are not written are none") {
+TEST_CASE("joints and forces default to none") {
     const ordered_json parameters = {{"bodies", ordered_json::parse(good_mechanism()).at("bodies")}};
     const ParameterValues values = read(parameters);
     CHECK(std::get<std::vector<JointData>>(values.at("joints")).empty());
@@ -97,8 +99,10 @@ TEST_CASE("joints of every type are read") {
         {"type": "cylindrical", "between": ["a", "b"], "point": [1, 0, 0], "axis": [0, 1, 0]},
         {"type": "planar", "between": ["a", "b"], "point": [1, 0, 0], "axis": [0, 1, 0]},
         {"type": "fixed", "between": ["a", "b"], "point": [1, 0, 0]},
-        {"type": "distance", "between": ["a", "b"], "points": [[1, 0, 0], [0, 0, 0]], "length": 2, "amplitude": 0.5, "frequency": 3},
-        {"type": "rolling", "between": ["ground", "b"], "points": [[0, 0, 0], [0, 0, 1]], "axes": [[0, 0, 1], [1, 0, 0]], "radius": 1}
+        {"type": "distance", "between": ["a", "b"], "points": [[1, 0, 0], [0, 0, 0]], "length": 2,
+            "amplitude": 0.5, "frequency": 3},
+        {"type": "rolling", "between": ["ground", "b"], "points": [[0, 0, 0], [0, 0, 1]], "axes": [[0, 0, 1],
+            [1, 0, 0]], "radius": 1}
     ])");
     const Vector3 i = {1, 0, 0}, j = {0, 1, 0}, k = {0, 0, 1}, zero = {0, 0, 0};
     REQUIRE(joints.size() == 9);
@@ -116,9 +120,11 @@ TEST_CASE("joints of every type are read") {
 TEST_CASE("forces of every type are read") {
     using Type = ForceData::Type;
     const auto forces = entries<ForceData>("forces", R"([
-        {"type": "spring", "between": ["ground", "a"], "points": [[1, 0, 0], [0, 1, 0]], "stiffness": 5, "damping": 2, "length": 0},
+        {"type": "spring", "between": ["ground", "a"], "points": [[1, 0, 0], [0, 1, 0]], "stiffness": 5,
+            "damping": 2, "length": 0},
         {"type": "spring", "between": ["ground", "a"], "points": [[1, 0, 0], [0, 1, 0]], "stiffness": 0},
-        {"type": "torsion_spring", "between": ["a", "b"], "axis": [0, 0, 1], "stiffness": 5, "angle": -0.5, "turns": -2},
+        {"type": "torsion_spring", "between": ["a", "b"], "axis": [0, 0, 1], "stiffness": 5, "angle": -0.5,
+            "turns": -2},
         {"type": "torque", "body": "a", "value": [1, 0, 0], "frame": "body", "amplitude": 0.5, "frequency": 3},
         {"type": "force", "body": "a", "value": [1, 0, 0], "frame": "space", "point": [0, 0, 1]},
         {"type": "force", "body": "a", "value": [0, 1, 0]}
@@ -129,7 +135,8 @@ TEST_CASE("forces of every type are read") {
           ForceData{
               .type = Type::spring, .between = {"ground", "a"}, .points = ij, .stiffness = 5, .damping = 2, .rest = 0});
     CHECK(forces[1] == ForceData{.type = Type::spring, .between = {"ground", "a"}, .points = ij});
-    CHECK(forces[2] == ForceData{.type = Type::torsion_spring, .between = {"a", "b"}, .stiffness = 5, .rest = -0.5, .turns = -2});
+    CHECK(forces[2] ==
+          ForceData{.type = Type::torsion_spring, .between = {"a", "b"}, .stiffness = 5, .rest = -0.5, .turns = -2});
     CHECK(forces[3] == ForceData{.type = Type::torque,
                                  .between = {"", "a"},
                                  .value = {1, 0, 0},
@@ -142,7 +149,8 @@ TEST_CASE("forces of every type are read") {
 }
 
 TEST_CASE("a joint may have a name") {
-    const std::string named = R"([{"type": "fixed", "name": "weld_1", "between": ["ground", "a"], "point": [1, 2, 3]}])";
+    const std::string named =
+        R"([{"type": "fixed", "name": "weld_1", "between": ["ground", "a"], "point": [1, 2, 3]}])";
     CHECK(entries<JointData>("joints", named)[0].name == "weld_1");
     const ParameterValues values =
         read({{"bodies", ordered_json::parse(good_mechanism()).at("bodies")}, {"joints", ordered_json::parse(named)}});
@@ -154,7 +162,7 @@ TEST_CASE("lists of joints and forces may be empty") {
     CHECK(entries<ForceData>("forces", "[]").empty());
 }
 
-TEST_CASE("a unit quaternion stands for its rotation") {
+TEST_CASE("a unit quaternion represents its rotation") {
     const auto R = [](const std::string& quaternion) {
         return entries<BodyData>("bodies",
                                  R"([{"name": "a", "mass": 1, "inertia": [1, 1, 1], "x": [0, 0, 0], "quaternion": )" +
@@ -174,7 +182,7 @@ TEST_CASE("a unit quaternion stands for its rotation") {
     CHECK(near(R("[0.6000000003, 0, 0, 0.8000000004]"), {-0.28, -0.96, 0, 0.96, -0.28, 0, 0, 0, 1}));
 }
 
-TEST_CASE("what a config says of a mechanism is written so that it reads back") {
+TEST_CASE("a mechanism of a config is written so that it reads back") {
     const ordered_json good = ordered_json::parse(good_mechanism());
     for (const ordered_json& parameters : {good, ordered_json{{"bodies", good.at("bodies")}}}) {
         const ParameterValues values = read(parameters);

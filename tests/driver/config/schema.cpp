@@ -55,7 +55,7 @@ std::string reader_error(const json& config, const Registry& registry) {
     } catch (const UsageError& error) { return error.what(); }
 }
 
-// What the reader asks for and a schema cannot say.
+// What the reader requires and a schema cannot express.
 bool is_beyond_schema(const std::string& error, const json& config) {
     const std::string text = config.dump();
     const bool beyond_ascii =
@@ -131,14 +131,18 @@ std::vector<json> shipped_configs() {
     std::vector<json> configs = {json::parse(good_config()),
                                  json::parse(R"({"name": "all", "kind": "drift", "description": "d",
         "precision": ["double", "quad"], "formulations": ["SE3"],
-        "problems": [{"name": "heavy_top", "label": "l", "parameters": {"inertia": [1, 1, 1], "lever": [0, 1, 0], "mass": 3,
+        "problems": [{"name": "heavy_top", "label": "l", "parameters": {"inertia": [1, 1, 1],
+            "lever": [0, 1, 0], "mass": 3,
                       "R": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gravity_amplitude": -1}},
                      {"name": "double_pendulum", "parameters": {"bodies": [
-                      {"name": "a", "mass": 1, "inertia": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "x": [0, 0, 0], "v": [0, 0, 0], "omega": [0, 0, 0]}]}}],
-        "methods": [{"name": "rkmk/rk4", "dexpinv": [0, "seed"]}, {"name": "baseline/rk4_quaternion", "renormalise": [true, false]},
+                      {"name": "a", "mass": 1, "inertia": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "x": [0, 0, 0],
+                          "v": [0, 0, 0], "omega": [0, 0, 0]}]}}],
+        "methods": [{"name": "rkmk/rk4", "dexpinv": [0, "seed"]}, {"name": "baseline/rk4_quaternion",
+            "renormalise": [true, false]},
                     {"name": "fake/relaxed", "rho": 0.25}],
         "projections": ["none", {"name": "terze", "weight": ["mass", "identity"]}],
-        "time": {"end": 1, "step": [0.5, 0.25]}, "metrics": ["defect.*"], "output": {"samples": 2}, "figure": [{"kind": "drift"}]})"),
+        "time": {"end": 1, "step": [0.5, 0.25]}, "metrics": ["defect.*"], "output": {"samples": 2},
+            "figure": [{"kind": "drift"}]})"),
                                  mechanism_with("/project_initial", "true"),
                                  mechanism_with("/joints/0", R"({"type": "rolling", "between": ["ground", "rod"],
         "points": [[0, 0, 0], [0, 0, 1]], "axes": [[0, 0, 1], [1, 0, 0]], "radius": 1})")};

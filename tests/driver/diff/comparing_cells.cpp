@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which cells of two folders belong together, and what counts as different in them.
+// Which cells of two folders match, and what counts as a difference.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -52,7 +52,7 @@ std::vector<QuantityDifference> differences(const RecordedCell& a, const Recorde
 
 }  // namespace
 
-TEST_CASE("every number of a line that is moved by an ulp is seen, and named") {
+TEST_CASE("every number of a line that moves by an ulp is detected and named") {
     const json flat = recorded_line().flatten();
     std::size_t numbers = 0;
     for (const auto& [pointer, value] : flat.items()) {
@@ -69,7 +69,7 @@ TEST_CASE("every number of a line that is moved by an ulp is seen, and named") {
     CHECK(numbers == 18 + 1 + 2 + 6 + 6 + 2 + 2);
 }
 
-TEST_CASE("times, label, hash and step size text are no difference") {
+TEST_CASE("times, label, hash and step size text are not differences") {
     CHECK(differences(recorded(), recorded({{"cost", {{"cpu_s", 7}, {"step_s", 1}, {"memory", 1}}}})).empty());
     CHECK(differences(recorded(), recorded({{"cell", "2e"}, {"label", "fast"}, {"steps", 100.0}})).empty());
     CHECK(differences(recorded(), recorded({{"invented", {{"member", 1}}}})).empty());
@@ -84,7 +84,8 @@ TEST_CASE("a number that one side lacks is a difference") {
     CHECK(differences(recorded({{"final", {{"reactions", nullptr}}}}), recorded()).size() == 6);
 }
 
-TEST_CASE("within a tolerance, what no cell of one side has is noted; what some have and others lack is a difference") {
+TEST_CASE(
+    "within a tolerance, numbers that no cell of one side has are noted; numbers that some lack are a difference") {
     const RecordedCell with = recorded(), without_it = recorded({{"metrics", {{"invariant.spin", nullptr}}}}),
                        other = recorded({{"steps", 200}});
     const std::vector<RecordedCell> a = {without_it}, b = {with};
@@ -119,12 +120,12 @@ TEST_CASE("within a tolerance, the scale is that of the quantity in the cell") {
     CHECK_FALSE(moved("/metrics/defect.velocity", 1.00001e-4, 1e-9));  // of 2 m/s
     CHECK_FALSE(moved("/metrics/invariant.energy", 2e-6, 1e-7));       // of I0 = 100 J
     CHECK(moved("/metrics/invariant.energy", 2e-6, 1e-9));
-    CHECK(moved("/metrics/invariant.spin", 1.1e-15, 1e-3));  // nothing tells its scale
-    CHECK_FALSE(moved("/cost/evaluations", 401, 1e-9));      // counts are left out
+    CHECK(moved("/metrics/invariant.spin", 1.1e-15, 1e-3));  // no known scale
+    CHECK_FALSE(moved("/cost/evaluations", 401, 1e-9));      // counts are ignored
     CHECK_FALSE(moved("/reference/horizon", 11, 1e-9));
 }
 
-TEST_CASE("a changed status is told, and nothing else of that cell") {
+TEST_CASE("a changed status is reported, and nothing else of that cell") {
     const std::vector<RecordedCell> a = {recorded()},
                                     b = {recorded({{"status", "newton_failed"}, {"metrics", nullptr}})};
     const Comparison comparison = compare_cells(a, b, 1.0);
@@ -145,14 +146,14 @@ TEST_CASE("cells are matched by what was run, whatever their order") {
     CHECK(matching.notes.empty());
 }
 
-TEST_CASE("of cells that ran the same those with equal labels belong together") {
+TEST_CASE("of cells with equal runs those with equal labels match") {
     const std::vector<RecordedCell> a = {recorded({{"label", "one"}}), recorded({{"label", "two"}})},
                                     b = {a[1], recorded({{"label", "three"}})};
     const CellMatching matching = match_cells(a, b);
     CHECK(matching.pairs == std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}, {1, 0}});
 }
 
-TEST_CASE("an option that one version does not know yet is passed over where only one cell comes into question") {
+TEST_CASE("an option that only one version has is ignored if only one cell qualifies") {
     const RecordedCell plain = recorded(), exact = recorded({{"options", {{"dexpinv", "exact"}}}}),
                        seed = recorded({{"options", {{"dexpinv", "seed"}}}});
     const CellMatching one = match_cells({plain}, {exact});
@@ -163,7 +164,7 @@ TEST_CASE("an option that one version does not know yet is passed over where onl
     CHECK(match_cells({plain}, {exact, seed}).pairs.empty());
     CHECK(match_cells({seed}, {exact}).pairs.empty());
     const RecordedCell heavier = recorded({{"options", nullptr}, {"parameters", {{"lever", 1}}}});
-    CHECK(match_cells({plain}, {heavier}).pairs.empty());  // either tells something that the other does not
+    CHECK(match_cells({plain}, {heavier}).pairs.empty());  // each has a member that the other lacks
 }
 
 TEST_CASE("a line of an older version may lack what came later") {

@@ -15,7 +15,7 @@ using namespace kreisel;
 
 namespace {
 
-/// The good config, run twice; and what diff says of the two folders.
+/// The good config, run twice; and the output of diff for the two folders.
 struct TwoFolders {
     ScratchFolder scratch;
     std::filesystem::path a = scratch / "a", b = scratch / "b";
@@ -100,7 +100,7 @@ TEST_CASE("cells that one folder lacks are listed") {
     CHECK_THAT(back.out, Catch::Contains("0 in A only, 1 in B only"));
 }
 
-TEST_CASE("a cell that changed status is told with both") {
+TEST_CASE("a cell that changed status is listed with both") {
     const TwoFolders folders;
     folders.set(2, "/status", "newton_failed");
     const auto result = folders.diff({"--within", "0.5"});
@@ -128,7 +128,7 @@ TEST_CASE("without results.jsonl the journals are read, of any build") {
     CHECK_THAT(folders.diff().messages, Catch::Contains("journal.jsonl:13: not a result line"));
 }
 
-TEST_CASE("what is no results folder ends with 3, and is named") {
+TEST_CASE("a folder that is not a results folder ends with 3, and is named") {
     const TwoFolders folders;
     const auto empty = folders.scratch / "empty";
     std::filesystem::create_directory(empty);

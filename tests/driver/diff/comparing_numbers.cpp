@@ -24,7 +24,7 @@ TEST_CASE("neighbouring doubles are one ulp apart, on either side of a power of 
     CHECK(distance({1.0}, {1 + 3 * std::numeric_limits<double>::epsilon()}).ulps == 3);
 }
 
-TEST_CASE("the sign of zero is no difference, that of a number is") {
+TEST_CASE("the sign of zero is not a difference, that of another number is") {
     CHECK_FALSE(distance({0.0}, {-0.0}).any());
     CHECK(distance({2.0}, {-2.0}).relative == 2);
     CHECK(distance({2.0}, {-2.0}).absolute == 4);
@@ -44,7 +44,7 @@ TEST_CASE("quad numbers are compared with 113 bits") {
     CHECK(distance(quad_number("1e-400"), quad_number("2e-400")).relative == 0.5);
 }
 
-TEST_CASE("what is no number is refused") {
+TEST_CASE("text that is not a number is refused") {
     for (const char* text : {"", "1.0x", "nan", "inf", "x"}) {
         CHECK_THROWS_AS(quad_number(text), std::invalid_argument);
     }

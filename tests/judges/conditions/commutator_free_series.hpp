@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Order conditions of commutator-free methods, whose exponentials hold combinations of slopes: stage i and the result are
+// Order conditions of commutator-free methods, whose exponentials contain combinations of slopes: stage i and the
+// result are
 //   prod_l exp(sum_j alpha_lj K_j),  l ascending in the left-trivialised product [celledoni2003cf].
 // B+ is linear, so a combination of slopes is the same combination of the stages' series, and the rest is as for
 // Crouch-Grossman methods, which are the case of one slope in each factor.

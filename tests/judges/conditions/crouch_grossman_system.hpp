@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The order conditions of Crouch-Grossman methods as one system of polynomial equations, with its Jacobian, in 100 digits.
+// The order conditions of Crouch-Grossman methods as one system of polynomial equations, with its Jacobian, in 100
+// digits.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +20,7 @@ NumericTableau<Float100> tableau_of(const Vector100& unknowns, std::size_t stage
 
 /// Conditions of the orders 1 to `order`, one after another.
 Vector100 conditions(const Vector100& unknowns, std::size_t stages, int order);
-/// Their derivatives by one-sided differences of width 1e-50, so correct to some 50 digits.
+/// Their derivatives by one-sided differences of width 1e-50, so correct to about 50 digits.
 Matrix100 conditions_jacobian(const Vector100& unknowns, std::size_t stages, int order);
 
 }  // namespace kreisel::orders

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Explicit tableaus in the arithmetic in which a test wants them.
+// Explicit tableaus in the arithmetic a test needs.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct NumericTableau {
 /// A coefficient as the number that is written: decimals are rationals too.
 Rational exact(const Coefficient& coefficient);
 NumericTableau<Rational> exact(const Tableau& tableau);
-/// What the declared coefficients can satisfy: conditions hold exactly, or to the digits that are written.
+/// How well the declared coefficients can satisfy conditions: exactly, or to the digits written.
 Rational rounding(const Tableau& tableau);
 
 template <class T>

@@ -8,12 +8,12 @@
 // carries the trees of the word w in their order, stands for w applied to F. With concatenation as the product,
 //   method   Y_i = prod_j exp(a_ij K_j),  K_i = B+(Y_i),  Y = prod_j exp(b_j K_j),  j ascending;
 //   flow     Y' = Y B+(Y),  Y(0) = 1;
-// and order p means that both agree on all words with up to p nodes [owrenmarthinsen1999]. Words multiply in the order of
-// the factors of the left-trivialised product. For Y' = A(Y) Y all words and all products are reversed, which
+// and order p means that both agree on all words with up to p nodes [owrenmarthinsen1999]. Words multiply in the order
+// of the factors of the left-trivialised product. For Y' = A(Y) Y all words and all products are reversed, which
 // leaves the conditions as they are.
 //
-// Both series are characters of the shuffle product, so their values on Lyndon words determine all others: these are the
-// independent conditions, 1, 1, 3, 8, 25 for orders 1 to 5.
+// Both series are characters of the shuffle product, so their values on Lyndon words determine all others: these are
+// the independent conditions, 1, 1, 3, 8, 25 for orders 1 to 5.
 #pragma once
 
 #include <cstddef>

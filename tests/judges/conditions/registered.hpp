@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the order suites ask of the registry and of their residuals.
+// Queries of the order suites on the registry and on residuals.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Errors on the acceptance problem of methods that need not be registered.
+// Errors on the acceptance problem, for methods that need not be registered.
 #pragma once
 
 #include "methods/contract/method.hpp"
@@ -12,7 +12,7 @@ inline namespace KREISEL_PRECISION {
 using AcceptanceCurves = std::map<std::string, OrderCurve>;
 
 /// Errors by metric of runs of 1 s on the forced heavy top as SO3xR3, with 64 to 1024 steps, or 4096 to 65536 for a
-/// method that is of first order; empty if one of them fails.
+/// method of first order; empty if one of them fails.
 AcceptanceCurves acceptance_curves(const Method& entry, bool first_order);
 
 }  // namespace KREISEL_PRECISION

@@ -9,7 +9,7 @@ using namespace stepping;
 
 namespace {
 
-/// x'' = 1000 (1 + x'^2): faster than any method can follow, the equations of a long step have no real solution.
+/// x'' = 1000 (1 + x'^2): so fast that the equations of a long step have no real solution.
 class Runaway final : public System {
   public:
     Runaway() : System(std::make_shared<AdditiveGroup>(1)) {}

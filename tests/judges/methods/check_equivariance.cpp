@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Left translation: gravity, anchors, loads fixed in space and start moved by one rigid motion of space move the result of a run by the same.
+// Left translation: if gravity, anchors, loads fixed in space and start are moved by a rigid motion of space, so is the
+// result.
 #include "tests/judges/methods/checks.hpp"
 #include "tests/judges/methods/runs.hpp"
 
@@ -22,7 +23,8 @@ struct RigidMotion {
         for (Body& body : model.bodies) body.start = (*this)(body.start);
         for (Joint& joint : model.joints) {
             if (joint.first == ground) joint.r_first = point(joint.r_first), joint.axes_first = Q * joint.axes_first;
-            if (joint.second == ground) joint.r_second = point(joint.r_second), joint.axes_second = Q * joint.axes_second;
+            if (joint.second == ground)
+                joint.r_second = point(joint.r_second), joint.axes_second = Q * joint.axes_second;
         }
         for (Spring& spring : model.springs) {
             if (spring.first == ground) spring.r_first = point(spring.r_first);
@@ -60,7 +62,7 @@ Objection equivariance_objection(const Method& entry) {
     const RigidMotion motion;
     const Objection found =
         first_objection(entry, [&](const models::Named& named, const std::string& formulation) -> Objection {
-            // The fast top turns by 0.3 rad within a step.
+            // The fast top rotates by 0.3 rad within a step.
             Trip here(named.model, formulation, entry), there(motion(named.model), formulation, entry);
             for (Trip* trip : {&here, &there})
                 if (trip->run(Real(5) / 512, 5) != Status::ok) return "a run fails";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // NaN and infinity in the state, the forces, the masses and the joints, at the first, a middle and the last step of a
-// run. A step that meets one must say so, or leave it in the state, where whoever runs it looks after each step.
+// run. A step that meets one must report it, or leave it in the state, which the caller checks after each step.
 #include "tests/judges/methods/checks.hpp"
 #include "tests/judges/methods/poison.hpp"
 #include "tests/judges/methods/runs.hpp"
@@ -45,7 +45,7 @@ std::string where(const std::string& what, const Real& poison, int step) {
 }
 
 Objection system_objection(const Method& entry, const Model& model, const std::string& form, int healthy_steps) {
-    // A spoiled stage, from the first on; how many solves an implicit step asks for is its own affair.
+    // A spoiled stage, from the first on; an implicit step may need any number of solves.
     const int solves = entry.description.implicit ? 1 : entry.description.stages;
     for (const Target& target : targets())
         for (const Real& poison : poisons())

@@ -18,7 +18,7 @@ const ReferenceSolution& exact() {
     return solution;
 }
 
-/// Adds the errors after N steps of 1/N s; false where the run fails.
+/// Adds the errors after N steps of 1/N s; false if the run fails.
 bool measure(const Method& entry, long steps, AcceptanceCurves& curves) {
     Trip trip(models::standard("forced_heavy_top"), "SO3xR3", entry);
     if (trip.run(1, steps) != Status::ok) return false;
@@ -37,8 +37,8 @@ bool measure(const Method& entry, long steps, AcceptanceCurves& curves) {
 
 }  // namespace
 
-/// Two step sizes per octave: the reference is one in double, with an error bound of some 1e-11, and leaves a method of
-/// order four two and a half octaves in which its error is 100 times larger.
+/// Two step sizes per octave: the reference is one in double, with an error bound of about 1e-11, which leaves a method
+/// of order four two and a half octaves in which its error is 100 times larger.
 AcceptanceCurves acceptance_curves(const Method& entry, bool first_order) {
     const long coarsest = first_order ? 4096 : 64, finest = 16 * coarsest;
     AcceptanceCurves curves;

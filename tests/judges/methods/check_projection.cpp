@@ -9,14 +9,14 @@ using namespace stepping;
 
 namespace {
 
-/// A trip whose projection is `entry`, registered or not.
+/// A run whose projection is `entry`, registered or not.
 Trip trip_with(const Model& model, const std::string& formulation, const ProjectionMethod& entry) {
     Trip trip(model, formulation, method("rkmk/rk4"));
     trip.project = entry.make(*trip.system, default_options(entry.description.options));
     return trip;
 }
 
-/// Moves everything but rotations, which would leave their group, off the constraints by some 1e-3.
+/// Moves everything but rotations, which would leave their group, off the constraints by about 1e-3.
 void disturb(Trip& trip) {
     for (std::size_t i = 0; i < trip.y.size(); ++i) {
         const int stride = trip.system->group().size() / trip.system->bodies();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // NaN and infinity in the state, the masses and the joints, met by a projection after the first, a middle and the last
-// step of a run: it must say so, or leave them in the state. What a projection does not read cannot change what it does,
+// step of a run: it must report them, or leave them in the state. What a projection does not read cannot affect it,
 // and may go unnoticed.
 #include "tests/judges/methods/checks.hpp"
 #include "tests/judges/methods/poison.hpp"
@@ -28,7 +28,7 @@ std::vector<OptionValues> variants(const std::vector<OptionDescription>& options
     return all;
 }
 
-/// A projection at work: what it makes of a state, and whether whoever runs it goes on with that.
+/// The result of a projection for a state, and whether the caller accepts it.
 struct Result {
     bool accepted;
     std::vector<Real> y;
@@ -49,8 +49,8 @@ struct Case {
     }
 };
 
-/// The state after some steps and projections, velocities then off the constraints by some 1e-3 and positions by the step
-/// that follows them.
+/// The state after some steps and projections, velocities then off the constraints by about 1e-3 and positions by the
+/// step that follows them.
 std::vector<Real> disturbed_state(const ProjectionMethod& entry, const OptionValues& options, const Model& model,
                                   const std::string& form, int healthy_steps) {
     Trip trip(model, form, method("rkmk/rk4"));

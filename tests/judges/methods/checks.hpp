@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The judgements that certify a method. Each takes any method, so that the ones that accept what is registered are the
-// ones that must turn the controls down.
+// The checks that certify a method. Each takes any method, so the checks that accept registered methods are the
+// ones that must reject the controls.
 #pragma once
 
 #include <functional>
@@ -19,16 +19,16 @@ enum class Check {
     one_step,          ///< a step is that of the declared scheme, or of the published equations
     order,             ///< the observed order is not below the declared one
     solves,            ///< as many solves of the dynamics per step as declared
-    history,           ///< after `start`, a step depends on (t, h, y) alone
+    history,           ///< after `start`, a step depends only on (t, h, y)
     reversal,          ///< a symmetric method returns to its start
     equivariance,      ///< rigid motions of space commute with a step
-    injection,         ///< a number that is none never ends as ok
+    injection,         ///< NaN never ends as ok
     convergence,       ///< a step without a solution never ends as ok
-    projection,        ///< a projection meets the levels it claims, and moves nothing that meets them
+    projection,        ///< a projection reaches the levels it claims, and leaves states on them unchanged
 };
 const char* name(Check check);
 
-/// What speaks against a method, in words; empty: nothing, or the check does not apply.
+/// The objection to a method, in words; empty: none, or the check does not apply.
 using Objection = std::string;
 
 struct Judgement {

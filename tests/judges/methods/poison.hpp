@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is injected, and into what of a model.
+// What is injected, and into which quantity of a model.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ struct Target {
 };
 
 /// The lever enters Phi, C and the bias, and on SO3 the inertia about the pivot. (An anchor on the ground enters Phi
-/// alone, which only methods with multipliers read: tests/methods/implicit.cpp spoils Phi.)
+/// only, which only methods with multipliers read: tests/methods/implicit.cpp spoils Phi.)
 inline std::vector<Target> targets() {
     return {{"force", [](Model& model) -> Real& { return model.gravity.g[2]; }},
             {"mass", [](Model& model) -> Real& { return model.bodies.back().mass; }},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What judgements of running methods share.
+// Shared by the checks of running methods.
 #pragma once
 
 #include "tests/judges/methods/checks.hpp"
@@ -9,7 +9,7 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// The first objection of `judge(model, formulation)` over all models and the formulations that take them.
+/// The first objection of `judge(model, formulation)` over all models and the formulations that apply.
 template <class F>
 Objection first_objection(const Method& entry, F judge) {
     for (const models::Named& named : models::for_methods())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One of two systems on the same group, exchanged between steps or in the middle of one, with its solves counted: those
-// that a method asks for behind the back of `evaluate`, too.
+// One of two systems on the same group, exchanged between steps or in the middle of one, counting its solves, including
+// those that a method requests without `evaluate`.
 #pragma once
 
 #include "mechanics/system.hpp"
@@ -17,7 +17,7 @@ class SwitchedSystem final : public System {
           first_(first),
           second_(second) {}
 
-    /// The second system answers once the first has answered this many more solves of the dynamics; negative: never.
+    /// The second system takes over after this many more solves of the dynamics by the first; negative: never.
     int solves_until_switch = -1;
     long solves = 0;  ///< of the dynamics since construction
 

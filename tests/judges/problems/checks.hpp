@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What every system must satisfy at every state, each as a function that answers a complaint, or an empty text. The
+// What every system must satisfy at every state, each as a function that returns a complaint, or an empty text. The
 // controls beside this file are systems with one fault each, which these functions must complain about.
 #pragma once
 
@@ -34,12 +34,12 @@ std::string force_is_gradient(System& s, const At& at);
 /// Every first integral has a vanishing derivative along the vector field. Meant for states that satisfy the joints.
 std::string integrals_are_constant(System& s, const At& at);
 
-/// What a system says of itself at a state: x'' and omega' of each body, and its multipliers.
+/// The output of a system at a state: x'' and omega' of each body, and its multipliers.
 struct Dynamics {
     VecX accelerations, multipliers;
 };
 Dynamics dynamics(System& s, const At& at);
-/// Complains where two of them differ; multipliers count where both have them.
+/// Complains if two of them differ; multipliers count if both have them.
 std::string same_dynamics(const Dynamics& a, const Dynamics& b);
 
 }  // namespace checks

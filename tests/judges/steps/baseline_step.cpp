@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The baselines against the classical fourth-order method written down here, with coordinates of rotations by other
-// formulas than theirs: Eigen's quaternions, products of matrices, products of three rotations about axes.
+// The baselines against the classical fourth-order method derived here independently, with coordinates of rotations by
+// other formulas than theirs: Eigen's quaternions, products of matrices, products of three rotations about axes.
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 

@@ -21,7 +21,7 @@ Real node(const std::vector<Coefficient>& row) {
     return c;
 }
 
-/// Both families: `move(weights)` is the configuration that the slopes so far lead to, `slope` is told each new stage
+/// Both families: `move(weights)` is the configuration that the slopes so far lead to, `slope` is given each new stage
 /// velocity. Velocities are additive in both.
 template <class Move, class Slope>
 DenseStep evaluate(const Tableau& tableau, const std::vector<VecX>& script, const Real& h, const DensePoint& start,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One step of a declared scheme for scripted accelerations, evaluated with dense matrices from the tableau alone.
+// One step of a declared scheme for scripted accelerations, evaluated with dense matrices from the tableau only.
 #pragma once
 
 #include <vector>
@@ -29,7 +29,7 @@ struct DenseChart {
     std::function<VecX(const VecX&, const VecX&)> pull_back;
 };
 
-/// The chart that the options of a Munthe-Kaas method ask for; no options mean exp, with dexpinv in full.
+/// The chart given by the options of a Munthe-Kaas method; no options mean exp, with dexpinv in full.
 DenseChart dense_chart(const MatrixGroup& group, const OptionValues& options, int order);
 
 /// y_{n+1} = y_n psi(h sum b_j k~_j), see methods/rkmk/rkmk.hpp.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The calculus of matrix groups done with dense matrices and nothing else: exponentials by scaling and squaring of the
-// Taylor series, brackets as commutators, dexpinv as the inverse of a matrix series. Slow, and independent of lie/ but
-// for its storage.
+// The calculus of matrix groups done with dense matrices only: exponentials by scaling and squaring of the
+// Taylor series, brackets as commutators, dexpinv as the inverse of a matrix series. Slow, and independent of lie/
+// except for its storage.
 #pragma once
 
 #include <functional>

@@ -2,7 +2,7 @@
 //
 // One step of the running code against its declared scheme. With scripted accelerations the slopes of the stages do not
 // commute and do not depend on the state, so that stage points, stage times and result must equal an evaluation with
-// dense matrices to round-off. Methods without a scheme are held to the checks of their own (step_checks.hpp).
+// dense matrices to round-off. Methods without a scheme have checks of their own (step_checks.hpp).
 #include <algorithm>
 #include <random>
 #include <stdexcept>
@@ -67,7 +67,7 @@ DenseStep running(const Method& method, const OptionValues& options, const Scena
     return step;
 }
 
-/// Largest difference of an entry; infinite where one is not a number.
+/// Largest difference of an entry; infinite if one is NaN.
 Real distance(const DensePoint& a, const DensePoint& b) {
     if (!isfinite(Real(a.t - b.t + (a.q - b.q).sum() + (a.v - b.v).sum())))
         return std::numeric_limits<Real>::infinity();

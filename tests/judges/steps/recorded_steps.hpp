@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps of a running method on a mechanical system, and what its published equations ask of them: increments by dense
-// logarithms body by body, v' from mass matrix, forces and multipliers. Nothing of methods/ takes part but the steps.
+// Steps of a running method on a mechanical system, and the residuals of its published equations: increments by dense
+// logarithms body by body, v' from mass matrix, forces and multipliers. Only the steps come from methods/.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ class DenseBodies {
     enum class Side { right, left };
     explicit DenseBodies(const std::string& formulation);
 
-    /// u with next = q exp(u); from the left: next = exp(u) q. Entries outside the algebra make it not a number.
+    /// u with next = q exp(u); from the left: next = exp(u) q. NaN if entries lie outside the algebra.
     VecX increment(const VecX& q, const VecX& next, Side side = Side::right) const;
     /// q exp(u), as stored.
     VecX moved(const VecX& q, const VecX& u) const;
@@ -37,10 +37,10 @@ struct RecordedState {
     VecX q, v, lambda;
 };
 
-/// A system, the state in which its model starts at t = 1/3, and what a method makes of it in steps of h.
+/// A system, the state in which its model starts at t = 1/3, and the states of a method after steps of h.
 class RecordedRun {
   public:
-    /// Throws std::domain_error where a step fails.
+    /// Throws std::domain_error if a step fails.
     RecordedRun(const Method& method, const OptionValues& options, const Model& model, const std::string& formulation,
                 const Real& h, int steps);
 
@@ -65,11 +65,11 @@ class RecordedRun {
     std::unique_ptr<System> system_;
 };
 
-/// The equation that is violated most.
+/// The most violated equation.
 class Violations {
   public:
     void see(const std::string& equation, const VecX& residual);
-    /// What speaks against a method whose residuals are those seen; empty below the tolerance.
+    /// The objection to a method with these residuals; empty below the tolerance.
     Objection objection(const Real& tolerance) const;
 
   private:
@@ -77,7 +77,7 @@ class Violations {
     Real largest_ = 0;
 };
 
-/// The part of r that no T x makes vanish.
+/// The part of r outside the range of T.
 VecX outside_range(const MatX& T, const VecX& r);
 
 /// Round-off of a step whose equations are divided by h, with numbers of order 100.

@@ -10,7 +10,7 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 /// The order conditions, classical or Crouch-Grossman's, hold up to the declared order and not beyond. An explicit
-/// method must declare a scheme, or be exempted with a reason.
+/// method must declare a scheme, or be exempt with a reason.
 Objection order_conditions_objection(const Method&);
 
 /// One step with scripted, non-commuting slopes equals an evaluation of the declared scheme by dense matrices, on SO(3)
@@ -18,9 +18,9 @@ Objection order_conditions_objection(const Method&);
 /// step check of its own (step_checks.hpp).
 Objection one_step_objection(const Method&);
 
-/// Round-off of some ten matrix products.
+/// Round-off of about ten matrix products.
 inline Real one_step_tolerance() { return KREISEL_QUAD ? from_text("1e-30") : from_text("1e-14"); }
-/// Options that change the scheme of a method, every combination; one without any for a method without.
+/// Options that change the scheme of a method, every combination; one empty set if there are none.
 std::vector<OptionValues> scheme_variants(const Method&);
 /// Largest difference of the results of one step under two sets of options.
 Real one_step_difference(const Method&, const OptionValues&, const OptionValues&, const MatrixGroup&);

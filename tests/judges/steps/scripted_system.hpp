@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A system whose accelerations are a script: the i-th call of a step answers the i-th vector, whatever the state is. The
-// velocities of the stages, and with them their slopes, then follow from the tableau alone. Records where it was called.
+// A system whose accelerations are a script: the i-th call of a step returns the i-th vector, whatever the state. The
+// velocities of the stages, and with them their slopes, then follow from the tableau alone. Records where it was
+// called.
 #pragma once
 
 #include <stdexcept>
@@ -23,7 +24,7 @@ class ScriptedSystem final : public System {
     ScriptedSystem(std::shared_ptr<const Group> group, std::vector<VecX> script)
         : System(std::move(group)), script_(std::move(script)) {}
 
-    /// Throws std::out_of_range at a call that the script does not foresee.
+    /// Throws std::out_of_range at a call beyond the script.
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real*) override {
         const VecX& answer = script_.at(calls_.size());
         calls_.push_back({t, Eigen::Map<const VecX>(q, group().size()), Eigen::Map<const VecX>(v, velocities())});

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The stabilised index-2 methods: what is left of each published equation when the steps of a run are put into it.
-// Positions and velocities at the ends of the steps and the reported multipliers are all that is taken from the method.
+// The stabilised index-2 methods: residuals of each published equation for the steps of a run.
+// Positions and velocities at the ends of the steps and the reported multipliers are the only data taken from the
+// method.
 #include "tests/judges/steps/step_checks.hpp"
 
 namespace kreisel {
@@ -30,7 +31,7 @@ void see_constraints(RecordedRun& run, const RecordedState& state, Violations& f
     found.see("C(q+) v+ + b = 0", run.velocity_defect(state));
 }
 
-/// What of r the term of eta cannot make vanish.
+/// The part of r outside the range of the eta term.
 VecX without_eta_term(RecordedRun& run, const StabilisedForm& form, std::size_t step, const VecX& r) {
     if (form.without_eta) return r;
     const RecordedState& state = run.states[form.eta_from_end ? step + 1 : step];
@@ -88,7 +89,7 @@ Violations generalised_alpha_violations(RecordedRun& run, const AlphaParameters&
     return found;
 }
 
-/// The state a step earlier: one step of rkmk/rk4 by -h, a method that is held to its own scheme.
+/// The state a step earlier: one step of rkmk/rk4 by -h, a method checked against its own scheme.
 RecordedState state_before(RecordedRun& run) {
     const RecordedState& start = run.states[0];
     const Method& rk4 = method("rkmk/rk4");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // One-step checks of methods that declare no scheme: each compares steps of the running method with the published
-// equations, written down a second time. The table says which check knows which method.
+// equations, coded independently. The table says which check covers which method.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,8 @@ inline namespace KREISEL_PRECISION {
 /// V = (v + v+)/2, q+ = q exp(h V), v+ = v + h v'(t + h/2, q exp(h/2 V), V) [hairer2006], on every model.
 Objection implicit_midpoint_step_objection(const Method&);
 
-/// Equations of the stabilised index-2 methods; other than as published where a control asks for it. The sign of eta is
-/// a convention: eta is unknown and not reported, so that only the space that its term spans can be checked.
+/// Equations of the stabilised index-2 methods; modified if a control requires it. The sign of eta is
+/// a convention: eta is unknown and not reported, so only the space spanned by its term can be checked.
 struct StabilisedForm {
     DenseBodies::Side side = DenseBodies::Side::right;  ///< left: q+ = exp(h D) q
     bool eta_from_end = false;                          ///< M^{-1} C(q+)^T eta for M^{-1} C(q)^T eta
@@ -44,8 +44,8 @@ struct StepCheck {
 };
 const std::vector<StepCheck>& step_checks();
 
-/// Whether `entry`, a method or "family/", covers the method. A control "control/<scheme>_<fault>" is what it claims to
-/// be, "<family>/<scheme>".
+/// Whether `entry`, a method or "family/", covers the method. A control "control/<scheme>_<fault>" counts as what it
+/// claims to be, "<family>/<scheme>".
 bool covers(const std::string& entry, const std::string& method);
 
 }  // namespace KREISEL_PRECISION

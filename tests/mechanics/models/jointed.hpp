@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Models with joints of every kind, to the ground and between bodies in both senses, with springs, dampers and a driven
-// length; nothing in them is aligned with an axis.
+// Models with joints of every kind, to the ground and between bodies in both directions, with springs, dampers and a
+// driven length; nothing in them is aligned with an axis.
 #pragma once
 
 #include "mechanics/start.hpp"
@@ -52,7 +52,8 @@ inline Model jointed(JointType type) {
 inline Model sprung(JointType type) {
     Model model = jointed(type);
     model.gravity.amplitude = 0;
-    model.springs = {{ground, 2, Vec3(3, 1, 0), Vec3(1, 0, 2) / 4, 20, 0, Real(1) / 2}, {0, 1, Vec3(0, 1, 0), Vec3(1, 0, 0), 7, 0, 0}};
+    model.springs = {{ground, 2, Vec3(3, 1, 0), Vec3(1, 0, 2) / 4, 20, 0, Real(1) / 2},
+                     {0, 1, Vec3(0, 1, 0), Vec3(1, 0, 0), 7, 0, 0}};
     model.torsion_springs = {{0, 2, axes_about(Vec3(1, 1, 3)), axes_about(Vec3(2, -1, 1)), 3, 0, Real(1) / 4}};
     return model;
 }
@@ -91,7 +92,8 @@ inline Model rolling() {
     return model;
 }
 
-/// A closed loop of four bars, the ground one of them: hinge, spherical, universal and cylindrical joint, 16 rows for 18.
+/// A closed loop of four bars, the ground one of them: hinge, spherical, universal and cylindrical joint, 16 rows for
+/// 18.
 inline Model closed_loop() {
     Model model = bodies_in_a_row(3);
     join(model, ground, 0, JointType::revolute, Vec3(-1, 1, 0));
@@ -103,7 +105,7 @@ inline Model closed_loop() {
     return model;
 }
 
-/// n hinges on one line between two bodies, or a body and the ground: 5 independent rows however many.
+/// n hinges on one line between two bodies, or a body and the ground: 5 independent rows for any n.
 inline Model hinges_in_line(int first, int n) {
     Model model = bodies_in_a_row(2);
     const Vec3 axis(1, -2, 4);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bodies without any symmetry, alone and linked by spherical joints.
+// Bodies without any symmetry, single and linked by spherical joints.
 #pragma once
 
 #include <string>

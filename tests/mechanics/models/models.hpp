@@ -29,7 +29,8 @@ struct Named {
     Model model;
 };
 
-/// A closed loop that turns as one about the line through its two ground joints: the start that satisfies all joints.
+/// A closed loop that rotates rigidly about the line through its two ground joints: the start that satisfies all
+/// joints.
 inline Model loop() {
     Model model = linked(4, {{ground, 0}, {0, 1}, {1, 2}, {2, 3}, {ground, 3}});
     const Vec3 P = model.joints.front().r_first, axis = model.joints.back().r_first - P;
@@ -51,17 +52,18 @@ inline Model loaded(Model model) {
 /// The registered problems with their defaults.
 inline std::vector<Named> registered() {
     std::vector<Named> models;
-    for (const Problem& entry : problems()) models.push_back({entry.description.name, standard(entry.description.name)});
+    for (const Problem& entry : problems())
+        models.push_back({entry.description.name, standard(entry.description.name)});
     return models;
 }
 
-/// Whether no constraint row follows from others.
+/// Whether no constraint row is redundant.
 inline bool has_independent_rows(const Model& model) {
     const ConstraintRank rank = make_system(model, "SO3xR3")->constraint_rank();
     return rank.rank == rank.rows;
 }
 
-/// Models of the tests alone, with spherical joints or none.
+/// Models of the tests only, with spherical joints or none.
 inline std::vector<Named> spherical() {
     return {{"loaded top", loaded(standard("forced_heavy_top"))},
             {"loaded chain", loaded(linked(3, {{ground, 0}, {0, 1}, {1, 2}}))},
@@ -95,8 +97,8 @@ inline std::vector<std::string> applicable(const Model& model) {
     return names;
 }
 
-/// What every method must be able to step with h of some 1/100 s: rows are independent, as an implicit step needs them,
-/// and no damper is stiff. Few kinds of joints: which they are makes no difference to a method.
+/// Models that every method must be able to step with h of about 1/100 s: rows are independent, as an implicit step
+/// needs them, and no damper is stiff. Few kinds of joints: methods do not depend on the kind.
 inline std::vector<Named> for_methods() {
     std::vector<Named> models;
     for (Named& named : registered())

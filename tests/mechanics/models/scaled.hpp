@@ -20,7 +20,9 @@ struct Units {
     Real torque() const { return force() * L(); }
 };
 
-inline BodyState scaled(const BodyState& s, const Units& u) { return {s.x * u.L(), s.R, s.v * u.speed(), s.omega / u.T()}; }
+inline BodyState scaled(const BodyState& s, const Units& u) {
+    return {s.x * u.L(), s.R, s.v * u.speed(), s.omega / u.T()};
+}
 
 inline Model scaled(Model model, const Units& u) {
     for (Body& body : model.bodies) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Torsion springs that make several turns, with their angles in closed form.
+// Torsion springs that wind up by several turns, with their angles in closed form.
 #pragma once
 
 #include "tests/mechanics/models/linked.hpp"
@@ -21,7 +21,7 @@ struct Oscillation {
     }
 };
 
-/// A spring about the axis that bodies turn about, what it should do, and the way from its angle to omega of the body.
+/// A spring about the axis of rotation of bodies, its exact motion, and the map from its angle to omega of the body.
 struct Turner {
     std::string name;
     Model model;
@@ -50,8 +50,8 @@ inline Turner wheel(JointType type, const Real& rate, const Real& rest = 0, long
     return turner;
 }
 
-/// A body without symmetry on a hinge through a point off its mass centre, about an axis that no axis is near, with damping.
-/// The frames of the spring differ by `phase`, and so does its angle at the start.
+/// A body without symmetry on a hinge through a point off its mass centre, about an axis that no axis is near, with
+/// damping. The frames of the spring differ by `phase`, and so does its angle at the start.
 inline Turner crooked(const Real& rate, const Real& phase) {
     Turner turner{"crooked", bodies_in_a_row(1), {}, 0, Vec3(1, -2, 4)};
     Body& body = turner.model.bodies[0];

@@ -13,7 +13,8 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Of frames of joints: the second axis is mirrored once more, so that the frame keeps its hand and rows keep their terms.
+/// Of frames of joints: the second axis is mirrored once more, so that the frame stays right-handed and rows keep their
+/// terms.
 const Mat3 second_axis = Vec3(1, -1, 1).asDiagonal();
 /// Of frames of torsion springs: the third, about which the angle then keeps its sign.
 const Mat3 third_axis = Vec3(1, 1, -1).asDiagonal();
@@ -135,8 +136,8 @@ Outcome Change::back(const Outcome& changed, const Model& model) const {
     return old;
 }
 
-/// V = -m g.x is zero at the origin, and momenta are about the pivot that the changed model has. Components along x, y, z
-/// are integrals of the original where they are such of the changed model, or where all three are.
+/// V = -m g.x is zero at the origin, and momenta are about the pivot that the changed model has. Components along x, y,
+/// z are integrals of the original where they are such of the changed model, or where all three are.
 std::map<std::string, Real> Change::integrals_back(const Outcome& changed, const Model& model) const {
     const Model other = (*this)(model);
     Vec3 p = Vec3::Zero();

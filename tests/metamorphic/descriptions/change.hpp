@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The same motion described otherwise: in other units, from another place and direction of space or its mirror image, in
-// other axes of the bodies, in another order.
+// The same motion in another description: in other units, from another place and direction of space or its mirror
+// image, in other axes of the bodies, in another order.
 #pragma once
 
 #include "tests/metamorphic/models/motion.hpp"
@@ -10,8 +10,8 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 namespace metamorphic {
 
-/// x -> length Q x + shift and t -> time t, masses times `mass`; Q is `space`, orthogonal with det Q = +-1. Components in
-/// the axes of body i change by the orthogonal `axes[i]`, of the same determinant. Polar vectors follow, axial ones
+/// x -> length Q x + shift and t -> time t, masses times `mass`; Q is `space`, orthogonal with det Q = +-1. Components
+/// in the axes of body i change by the orthogonal `axes[i]`, of the same determinant. Polar vectors follow, axial ones
 /// (omega, torque) get the factor det Q too, and every other datum the factor of its unit. An empty list: unchanged.
 struct Change {
     Real length = 1, mass = 1, time = 1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A joint taken away, and the wrench that it exerts put there as a load: the accelerations at the start stay the same.
-// The wrench is made of the multipliers as NOTATION.md says what they are, and of no row of C; so a row whose sign does
-// not agree with it is seen.
+// A joint replaced by its wrench as a load: the accelerations at the start are unchanged.
+// The wrench is computed from the multipliers as NOTATION.md defines them, without any row of C, so a row whose sign
+// does not agree with that is seen.
 #include "tests/metamorphic/descriptions/freed.hpp"
 
 #include "mechanics/formulation.hpp"
@@ -14,8 +14,8 @@ namespace metamorphic {
 
 namespace {
 
-/// Force on the second body and torque about its point of the joint, space axes: a multiplier of a row of d or of b.d is
-/// a force on the second body along the row's direction, that of a row a.b the torque lambda a x b on it.
+/// Force on the second body and torque about its point of the joint, space axes: a multiplier of a row of d or of b.d
+/// is a force on the second body along the row's direction, that of a row a.b the torque lambda a x b on it.
 class Wrenches {
   public:
     Wrenches(const Joint& joint, const Motion& first, const Motion& second, const Real* lambda)
@@ -112,8 +112,7 @@ Real freed_difference(const Model& model, const Bench& bench) {
     std::vector<Real> lambda(static_cast<std::size_t>(system->constraints()));
     const VecX joined = accelerations(model, *system, lambda.data());
     const std::vector<BodyState> states = starts(model);
-    Model loose =
-        model;  // where joints hold everything fast, accelerations are round-off of what they would be without
+    Model loose = model;  // if joints hold all bodies at rest, accelerations are round-off of those without joints
     loose.joints.clear();
     const Real size =
         max(Real(joined.norm()), Real(accelerations(loose, *make_system(loose, "SO3xR3"), nullptr).norm()));

@@ -7,8 +7,8 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 namespace metamorphic {
 
-/// The largest change of the accelerations at the start, relative to these (or those without joints), where one joint after the other gives way to
-/// a load that is what NOTATION.md says of its multipliers.
+/// The largest change of the accelerations at the start, relative to these (or those without joints), if one joint
+/// after the other is replaced by a load given by its multipliers as in NOTATION.md.
 Real freed_difference(const Model& model, const Bench& bench = {});
 
 }  // namespace metamorphic

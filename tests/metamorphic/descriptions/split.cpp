@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One body as two, rigidly joined: a quarter and three quarters of its mass, apart by half of its least radius of gyration.
-// What was on the body is on the first part.
+// One body as two, rigidly joined: a quarter and three quarters of its mass, apart by half of its least radius of
+// gyration. What was on the body is on the first part.
 #include <Eigen/Eigenvalues>
 
 #include "tests/metamorphic/descriptions/transformation.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the angle of a torsion spring is zero: its first frame turned back about the axis by most of half a turn, and the rest
-// angle with it. A spring that forgets full turns forgets them elsewhere then.
+// Where the angle of a torsion spring is zero: its first frame turned back about the axis by almost half a turn, and
+// the rest angle with it. A spring that loses full turns then loses them elsewhere.
 #include "lie/so3.hpp"
 #include "mechanics/forces/forces.hpp"
 #include "tests/metamorphic/descriptions/transformation.hpp"

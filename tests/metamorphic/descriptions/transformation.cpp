@@ -26,7 +26,8 @@ Real power_of_two(int k) {
     return k < 0 ? Real(1) / power_of_two(-k) : k == 0 ? Real(1) : Real(2) * power_of_two(k - 1);
 }
 
-/// Which of redundant rows are kept is decided by pivots that are equal up to round-off; off the constraints it matters.
+/// Which of redundant rows are kept is decided by pivots that are equal up to round-off; off the constraints the choice
+/// matters.
 Agreement unless_redundant(const Model& model, Agreement agreement) {
     return has_redundant_rows(model) ? Agreement::truncation : agreement;
 }
@@ -34,7 +35,7 @@ auto up_to_round_off() {
     return [](const Model& model, const Combination&) { return unless_redundant(model, Agreement::round_off); };
 }
 
-/// Stages of the baselines are no rotations; what a solve makes of them depends on where it begins.
+/// Stages of the baselines are not rotations; a solve at them depends on its starting point.
 Agreement of_orders(const Model& model, const Combination& combination) {
     return combination.method.starts_with("baseline/") ? Agreement::truncation
                                                        : unless_redundant(model, Agreement::round_off);
@@ -46,7 +47,7 @@ auto always(Agreement agreement) {
 
 bool is_implicit(const Combination& combination) { return method(combination.method).description.implicit; }
 
-/// Where an unknown is minus another, a difference quotient is not.
+/// If an unknown changes sign, its difference quotient does not.
 Agreement of_mirrors(const Model& model, const Combination& combination) {
     return unless_redundant(model, is_implicit(combination) ? Agreement::round_off : Agreement::bits);
 }
@@ -86,7 +87,7 @@ Made in_other_axes(const Model& model) {
     return with(model, change);
 }
 
-/// The last one first.
+/// In reverse order.
 std::vector<int> backwards(std::size_t count) {
     std::vector<int> order(count);
     std::iota(order.rbegin(), order.rend(), 0);
@@ -99,7 +100,7 @@ Made reordered(const Model& model) {
 }
 
 bool reversible(const Joint& joint) { return joint.type != JointType::rolling; }
-/// Whose rows are the same, all with the other sign.
+/// Those whose rows only change their sign.
 bool symmetric(const Joint& joint) { return joint.type == JointType::spherical || joint.type == JointType::distance; }
 
 template <class Choice>
@@ -110,8 +111,8 @@ Made reversed(const Model& model, Choice choice) {
     return with(model, change);
 }
 
-/// On SE3 two bodies with one displacement between them keep it whatever the step; on other groups the joint between them
-/// is kept up to the order of the method.
+/// On SE3 two bodies moving rigidly together keep their relative pose for any step; on other groups the joint between
+/// them is satisfied up to the order of the method.
 Agreement of_splits(const Model& model, const Combination& combination) {
     const bool kept = combination.formulation == "SE3" && !has_redundant_rows(model);
     return kept ? Agreement::round_off : Agreement::truncation;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A model written down as data and read again. What it does not have is not written, as users do.
+// A model written down as data and read again. Absent parts are not written, as users do.
 #include "tests/metamorphic/descriptions/written.hpp"
 
 #include "problems/problem.hpp"
@@ -98,7 +98,7 @@ ParameterValues written(const Model& model) {
 }
 
 std::optional<Model> read_again(const Model& model) {
-    if (!model.torsion_springs.empty()) return {};  // their frames have more than an axis
+    if (!model.torsion_springs.empty()) return {};  // their frames are more than an axis
     const Problem& multibody = problem("multibody");
     ParameterValues values = written(model);
     for (const ParameterDescription& parameter : multibody.description.parameters)

@@ -10,10 +10,10 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 namespace metamorphic {
 
-/// What a user would write of a model: its bodies, and of joints and forces those that it has.
+/// A model as a user would write it: its bodies, and of joints and forces those that it has.
 ParameterValues written(const Model& model);
 
-/// The model that problem `multibody` reads from this; nothing where it refuses the data.
+/// The model that problem `multibody` reads from this; nothing if it refuses the data.
 std::optional<Model> read_again(const Model& model);
 
 }  // namespace metamorphic

@@ -20,7 +20,7 @@ namespace {
 /// Far above round-off, and its square far below it (in double, by four digits).
 const Real small = Real(1) / Real(1L << (KREISEL_QUAD ? 60 : 40));
 
-/// A direction that no symmetry knows, another one for each body.
+/// A direction without symmetry, different for each body.
 Vec3 direction(std::size_t body) {
     const auto i = static_cast<int>(body);
     return Vec3(3 + i, (i % 2 == 0 ? 2 : -5), 6 - 2 * i).normalized();

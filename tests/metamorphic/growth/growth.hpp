@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How a perturbation of the start grows along a motion, measured in quad whatever the precision under test (in double only where a
-// build has no quad): this header belongs to neither.
+// How a perturbation of the start grows along a motion, measured in quad whatever the precision under test (in double
+// only if a build has no quad): this header depends on neither.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ enum Effect { on_position, on_rotation, on_velocity, on_omega, on_force, on_torq
 /// Largest |change at the end| over the size of the change of the start that caused it, each in its own unit.
 using Growth = std::array<std::array<double, causes>, effects>;
 
-/// Of a model of named_models.hpp over some steps of h, by rkmk/rk4, with projection of positions and velocities or without.
-/// Kept for the next time.
+/// Of a model of named_models.hpp over some steps of h, by rkmk/rk4, with projection of positions and velocities or
+/// without. Cached.
 const Growth& growth(const std::string& model, double h, int steps, bool projected);
 
 }  // namespace kreisel::growing

@@ -67,7 +67,7 @@ class Run {
         return system_->accelerations(t, y_.data(), y_.data() + system_->group().size(), dv.data(), lambda_.data());
     }
 
-    /// What each joint does to its bodies: minus its part of C^T lambda. Rows without a position level come last.
+    /// The wrench of each joint on its bodies: minus its part of C^T lambda. Rows without a position level come last.
     void act(const Real& t) {
         outcome_.totals.resize(model_.bodies.size());
         if (lambda_.empty()) return;
@@ -105,7 +105,7 @@ class Run {
     Outcome outcome_;
 };
 
-/// 1/m + |r|^2 / J_min: what a force at r meets.
+/// 1/m + |r|^2 / J_min: the inverse mass seen by a force at r.
 Real mobility(const Model& model, int body, const Vec3& r) {
     if (body == ground) return 0;
     const Body& it = model.bodies[static_cast<std::size_t>(body)];

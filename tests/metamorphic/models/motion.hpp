@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a run of a method on a model gives, free of formulation and of the order of rows, so that it can be carried from a
+// The result of a run, independent of formulation and order of rows, so that it can be mapped from a
 // transformed model back to the original.
 #pragma once
 
@@ -22,7 +22,7 @@ namespace metamorphic {
 
 struct Combination {
     std::string method, formulation, projection;
-    OptionValues options = {}, projection_options = {};  ///< beside the defaults
+    OptionValues options = {}, projection_options = {};  ///< other than the defaults
 };
 
 using kreisel::to_text;  // of numbers
@@ -50,7 +50,7 @@ struct Outcome {
     Sizes sizes;
 };
 
-/// Who makes system, method and projection: those of the registries, or doubles with a fault.
+/// Makes system, method and projection: those of the registries, or doubles with a fault.
 struct Bench {
     std::function<std::unique_ptr<System>(const Model&, const std::string&)> system;
     std::function<std::unique_ptr<Integrator>(System&, const Combination&)> integrator;
@@ -58,7 +58,7 @@ struct Bench {
     Bench();
 };
 
-/// A run of N steps of h; `restart` asks the method to forget its past in the middle.
+/// A run of N steps of h; `restart` makes the method drop its memory in the middle.
 struct Span {
     Real h;
     int steps;
@@ -67,7 +67,7 @@ struct Span {
 
 Outcome run(const Model& model, const Combination& combination, const Span& span, const Bench& bench = {});
 
-/// Rate of the fastest thing in the model at its start (1/s): turning, accelerations over the extent, springs, loads.
+/// Largest rate of the model at its start (1/s): rotation, accelerations over the extent, springs, loads.
 Real fastest_rate(const Model& model);
 
 /// The motion of a body in space, as joints see it; the ground for `ground`.

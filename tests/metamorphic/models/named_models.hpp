@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The models that are transformed: every registered problem with its defaults, mechanisms with every joint and every force,
-// and some that their data make difficult.
+// The models that are transformed: every registered problem with its defaults, mechanisms with every joint and force,
+// and some with difficult data.
 #pragma once
 
 #include <string>

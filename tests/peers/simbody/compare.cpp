@@ -17,7 +17,7 @@ class Largest {
   public:
     void add(const Vec3& a, const Vec3& b) {
         const Real difference = (a - b).norm();
-        if (difference_ < difference || std::isnan(difference)) difference_ = difference;  // what is no number stays
+        if (difference_ < difference || std::isnan(difference)) difference_ = difference;  // NaN persists
         size_ = std::max({size_, a.norm(), b.norm()});
     }
     Real relative() const {
@@ -35,13 +35,13 @@ std::vector<Real> state(const System& system, const std::vector<BodyState>& bodi
     return y;
 }
 
-/// x'' of a body from the linear part of v'; only SE(3) measures its velocity in turning axes, V = R^T x'.
+/// x'' of a body from the linear part of v'; only SE(3) has its velocity in rotating axes, V = R^T x'.
 Vec3 space_acceleration(const std::string& formulation, const Vec3& linear, const BodyState& body) {
     if (formulation != "SE3") return linear;
     return body.R * (linear + body.omega.cross(body.R.transpose() * body.v));
 }
 
-/// What a joint does to a body: the part of -C^T lambda that its rows make up; C in the coordinates of SO3xR3.
+/// The wrench of a joint on a body: the part of -C^T lambda from its rows; C in the coordinates of SO3xR3.
 Reaction reaction_of(const Model& model, const MatX& C, const VecX& lambda, int joint, int body) {
     int first = 0;
     for (int j = 0; j < joint; ++j) first += rows_of(model.joints[static_cast<std::size_t>(j)].type);

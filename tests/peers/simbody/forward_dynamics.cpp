@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Accelerations and joint forces as Simbody finds them.
+// Accelerations and joint forces as computed by Simbody.
 #include <catch2/catch.hpp>
 
 #include "tests/peers/simbody/compare.hpp"
@@ -17,7 +17,7 @@ struct Worst : Difference {
     int poses = 0;
 };
 
-/// The largest difference over a model's start and random states on its joints, where Simbody is told of `change(model)`.
+/// The largest difference over a model's start and random states on its joints, where Simbody is given `change(model)`.
 Worst worst(const Model& model, const std::string& formulation, const auto& change) {
     Worst worst;
     for (const states::Pose& pose : states::poses(model, 12)) {

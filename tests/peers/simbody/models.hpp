@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Models that Simbody is asked about.
+// Models compared with Simbody.
 #pragma once
 
 #include "mechanics/start.hpp"
@@ -24,14 +24,14 @@ inline Model three_bodies() {
     }
     model.join(ground, 0, Vec3(1, -1, 1) / 4);
     model.join(0, 1, Vec3(7, 1, -2) / 4);
-    model.join(2, 1, Vec3(9, 3, -7) / 4);  // the tree of joint coordinates meets this one backwards
+    model.join(2, 1, Vec3(9, 3, -7) / 4);  // the tree of joint coordinates has this one reversed
     model.gravity.g = Vec3(1, -2, -9);
     project_start(model);
     return model;
 }
 
-/// The model with its gravity and its loads as they are at a time and in a pose, constant and in space axes, and without
-/// torsion springs.
+/// The model with its gravity and its loads as they are at a time and in a pose, constant and in space axes, and
+/// without torsion springs.
 inline Model frozen(Model model, const Real& t, const std::vector<BodyState>& bodies) {
     model.gravity = {model.gravity.at(t)};
     for (Load& load : model.loads) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Motions over a second as Simbody integrates them in joint coordinates.
+// Motions over a second as integrated by Simbody in joint coordinates.
 #include <catch2/catch.hpp>
 
 #include "tests/methods/stepping.hpp"

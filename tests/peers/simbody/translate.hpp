@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Models as Simbody is told of them.
+// Models in Simbody's terms.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace outside {
 
 using namespace kreisel;
 
-/// Why Simbody is not asked about a model; empty if it is.
+/// Why a model is not compared with Simbody; empty if it is.
 inline std::string why_not(const Model& model) {
     for (const Joint& joint : model.joints) {
         if (joint.type == JointType::rolling) return "rolling joints";
@@ -27,7 +27,7 @@ inline std::string why_not(const Model& model) {
     return "";
 }
 
-/// Throws std::invalid_argument where why_not says so.
+/// Throws std::invalid_argument if why_not is not empty.
 inline Mechanism translate(const Model& model) {
     if (const std::string reason = why_not(model); !reason.empty())
         throw std::invalid_argument("not for Simbody: " + reason);

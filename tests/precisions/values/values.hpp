@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// A number as the sum of two doubles, with what it is.
+/// A number as the sum of two doubles, with its name.
 struct Value {
     std::string name;
     double high, low;

@@ -18,7 +18,7 @@ SimTK::UnitVec3 direction(const Vec& v) { return SimTK::UnitVec3(vec(v)); }
 SimTK::Rotation rotation(const Mat& R) {
     return SimTK::Rotation(
         SimTK::Mat33(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)),
-        true);  // as it stands: fitting it anew would cost digits
+        true);  // used as given: fitting it again would lose digits
 }
 Mat matrix(const SimTK::Rotation& R) {
     Mat result;
@@ -47,8 +47,8 @@ struct End {
     Mat axes;
 };
 
-/// Mobilizers whose axis is the third of both frames, the first (slider), or the first of the parent and the second of the
-/// child (universal).
+/// Mobilizers whose axis is the third of both frames, the first (slider), or the first of the parent and the second of
+/// the child (universal).
 SimTK::MobilizedBody mobilizer(const std::string& type, SimTK::MobilizedBody& parent, const End& at_parent,
                                const SimTK::Body& body, const End& at_child) {
     using M = SimTK::MobilizedBody;
@@ -64,7 +64,7 @@ SimTK::MobilizedBody mobilizer(const std::string& type, SimTK::MobilizedBody& pa
     throw std::invalid_argument("Simbody has no mobilizer: " + type);
 }
 
-/// The constraints of Simbody that say together what a joint says.
+/// The constraints of Simbody that are equivalent to a joint.
 void constrain(const Link& joint, SimTK::MobilizedBody& first, SimTK::MobilizedBody& second) {
     using C = SimTK::Constraint;
     const Mat &a = joint.axes_first, &b = joint.axes_second;
@@ -168,7 +168,7 @@ struct Simbody::Parts {
         const SimTK::Transform X_GB = frame(target.R, target.x), X_GM = X_GB * child.getOutboardFrame(state);
         const SimTK::Transform X_GF = parent.getBodyTransform(state) * child.getInboardFrame(state);
         child.setQToFitTransform(state, ~X_GF * X_GM);
-        system.realize(state, SimTK::Stage::Velocity);  // new coordinates: the parent's velocity is asked for anew
+        system.realize(state, SimTK::Stage::Velocity);  // new coordinates: the parent's velocity is read again
         const SimTK::Vec3 omega = X_GB.R() * vec(target.omega), arm = X_GM.p() - X_GB.p();
         const SimTK::SpatialVec V_GP = parent.getBodyVelocity(state);
         const SimTK::Vec3 v_P = V_GP[1] + SimTK::cross(V_GP[0], X_GM.p() - parent.getBodyOriginLocation(state));
@@ -234,7 +234,7 @@ void Simbody::run(double t_end, double accuracy) {
 }
 
 void Simbody::evaluate() {
-    parts_->state.updQ(), parts_->state.updU();  // whoever asks for write access invalidates what depends on them
+    parts_->state.updQ(), parts_->state.updU();  // write access invalidates what depends on them
     parts_->system.realize(parts_->state, SimTK::Stage::Acceleration);
 }
 

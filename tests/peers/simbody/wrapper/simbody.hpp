@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Simbody [sherman2011] as an outside oracle. It shares no thought with the equations under test: joint coordinates and
-// recursion over a tree in place of six velocities per body and multipliers, loops closed by constraints.
-// Simbody's headers are C++17 and ambiguous in C++20, so that this header, which both sides include, names nothing of ours.
+// Simbody [sherman2011] as an independent reference. Its equations differ from those under test: joint coordinates and
+// recursion over a tree instead of six velocities per body and multipliers, loops closed by constraints.
+// Simbody's headers are C++17 and ambiguous in C++20, so this header, which both sides include, uses none of our types.
 #pragma once
 
 #include <Eigen/Core>
@@ -71,15 +71,16 @@ struct Reaction {
     Vec force, torque;
 };
 
-/// A mechanism in Simbody. Joints that reach a body for the first time are its mobilizers, all others and every distance
-/// joint are constraints; a body that no joint reaches is free. Throws std::invalid_argument for joints Simbody lacks.
+/// A mechanism in Simbody. Joints that reach a body for the first time are its mobilizers, all others and every
+/// distance joint are constraints; a body that no joint reaches is free. Throws std::invalid_argument for joints
+/// Simbody lacks.
 class Simbody {
   public:
     explicit Simbody(const Mechanism& mechanism);
     ~Simbody();
     Simbody(Simbody&&) noexcept;
 
-    /// Joint coordinates and speeds that fit the bodies; what the joints of the tree do not allow is lost.
+    /// Joint coordinates and speeds that fit the bodies; parts that the joints of the tree do not allow are lost.
     void set(const std::vector<Pose>& bodies);
     std::vector<Pose> poses() const;
     std::vector<Acceleration> accelerations() const;
@@ -87,7 +88,7 @@ class Simbody {
     /// By the integrator of Runge, Kutta and Merson from t = 0, at relative accuracy `accuracy`.
     void run(double t_end, double accuracy);
 
-    /// For benchmarks. One forward dynamics with nothing known of the state; one step of the classical Runge-Kutta method
+    /// For benchmarks. One forward dynamics with no cached state; one step of the classical Runge-Kutta method
     /// on coordinates and speeds, quaternions made unit afterwards.
     void evaluate();
     void step(double h);
