@@ -143,6 +143,13 @@ foreach(target test_orders_binary64 test_orders_binary128)
   endif()
 endforeach()
 
+# One layout of all sources. Where clang-format is missing the other tests still run.
+find_program(KREISEL_CLANG_FORMAT clang-format-14)
+if(KREISEL_CLANG_FORMAT)
+  add_test(NAME architecture.format COMMAND ${CMAKE_SOURCE_DIR}/tools/format -c)
+  set_tests_properties(architecture.format PROPERTIES LABELS architecture)
+endif()
+
 # Instructions per step of the literature's top: explicit steps of 1/20,000 s, implicit ones of 1/1000 s down to round-off.
 # The last one is a control: no step takes a single instruction. Counts are of this instruction set.
 find_program(KREISEL_VALGRIND valgrind)

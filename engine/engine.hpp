@@ -50,7 +50,7 @@ struct ReportedState {
     std::vector<Number> multipliers;
     std::vector<std::string> multiplier_names;  ///< "lambda.crank-rod.2 [N m]" of each row
     std::vector<ReportedReaction> reactions;    ///< of each joint
-    std::vector<Number> theta = {};  ///< rad
+    std::vector<Number> theta = {};             ///< rad
     std::vector<long> turns = {};
 };
 
@@ -60,10 +60,10 @@ struct ReportedState {
 struct Reference {
     ReportedState state;
     std::map<std::string, Number>
-        error;  ///< by metric error.*; past the horizon only where both routes reached the end
-    double horizon = 0;                   ///< s
-    std::string route;                    ///< how it was computed, for the manifest
-    bool interrupted = false;             ///< it was asked to stop; all else is empty
+        error;                 ///< by metric error.*; past the horizon only where both routes reached the end
+    double horizon = 0;        ///< s
+    std::string route;         ///< how it was computed, for the manifest
+    bool interrupted = false;  ///< it was asked to stop; all else is empty
 };
 
 /// The result of checking a reference.

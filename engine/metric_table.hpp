@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The metrics that every problem has: one line each. Lists, checks of a config, units, axis labels, tables and the orders that
-// are declared for them follow from here; engine/run.cpp and engine/metrics measure them. Those of first integrals,
-// invariant.<integral>, are not in the table: a system names its integrals itself.
+// The metrics that every problem has: one line each. Lists, checks of a config, units, axis labels, tables and the
+// orders that are declared for them follow from here; engine/run.cpp and engine/metrics measure them. Those of first
+// integrals, invariant.<integral>, are not in the table: a system names its integrals itself.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@ namespace kreisel {
 /// Which of the declared orders (methods/contract/description.hpp) an error is held against.
 enum class MetricLevel { none, configuration, velocity, multipliers };
 
-/// The constraint rows that a metric is made of: all the same whether there are any, lengths, or comparisons of directions.
+/// The constraint rows that a metric is made of: all the same whether there are any, lengths, or comparisons of
+/// directions.
 enum class MetricRows { any, lengths, directions };
 
 struct MetricDescription {

@@ -271,7 +271,7 @@ class Run {
     System& system_;
     const std::vector<Real>& y_;
     Monitor monitor_;
-    std::optional<JointForces> joint_forces_;  // not of a timed cell, which would count its memory
+    std::optional<JointForces> joint_forces_;   // not of a timed cell, which would count its memory
     std::optional<Conservation> conservation_;  // nor this
     Real t_end_, h_;
     std::vector<BodyState> states_;

@@ -9,7 +9,7 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 template <class First, class Second>
-struct RunPair {
+struct Pair {
     static constexpr int dim = First::dim + Second::dim, size = First::size + Second::size;
     struct Algebra {
         typename First::Algebra first;

@@ -14,25 +14,25 @@ inline namespace KREISEL_PRECISION {
 /// What a static kernel offers: fixed-size elements and algebra vectors, and the maps of the group as pure functions.
 template <class K>
 concept Kernel = requires(const typename K::Element& g, const typename K::Algebra& u, const Real* in, Real* out) {
-    { K::dim } -> std::convertible_to<int>;                              // dimension of the algebra
-    { K::size } -> std::convertible_to<int>;                             // reals that store an element
-    { K::load(in) } -> std::same_as<typename K::Element>;                // flat storage to element
-    { K::load_algebra(in) } -> std::same_as<typename K::Algebra>;        //
-    K::save(g, out);                                                     // element to flat storage
-    K::save_algebra(u, out);                                             //
-    { K::identity() } -> std::convertible_to<typename K::Element>;       //
-    { K::multiply(g, g) } -> std::convertible_to<typename K::Element>;   //
-    { K::inverse(g) } -> std::convertible_to<typename K::Element>;       //
-    { K::exp(u) } -> std::convertible_to<typename K::Element>;           // one-parameter subgroups
-    { K::log(g) } -> std::convertible_to<typename K::Algebra>;           // inverse of exp near the identity
-    { K::bracket(u, u) } -> std::convertible_to<typename K::Algebra>;    //
-    { K::Ad(g, u) } -> std::convertible_to<typename K::Algebra>;         // exp(Ad_g u) = g exp(u) g^{-1}
-    { K::dexp(u, u) } -> std::convertible_to<typename K::Algebra>;       // right-trivialised differential of exp
-    { K::dexpinv(u, u) } -> std::convertible_to<typename K::Algebra>;    // its inverse
-    { K::cay(u) } -> std::convertible_to<typename K::Element>;           // Cayley map
-    { K::dcayinv(u, u) } -> std::convertible_to<typename K::Algebra>;    // right-trivialised inverse differential
-    { K::orthogonality_defect(g) } -> std::convertible_to<Real>;         //
-    { K::squared_angle(u) } -> std::convertible_to<Real>;                // of the rotation part
+    { K::dim } -> std::convertible_to<int>;                             // dimension of the algebra
+    { K::size } -> std::convertible_to<int>;                            // reals that store an element
+    { K::load(in) } -> std::same_as<typename K::Element>;               // flat storage to element
+    { K::load_algebra(in) } -> std::same_as<typename K::Algebra>;       //
+    K::save(g, out);                                                    // element to flat storage
+    K::save_algebra(u, out);                                            //
+    { K::identity() } -> std::convertible_to<typename K::Element>;      //
+    { K::multiply(g, g) } -> std::convertible_to<typename K::Element>;  //
+    { K::inverse(g) } -> std::convertible_to<typename K::Element>;      //
+    { K::exp(u) } -> std::convertible_to<typename K::Element>;          // one-parameter subgroups
+    { K::log(g) } -> std::convertible_to<typename K::Algebra>;          // inverse of exp near the identity
+    { K::bracket(u, u) } -> std::convertible_to<typename K::Algebra>;   //
+    { K::Ad(g, u) } -> std::convertible_to<typename K::Algebra>;        // exp(Ad_g u) = g exp(u) g^{-1}
+    { K::dexp(u, u) } -> std::convertible_to<typename K::Algebra>;      // right-trivialised differential of exp
+    { K::dexpinv(u, u) } -> std::convertible_to<typename K::Algebra>;   // its inverse
+    { K::cay(u) } -> std::convertible_to<typename K::Element>;          // Cayley map
+    { K::dcayinv(u, u) } -> std::convertible_to<typename K::Algebra>;   // right-trivialised inverse differential
+    { K::orthogonality_defect(g) } -> std::convertible_to<Real>;        //
+    { K::squared_angle(u) } -> std::convertible_to<Real>;               // of the rotation part
 };
 
 template <Kernel K>

@@ -13,9 +13,7 @@ std::string to_text(const Real& x) { return x.str(36, std::ios_base::scientific)
 Real from_text(const std::string& text) {
     try {
         return Real(text);
-    } catch (const std::runtime_error&) {
-        throw std::invalid_argument("not a decimal number: \"" + text + "\"");
-    }
+    } catch (const std::runtime_error&) { throw std::invalid_argument("not a decimal number: \"" + text + "\""); }
 }
 
 #else

@@ -85,10 +85,14 @@ inline constexpr auto bernoulli = bernoulli_over_factorial<cot_terms_wide>();
 
 #if KREISEL_QUAD
 template <std::size_t n>
-constexpr Coefficients<n> stored(const Coefficients<n>& a) { return a; }
+constexpr Coefficients<n> stored(const Coefficients<n>& a) {
+    return a;
+}
 #else
 template <std::size_t n>
-constexpr std::array<double, n> stored(const Coefficients<n>& a) { return rounded(a); }
+constexpr std::array<double, n> stored(const Coefficients<n>& a) {
+    return rounded(a);
+}
 #endif
 
 inline constexpr auto sinc = stored(alternating_factorials<entire_terms>(1));

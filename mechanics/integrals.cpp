@@ -94,8 +94,8 @@ std::string energy_reason(const Model& model) {
 void add_energy(const Shared& model, std::vector<FirstIntegral>& integrals) {
     const auto driven = [](const Joint& joint) { return joint.amplitude != 0; };
     if (!is_conservative(*model) || std::any_of(model->joints.begin(), model->joints.end(), driven)) return;
-    integrals.push_back(integral("energy", "J", energy_reason(*model),
-                                 [model](const MotionState& s) { return energy(*model, s); }));
+    integrals.push_back(
+        integral("energy", "J", energy_reason(*model), [model](const MotionState& s) { return energy(*model, s); }));
 }
 
 void add_angular_momenta(const Shared& model, std::vector<FirstIntegral>& integrals) {

@@ -69,9 +69,7 @@ std::optional<Model> beside(Model model, int seed) {
     for (std::size_t i = 0; i < states.size(); ++i) model.bodies[i].start = {states[i].x, states[i].R};
     try {
         project_start(model);
-    } catch (const ParameterError&) {
-        return std::nullopt;
-    }
+    } catch (const ParameterError&) { return std::nullopt; }
     return model;
 }
 

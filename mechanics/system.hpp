@@ -59,8 +59,8 @@ class System {
 
     const Group& group() const { return *group_; }
     const TangentGroup& state_group() const { return state_group_; }
-    int velocities() const { return group_->dim(); }              ///< n
-    virtual int constraints() const { return 0; }                 ///< m, rows of C
+    int velocities() const { return group_->dim(); }                    ///< n
+    virtual int constraints() const { return 0; }                       ///< m, rows of C
     virtual int position_constraints() const { return constraints(); }  ///< rows of Phi, the first of C
 
     /// v' at (q, v). Counted as a solve of the dynamics.
@@ -99,19 +99,19 @@ class System {
     virtual int mass_block() const { return velocities(); }
     virtual bool mass_is_constant() const { return true; }
     virtual void mass(const Real* q, Real* blocks) const;
-    virtual void solve_mass(const Real* q, const Real* f, Real* a) const;                     ///< a = M^{-1} f
+    virtual void solve_mass(const Real* q, const Real* f, Real* a) const;  ///< a = M^{-1} f
     /// Q = applied + gyroscopic; variational methods need only the first.
     virtual void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const;
     virtual void gyroscopic_force(const Real* q, const Real* v, Real* f) const;
 
-    virtual void position_residual(const Real&, const Real*, Real*) const {}                  ///< Phi
-    virtual void jacobian(const Real&, const Real*, Real*) const {}                           ///< C, column by column
+    virtual void position_residual(const Real&, const Real*, Real*) const {}  ///< Phi
+    virtual void jacobian(const Real&, const Real*, Real*) const {}           ///< C, column by column
     /// C v (m) and C^T lambda (n) without a dense matrix, where the model has structure.
     virtual void apply_jacobian(const Real& t, const Real* q, const Real* v, Real* product) const;
     virtual void apply_jacobian_transpose(const Real& t, const Real* q, const Real* lambda, Real* f) const;
-    virtual void velocity_bias(const Real& t, const Real* q, Real* b) const;                  ///< b = dPhi/dt
-    virtual void velocity_residual(const Real&, const Real*, const Real*, Real*) const {}     ///< C v + b
-    virtual void acceleration_bias(const Real&, const Real*, const Real*, Real*) const {}     ///< xi
+    virtual void velocity_bias(const Real& t, const Real* q, Real* b) const;               ///< b = dPhi/dt
+    virtual void velocity_residual(const Real&, const Real*, const Real*, Real*) const {}  ///< C v + b
+    virtual void acceleration_bias(const Real&, const Real*, const Real*, Real*) const {}  ///< xi
     /// Scale of each row (m, or 1 where it compares directions): residuals are judged relative to it, wherever the
     /// mechanism is.
     virtual void row_scale(Real* scale) const;

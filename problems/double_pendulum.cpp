@@ -14,8 +14,8 @@ namespace {
 Model double_pendulum(const Parameters& p) {
     const auto& links = p.bodies("bodies");
     if (links.size() != 2)
-        throw ParameterError("/bodies", "expected two bodies, the upper and the lower link, got " +
-                                            std::to_string(links.size()));
+        throw ParameterError("/bodies",
+                             "expected two bodies, the upper and the lower link, got " + std::to_string(links.size()));
     for (std::size_t i = 0; i < links.size(); ++i)
         if (links[i].point)
             throw ParameterError("/bodies/" + std::to_string(i) + "/type",

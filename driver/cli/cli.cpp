@@ -156,8 +156,7 @@ class CommandLine {
         CLI::App* merge = command(
             "merge", "Puts the journals of shards together into results.jsonl and results.csv",
             [this] { return merge_command(arguments_.folders, arguments_.output, build_id(), engines_, terminal_); });
-        merge->add_option("folder", arguments_.folders, "Folders that kreisel run --shard has written")
-            ->required();
+        merge->add_option("folder", arguments_.folders, "Folders that kreisel run --shard has written")->required();
         merge->add_option("-o,--output", arguments_.output, "Folder for the results (default: the first folder)");
         add_folder(command("table", "Tables from results", [this] { return table_command(arguments_.folder); }));
         add_folder(command("plot", "Figures from results", [this] { return plot_command(arguments_.folder); }));
@@ -172,9 +171,8 @@ class CommandLine {
 
     void add_diff() {
         DiffSettings& settings = arguments_.diff;
-        CLI::App* diff = command("diff", "Compares the results in two folders, cell by cell", [this] {
-            return diff_command(arguments_.diff, terminal_.out, terminal_.messages);
-        });
+        CLI::App* diff = command("diff", "Compares the results in two folders, cell by cell",
+                                 [this] { return diff_command(arguments_.diff, terminal_.out, terminal_.messages); });
         diff->add_option("A", settings.a, "A folder that kreisel run has written")->required();
         diff->add_option("B", settings.b, "Another one")->required();
         diff->add_option("--csv", settings.csv, "Write every difference to this file");

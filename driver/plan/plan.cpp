@@ -68,9 +68,12 @@ std::vector<std::string> known_metrics(const Plan& plan) {
 // Whether there are rows of the kind that a metric is of.
 bool has_rows_of(const ConstraintSummary& constraints, MetricRows rows) {
     switch (rows) {
-        case MetricRows::any: return true;
-        case MetricRows::lengths: return constraints.rows > constraints.directions;
-        case MetricRows::directions: return constraints.directions > 0;
+        case MetricRows::any:
+            return true;
+        case MetricRows::lengths:
+            return constraints.rows > constraints.directions;
+        case MetricRows::directions:
+            return constraints.directions > 0;
     }
     return false;
 }

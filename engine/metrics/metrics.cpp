@@ -54,7 +54,8 @@ Monitor::Monitor(System& system, std::vector<std::string> patterns)
         const bool occurs = level == Level::orthogonality ||
                             std::any_of(directions_.begin(), directions_.end(),
                                         [&](const ConstraintRow& row) { return row.direction == direction; });
-        if (occurs && any_matches(patterns_, name, defect_suffixes)) defects_.push_back({level, direction, name, std::string(find_metric(name)->unit)});
+        if (occurs && any_matches(patterns_, name, defect_suffixes))
+            defects_.push_back({level, direction, name, std::string(find_metric(name)->unit)});
     };
     add(Level::position, false, "defect.position");
     add(Level::position, true, "defect.direction");
@@ -76,8 +77,11 @@ void Monitor::measure(Level level, const Real& t, const Real* y) {
             rows_.setZero();  // rows without a position level
             system_.position_residual(t, y, rows_.data());
             break;
-        case Level::velocity: system_.velocity_residual(t, y, v, rows_.data()); break;
-        case Level::orthogonality: break;
+        case Level::velocity:
+            system_.velocity_residual(t, y, v, rows_.data());
+            break;
+        case Level::orthogonality:
+            break;
         case Level::acceleration:
             ++evaluations_;
             if (system_.accelerations(t, y, v, dv_.data(), nullptr) != Status::ok) measured_ = false;

@@ -61,7 +61,9 @@ inline Vec3 cross(const Vectors& a, const Vectors& b, std::size_t k) {
 /// q_k of q = a / b, from q_0 ... q_{k-1}: q_k b_0 = a_k - sum_{j=1..k} b_j q_{k-j}.
 template <class T>
 T quotient(const Series<T>& a, const Scalars& b, const Series<T>& q, std::size_t k) {
-    return convolve(a[k], b, q, k, [](const Real& x, const T& y) -> T { return -x * y; }, 1) / b[0];
+    return convolve(
+               a[k], b, q, k, [](const Real& x, const T& y) -> T { return -x * y; }, 1) /
+           b[0];
 }
 
 /// r_k of r = sqrt(a), from r_0 ... r_{k-1}: 2 r_0 r_k = a_k - sum_{j=1..k-1} r_j r_{k-j}.

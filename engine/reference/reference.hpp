@@ -39,7 +39,7 @@ struct ReferenceSolution {
         multipliers;  ///< rows in space axes, joints in the order of the model; none if rows are redundant
     Real position_error = 0, rotation_error = 0, velocity_error = 0, omega_error = 0;
     MultiplierDistance multiplier_error;
-    Real horizon = 0;     ///< s; last big step up to which both runs agree to 1e-12 of each quantity's largest size
+    Real horizon = 0;      ///< s; last big step up to which both runs agree to 1e-12 of each quantity's largest size
     bool compared = true;  ///< false: a second route did not reach t_end, so the errors are unknown
     /// The largest ones of the finer run, at least the effect of the forces on free bodies within a thousandth of a big
     /// step: a body held at rest moves only by round-off.

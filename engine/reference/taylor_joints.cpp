@@ -54,15 +54,24 @@ void JointSeries::align(std::initializer_list<std::pair<int, int>> axes) {
 
 void JointSeries::add_rows() {
     switch (joint_.type) {
-        case JointType::spherical: return hold(Hold::coincidence, {0, 1, 2});
-        case JointType::revolute: return hold(Hold::coincidence, {0, 1, 2}), align({{2, 0}, {2, 1}});
-        case JointType::universal: return hold(Hold::coincidence, {0, 1, 2}), align({{2, 2}});
-        case JointType::prismatic: return hold(Hold::along, {0, 1}), align({{2, 0}, {2, 1}, {0, 1}});
-        case JointType::cylindrical: return hold(Hold::along, {0, 1}), align({{2, 0}, {2, 1}});
-        case JointType::planar: return hold(Hold::along, {2}), align({{2, 0}, {2, 1}});
-        case JointType::fixed: return hold(Hold::coincidence, {0, 1, 2}), align({{2, 0}, {2, 1}, {0, 1}});
-        case JointType::distance: return hold(Hold::distance, {0});
-        case JointType::rolling: return hold(Hold::contact, {2, 0, 1});
+        case JointType::spherical:
+            return hold(Hold::coincidence, {0, 1, 2});
+        case JointType::revolute:
+            return hold(Hold::coincidence, {0, 1, 2}), align({{2, 0}, {2, 1}});
+        case JointType::universal:
+            return hold(Hold::coincidence, {0, 1, 2}), align({{2, 2}});
+        case JointType::prismatic:
+            return hold(Hold::along, {0, 1}), align({{2, 0}, {2, 1}, {0, 1}});
+        case JointType::cylindrical:
+            return hold(Hold::along, {0, 1}), align({{2, 0}, {2, 1}});
+        case JointType::planar:
+            return hold(Hold::along, {2}), align({{2, 0}, {2, 1}});
+        case JointType::fixed:
+            return hold(Hold::coincidence, {0, 1, 2}), align({{2, 0}, {2, 1}, {0, 1}});
+        case JointType::distance:
+            return hold(Hold::distance, {0});
+        case JointType::rolling:
+            return hold(Hold::contact, {2, 0, 1});
     }
 }
 
@@ -129,10 +138,14 @@ Real JointSeries::acceleration(int row, std::size_t k) const {
     if (!is_force(row)) return twice * dot(turn_row(row).a.series(), turn_row(row).b.series(), i);
     const Vec3& axis = force_row(row).axis;
     switch (hold_) {
-        case Hold::coincidence: return twice * axis.dot(d_[i]);
-        case Hold::along: return twice * dot(force_row(row).n, d_, i);
-        case Hold::distance: return twice * (length_[i] - law_[i]);
-        case Hold::contact: break;
+        case Hold::coincidence:
+            return twice * axis.dot(d_[i]);
+        case Hold::along:
+            return twice * dot(force_row(row).n, d_, i);
+        case Hold::distance:
+            return twice * (length_[i] - law_[i]);
+        case Hold::contact:
+            break;
     }
     if (!is_velocity(row)) return -twice * axis.dot(second_.x[i] + lever_[i]);
     return -real(k + 1) * axis.dot(rate(second_.x, k + 1) + cross(omega_, lever_, k + 1));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/reference/taylor_series.hpp"
 
-#include <algorithm>
 #include <Eigen/QR>
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -138,9 +138,9 @@ VecX TaylorSeries::terms() const {
         const JointSeries& joint = joints_[index];
         const auto add = [&, size = scale](const BodySeries& body, const JointSeries::Wrench& wrench) {
             if (body.is_fixed()) return;
-            sizes[static_cast<Eigen::Index>(c)] += (wrench.force.norm() * body.acceleration_size() +
-                                                    wrench.moment.norm() * body.turning_size()) / size +
-                                                   body.omega[0].squaredNorm();
+            sizes[static_cast<Eigen::Index>(c)] +=
+                (wrench.force.norm() * body.acceleration_size() + wrench.moment.norm() * body.turning_size()) / size +
+                body.omega[0].squaredNorm();
         };
         add(joint.first(), joint.on_first(row)), add(joint.second(), joint.on_second(row));
     }

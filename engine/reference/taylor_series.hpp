@@ -74,11 +74,11 @@ class TaylorSeries {
     };
     std::vector<Row> rows_;
     std::vector<Real> lengths_;  // of the bodies: the radius of gyration or the longest arm
-    MatX A_;                  // M^{-1/2} C^T, columns divided by the rows' scale, so that S = A^T A
+    MatX A_;                     // M^{-1/2} C^T, columns divided by the rows' scale, so that S = A^T A
     Eigen::LLT<MatX> cholesky_;
-    bool factored_ = false;   // S by Cholesky's factors; else by
-    MatX inverse_;            // the pseudoinverse of A
-    Eigen::Index rank_ = -1;  // of the first expansion
+    bool factored_ = false;                      // S by Cholesky's factors; else by
+    MatX inverse_;                               // the pseudoinverse of A
+    Eigen::Index rank_ = -1;                     // of the first expansion
     std::vector<JointSeries::Wrench> reaction_;  // on each body
 };
 

@@ -63,13 +63,14 @@ void Bodies<Coordinates>::applied_force(const Real& t, const Real* q, const Real
         store(Vec3(mass * Coordinates::from_space(rotation(q, i), g)), f + 6 * i);
         store(Vec3(Vec3::Zero()), f + 6 * i + 3);
     }
-    for_each_wrench(model_, t, [&](int body) { return motion(q, v, body); },
-                    [&](std::size_t i, const Turn& turn) { return turns_.angle(i, turn, t, labels(q)); },
-                    [&](int body, const Wrench& wrench) {
-                        Real* mine = f + 6 * body;
-                        store(Vec3(vec3(mine) + Coordinates::from_body(rotation(q, body), wrench.force)), mine);
-                        store(Vec3(vec3(mine + 3) + wrench.torque), mine + 3);
-                    });
+    for_each_wrench(
+        model_, t, [&](int body) { return motion(q, v, body); },
+        [&](std::size_t i, const Turn& turn) { return turns_.angle(i, turn, t, labels(q)); },
+        [&](int body, const Wrench& wrench) {
+            Real* mine = f + 6 * body;
+            store(Vec3(vec3(mine) + Coordinates::from_body(rotation(q, body), wrench.force)), mine);
+            store(Vec3(vec3(mine + 3) + wrench.torque), mine + 3);
+        });
 }
 
 template <class Coordinates>
@@ -317,7 +318,8 @@ template <class Coordinates>
 KREISEL_HOT void Bodies<Coordinates>::from_space_axes(const Real* q, const Real* turned, Real* v) const {
     for (int i = 0; i < bodies(); ++i, turned += 6, v += 6) {
         const auto R = rotation(q, i);
-        const Vec3 linear = Coordinates::from_space_velocity(R, vec3(turned)), angular = R.transpose() * vec3(turned + 3);
+        const Vec3 linear = Coordinates::from_space_velocity(R, vec3(turned)),
+                   angular = R.transpose() * vec3(turned + 3);
         store(linear, v), store(angular, v + 3);
     }
 }
@@ -327,8 +329,7 @@ Real Bodies<Coordinates>::potential(const Real& t, const Real* q) const {
     const Vec3 g = model_.gravity.at(t);
     const auto at = [&](int body) { return motion(q, nullptr, body); };
     Real sum = stored_energy(model_, at, [&](std::size_t i) { return turns_.read(i, labels(q), at).theta; });
-    for (int i = 0; i < bodies(); ++i)
-        sum -= model_.bodies[static_cast<std::size_t>(i)].mass * g.dot(position(q, i));
+    for (int i = 0; i < bodies(); ++i) sum -= model_.bodies[static_cast<std::size_t>(i)].mass * g.dot(position(q, i));
     return sum;
 }
 

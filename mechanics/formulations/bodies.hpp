@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Bodies of six degrees of freedom each, in the coordinates of a formulation, with joints as constraints: all of the
-// system but its solves, which derived classes organise by the structure of the model. Rows of C are those of the joints
-// (mechanics/joints/joint_rows.hpp) in the order of the model; rows without a position level come after all others.
+// system but its solves, which derived classes organise by the structure of the model. Rows of C are those of the
+// joints (mechanics/joints/joint_rows.hpp) in the order of the model; rows without a position level come after all
+// others.
 #pragma once
 
 #include "lie/power.hpp"

@@ -73,12 +73,13 @@ Motion PivotedBodies::motion(const Real* q, const Real* v, int body) const {
 template <class F>
 void PivotedBodies::each_moment(const Real& t, const Real* q, const Real* v, F f) const {
     if (!forces_) return;
-    for_each_wrench(model_, t, [&](int body) { return motion(q, v, body); },
-                    [&](std::size_t i, const Turn& turn) { return turns_.angle(i, turn, t, labels(q)); },
-                    [&](int body, const Wrench& wrench) {
-                        const Vec3& lever = bodies_[static_cast<std::size_t>(body)].lever;
-                        f(body, Vec3(lever.cross(wrench.force) + wrench.torque));
-                    });
+    for_each_wrench(
+        model_, t, [&](int body) { return motion(q, v, body); },
+        [&](std::size_t i, const Turn& turn) { return turns_.angle(i, turn, t, labels(q)); },
+        [&](int body, const Wrench& wrench) {
+            const Vec3& lever = bodies_[static_cast<std::size_t>(body)].lever;
+            f(body, Vec3(lever.cross(wrench.force) + wrench.torque));
+        });
 }
 
 KREISEL_HOT Status PivotedBodies::accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real*) {
@@ -122,11 +123,12 @@ Status PivotedBodies::reactions(const Real& t, const Real* q, const Real* v, con
         const Vec3 A = vec3(&dv[3 * i]).cross(c) + w.cross(w.cross(c));
         on_body.push_back(bodies_[i].mass * (mat3(q + i * SO3::size) * A - g));
     }
-    for_each_wrench(model_, t, [&](int body) { return motion(q, v, body); },
-                    [&](std::size_t i, const Turn& turn) { return turns_.angle(i, turn, t, labels(q)); },
-                    [&](int body, const Wrench& wrench) {
-                        on_body[static_cast<std::size_t>(body)] -= mat3(q + body * SO3::size) * wrench.force;
-                    });
+    for_each_wrench(
+        model_, t, [&](int body) { return motion(q, v, body); },
+        [&](std::size_t i, const Turn& turn) { return turns_.angle(i, turn, t, labels(q)); },
+        [&](int body, const Wrench& wrench) {
+            on_body[static_cast<std::size_t>(body)] -= mat3(q + body * SO3::size) * wrench.force;
+        });
     for (std::size_t j = 0; j < model_.joints.size(); ++j) {
         const auto& [first, second] = std::pair(model_.joints[j].first, model_.joints[j].second);
         const Vec3& force = on_body[static_cast<std::size_t>(second == ground ? first : second)];

@@ -17,15 +17,24 @@ struct RowCounts {
 
 constexpr RowCounts counts(JointType type) {
     switch (type) {
-        case JointType::spherical: return {3, 3, 3};
-        case JointType::revolute: return {5, 5, 3};
-        case JointType::universal: return {4, 4, 3};
-        case JointType::prismatic: return {5, 5, 2};
-        case JointType::cylindrical: return {4, 4, 2};
-        case JointType::planar: return {3, 3, 1};
-        case JointType::fixed: return {6, 6, 3};
-        case JointType::distance: return {1, 1, 1};
-        case JointType::rolling: return {3, 1, 3};
+        case JointType::spherical:
+            return {3, 3, 3};
+        case JointType::revolute:
+            return {5, 5, 3};
+        case JointType::universal:
+            return {4, 4, 3};
+        case JointType::prismatic:
+            return {5, 5, 2};
+        case JointType::cylindrical:
+            return {4, 4, 2};
+        case JointType::planar:
+            return {3, 3, 1};
+        case JointType::fixed:
+            return {6, 6, 3};
+        case JointType::distance:
+            return {1, 1, 1};
+        case JointType::rolling:
+            return {3, 1, 3};
     }
     return {0, 0, 0};
 }
@@ -136,19 +145,25 @@ bool all_spherical(const Model& model) {
 void write_rows(const Joint& joint, const Real& t, const Motion& first, const Motion& second, JointRows& rows) {
     RowWriter write(joint, first, second, rows);
     switch (joint.type) {
-        case JointType::spherical: return write.coincidence();
-        case JointType::revolute: return write.coincidence(), write.orthogonal(2, 0), write.orthogonal(2, 1);
-        case JointType::universal: return write.coincidence(), write.orthogonal(2, 2);
+        case JointType::spherical:
+            return write.coincidence();
+        case JointType::revolute:
+            return write.coincidence(), write.orthogonal(2, 0), write.orthogonal(2, 1);
+        case JointType::universal:
+            return write.coincidence(), write.orthogonal(2, 2);
         case JointType::prismatic:
             return write.along(0), write.along(1), write.orthogonal(2, 0), write.orthogonal(2, 1),
                    write.orthogonal(0, 1);
         case JointType::cylindrical:
             return write.along(0), write.along(1), write.orthogonal(2, 0), write.orthogonal(2, 1);
-        case JointType::planar: return write.along(2), write.orthogonal(2, 0), write.orthogonal(2, 1);
+        case JointType::planar:
+            return write.along(2), write.orthogonal(2, 0), write.orthogonal(2, 1);
         case JointType::fixed:
             return write.coincidence(), write.orthogonal(2, 0), write.orthogonal(2, 1), write.orthogonal(0, 1);
-        case JointType::distance: return write.distance(t);
-        case JointType::rolling: return write.rolling();
+        case JointType::distance:
+            return write.distance(t);
+        case JointType::rolling:
+            return write.rolling();
     }
 }
 

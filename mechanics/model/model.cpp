@@ -77,15 +77,24 @@ std::string Model::name_of_torsion_spring(std::size_t spring) const {
 
 const char* name(JointType type) {
     switch (type) {
-        case JointType::spherical: return "spherical";
-        case JointType::revolute: return "revolute";
-        case JointType::universal: return "universal";
-        case JointType::prismatic: return "prismatic";
-        case JointType::cylindrical: return "cylindrical";
-        case JointType::planar: return "planar";
-        case JointType::fixed: return "fixed";
-        case JointType::distance: return "distance";
-        case JointType::rolling: return "rolling";
+        case JointType::spherical:
+            return "spherical";
+        case JointType::revolute:
+            return "revolute";
+        case JointType::universal:
+            return "universal";
+        case JointType::prismatic:
+            return "prismatic";
+        case JointType::cylindrical:
+            return "cylindrical";
+        case JointType::planar:
+            return "planar";
+        case JointType::fixed:
+            return "fixed";
+        case JointType::distance:
+            return "distance";
+        case JointType::rolling:
+            return "rolling";
     }
     return "unknown";
 }

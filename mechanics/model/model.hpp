@@ -51,9 +51,9 @@ struct Joint {
     Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
     JointType type = JointType::spherical;
     Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();
-    Real length = 0;                   ///< of a distance joint; of a rolling joint the radius (m)
-    Real amplitude = 0, frequency = 0; ///< of a distance joint: length (1 + amplitude sin(frequency t)), rad/s
-    std::string name = {};             ///< empty: that of its bodies
+    Real length = 0;                    ///< of a distance joint; of a rolling joint the radius (m)
+    Real amplitude = 0, frequency = 0;  ///< of a distance joint: length (1 + amplitude sin(frequency t)), rad/s
+    std::string name = {};              ///< empty: that of its bodies
 };
 
 /// g(t) = g (1 + amplitude sin(frequency t)); frequency in rad/s.
@@ -97,11 +97,11 @@ struct Spring {
     Real stiffness = 0, damping = 0, length = 0;
 };
 
-/// About the third axis that two frames share: torque -stiffness (theta - angle) - damping theta' on the second body and its
-/// opposite on the first. theta is the angle from the first frame's first axis to the second's, full turns included: at the
-/// start it is the one in (-pi, pi] and 2 pi turns more, from there on it is continuous (mechanics/forces/turns.hpp).
-/// Frames may part (the second axis is then projected, and the torque is the gradient of the energy), as long as the
-/// projection is not shorter than 1/2.
+/// About the third axis that two frames share: torque -stiffness (theta - angle) - damping theta' on the second body
+/// and its opposite on the first. theta is the angle from the first frame's first axis to the second's, full turns
+/// included: at the start it is the one in (-pi, pi] and 2 pi turns more, from there on it is continuous
+/// (mechanics/forces/turns.hpp). Frames may part (the second axis is then projected, and the torque is the gradient of
+/// the energy), as long as the projection is not shorter than 1/2.
 struct TorsionSpring {
     int first = ground, second = 0;
     Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();

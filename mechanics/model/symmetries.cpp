@@ -39,14 +39,18 @@ std::vector<Anchor> anchors(const Model& model) {
 bool turns_freely(const Anchor& anchor, const Line& axis) {
     switch (anchor.type) {
         case JointType::spherical:
-        case JointType::distance: return meets(axis, anchor.point);
+        case JointType::distance:
+            return meets(axis, anchor.point);
         case JointType::revolute:
         case JointType::universal:
-        case JointType::cylindrical: return meets(axis, anchor.point) && parallel(anchor.axis, axis.e);
-        case JointType::planar: return parallel(anchor.axis, axis.e);
+        case JointType::cylindrical:
+            return meets(axis, anchor.point) && parallel(anchor.axis, axis.e);
+        case JointType::planar:
+            return parallel(anchor.axis, axis.e);
         case JointType::prismatic:
         case JointType::fixed:
-        case JointType::rolling: return false;  // the momentum of a symmetry that lets the disk slip is not constant
+        case JointType::rolling:
+            return false;  // the momentum of a symmetry that lets the disk slip is not constant
     }
     return false;
 }
@@ -54,9 +58,12 @@ bool turns_freely(const Anchor& anchor, const Line& axis) {
 bool shifts_freely(const Anchor& anchor, const Vec3& e) {
     switch (anchor.type) {
         case JointType::prismatic:
-        case JointType::cylindrical: return parallel(anchor.axis, e);
-        case JointType::planar: return orthogonal(anchor.axis, e);
-        default: return false;
+        case JointType::cylindrical:
+            return parallel(anchor.axis, e);
+        case JointType::planar:
+            return orthogonal(anchor.axis, e);
+        default:
+            return false;
     }
 }
 
@@ -100,11 +107,14 @@ bool leaves_spin(const Model& model, const Joint& joint, int body, const Vec3& e
     const Mat3& axes = joint.first == body ? joint.axes_first : joint.axes_second;
     switch (joint.type) {
         case JointType::spherical:
-        case JointType::distance: return central;
+        case JointType::distance:
+            return central;
         // Forces act on the axis, couples turn about normals of it.
         case JointType::revolute:
-        case JointType::cylindrical: return central && parallel(axes.col(2), e);
-        default: return false;
+        case JointType::cylindrical:
+            return central && parallel(axes.col(2), e);
+        default:
+            return false;
     }
 }
 

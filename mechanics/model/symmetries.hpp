@@ -12,7 +12,7 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 /// A line through P along the unit vector e.
-struct FittedLine {
+struct Line {
     Vec3 P, e;
 };
 

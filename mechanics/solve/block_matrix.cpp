@@ -117,8 +117,7 @@ Real GraphSolver::invert_pivot(std::size_t k) {
     Mat6 L = Mat6::Zero();
     Real smallest = 1;
     for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < i; ++j)
-            L(i, j) = (blocks_[k](i, j) - L.row(i).head(j).dot(L.row(j).head(j))) / L(j, j);
+        for (int j = 0; j < i; ++j) L(i, j) = (blocks_[k](i, j) - L.row(i).head(j).dot(L.row(j).head(j))) / L(j, j);
         const Real pivot = blocks_[k](i, i) - L.row(i).head(i).squaredNorm();
         const Real relative = pivot / diagonal_[k][i];
         if (!(relative > 0)) return relative;
@@ -158,8 +157,9 @@ Real GraphSolver::factor(const BlockMatrix& S) {
                     .lazyProduct(inverse_pivots_[k].topLeftCorner(n, n));
         for (const Update& update : updates_[k])
             blocks_[update.target].topLeftCorner(rows_[update.left_row], rows_[update.right_row]) -=
-                scaled_[update.left].topLeftCorner(rows_[update.left_row], n).lazyProduct(
-                    blocks_[update.right].topLeftCorner(rows_[update.right_row], n).transpose());
+                scaled_[update.left]
+                    .topLeftCorner(rows_[update.left_row], n)
+                    .lazyProduct(blocks_[update.right].topLeftCorner(rows_[update.right_row], n).transpose());
     }
     return smallest;
 }
@@ -247,10 +247,14 @@ std::unique_ptr<BlockSolver> sparse_solver(const BlockMatrix& pattern) {
 
 std::unique_ptr<BlockSolver> make_solver(const BlockMatrix& pattern, SolverChoice choice) {
     switch (choice) {
-        case SolverChoice::dense: return dense_solver(pattern);
-        case SolverChoice::graph: return graph_solver(pattern);
-        case SolverChoice::sparse: return sparse_solver(pattern);
-        case SolverChoice::automatic: break;
+        case SolverChoice::dense:
+            return dense_solver(pattern);
+        case SolverChoice::graph:
+            return graph_solver(pattern);
+        case SolverChoice::sparse:
+            return sparse_solver(pattern);
+        case SolverChoice::automatic:
+            break;
     }
     if (pattern.size <= most_dense_rows) return dense_solver(pattern);
     return 4 * fill(pattern) <= pattern.entries.size() ? graph_solver(pattern) : sparse_solver(pattern);

@@ -11,9 +11,10 @@ namespace kreisel {
 
 /// Vertices that share an edge have an off-diagonal block. Eliminating a vertex joins its remaining neighbours.
 struct Elimination {
-    std::vector<int> order;                   ///< position -> vertex
-    std::vector<int> position;                ///< vertex -> position
-    std::vector<std::vector<int>> neighbours; ///< of the vertex at a position when eliminated, as positions, increasing
+    std::vector<int> order;     ///< position -> vertex
+    std::vector<int> position;  ///< vertex -> position
+    std::vector<std::vector<int>>
+        neighbours;  ///< of the vertex at a position when eliminated, as positions, increasing
 };
 
 /// Minimum degree, ties by index: leaves first, so a chain or a tree has no fill.

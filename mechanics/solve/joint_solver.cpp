@@ -43,8 +43,7 @@ JointSolver::JointSolver(const Model& model, SolverChoice choice)
     residual_ = lambda_ = correction_ = sizes_ = bias_ = VecX::Zero(matrix_.size);
     scale_.resize(matrix_.size);
     for (std::size_t j = 0; j < rows_.size(); ++j)
-        for (int k = 0; k < matrix_.rows[j]; ++k)
-            scale_[at(j, k)] = row_scale(model_, model_.joints[j], k);
+        for (int k = 0; k < matrix_.rows[j]; ++k) scale_[at(j, k)] = row_scale(model_, model_.joints[j], k);
     choose_rows_at_start();
 }
 
@@ -336,17 +335,18 @@ Status JointSolver::accelerate(const Real& t, const Turns& turns, const Real* la
         node.a << node.motion.R.transpose() * g, node.J_inverse * (node.J * w).cross(w);
     }
     const Motion rest;
-    for_each_wrench(model_, t,
-                    [&](int body) -> const Motion& {
-                        return body == ground ? rest : nodes_[static_cast<std::size_t>(body)].motion;
-                    },
-                    [&](std::size_t i, const Turn& turn) { return turns.angle(i, turn, t, labels); },
-                    [&](int body, const Wrench& wrench) {
-                        Vec6 both;
-                        both << wrench.force / mass_unit_, wrench.torque / mass_unit_;
-                        BodyNode& node = nodes_[static_cast<std::size_t>(body)];
-                        node.a += node.mobility(both);
-                    });
+    for_each_wrench(
+        model_, t,
+        [&](int body) -> const Motion& {
+            return body == ground ? rest : nodes_[static_cast<std::size_t>(body)].motion;
+        },
+        [&](std::size_t i, const Turn& turn) { return turns.angle(i, turn, t, labels); },
+        [&](int body, const Wrench& wrench) {
+            Vec6 both;
+            both << wrench.force / mass_unit_, wrench.torque / mass_unit_;
+            BodyNode& node = nodes_[static_cast<std::size_t>(body)];
+            node.a += node.mobility(both);
+        });
     if (const Status status = prepare(t); status != Status::ok) return status;
     for (std::size_t j = 0; j < rows_.size(); ++j)
         residual_.segment(matrix_.offset[j], matrix_.rows[j]) = rows_[j].acceleration_bias.head(matrix_.rows[j]);
@@ -389,8 +389,7 @@ ConstraintRank JointSolver::constraint_rank() const {
     ConstraintRank rank{matrix_.size, choice_.rank, {}, condition_};
     for (std::size_t j = 0; j < rows_.size(); ++j)
         for (int k = 0; k < matrix_.rows[j]; ++k)
-            if (!kept(at(j, k)))
-                rank.redundant.push_back(name_row(j, k));
+            if (!kept(at(j, k))) rank.redundant.push_back(name_row(j, k));
     return rank;
 }
 

@@ -6,13 +6,13 @@
 //   joint residual   rho = sum W^T a + bias                    over the bodies of each joint
 //   complement       S lambda = rho,  S = C M^{-1} C^T         (mechanics/solve/block_matrix.hpp)
 //   reaction         a - M^{-1} W lambda
-// Rows that depend on others in the initial configuration are left out: unit rows of S with zero right-hand side, so that
-// their multiplier is zero. They are watched: where one is violated by the accelerations, or where the rows kept lose rank
-// (and no other choice of as many rows is better), the answer is singular_kkt. So it is where a pivot is doubtful and the
-// rows kept are not met after one step of iterative refinement. A row is measured by the accelerations that meet in it and
-// in the rest of its mechanism, each relative to the scale of its row. What is reported are the multipliers
-// of least norm, found through the null vectors of C^T, one for each row left out.
-// Masses are taken in the unit of mechanics/model/scales.hpp.
+// Rows that depend on others in the initial configuration are left out: unit rows of S with zero right-hand side, so
+// that their multiplier is zero. They are watched: where one is violated by the accelerations, or where the rows kept
+// lose rank (and no other choice of as many rows is better), the answer is singular_kkt. So it is where a pivot is
+// doubtful and the rows kept are not met after one step of iterative refinement. A row is measured by the accelerations
+// that meet in it and in the rest of its mechanism, each relative to the scale of its row. What is reported are the
+// multipliers of least norm, found through the null vectors of C^T, one for each row left out. Masses are taken in the
+// unit of mechanics/model/scales.hpp.
 #pragma once
 
 #include "mechanics/joints/joint_rows.hpp"
@@ -131,12 +131,12 @@ class JointSolver {
     Real mass_unit_;
     RowChoice choice_;
     std::optional<Real> condition_;  // once requested
-    bool complete_ = true;  // no row is dropped
-    bool doubtful_ = false;  // the last factors have small pivots
+    bool complete_ = true;           // no row is dropped
+    bool doubtful_ = false;          // the last factors have small pivots
     Real pivot_ = 1;
-    std::vector<Real> length_;           // of each body
-    std::vector<std::size_t> island_;    // of each joint
-    std::vector<Real> largest_;          // by island
+    std::vector<Real> length_;         // of each body
+    std::vector<std::size_t> island_;  // of each joint
+    std::vector<Real> largest_;        // by island
     VecX residual_, lambda_, correction_, sizes_, bias_, scale_;
     VecX share_;  // of each row in the null space of C^T, between 0 and 1
     std::string singularity_;

@@ -23,9 +23,9 @@ class MotionScale {
     void forget() { known_ = false; }
     const VecX& weights() const { return weights_; }
     const Real& mass_unit() const { return blocks_[0]; }  ///< M_11
-    /// w_i v_i turned into space axes for the pose q, where the system knows such: the unknowns of iterations and what is
-    /// guessed from earlier steps, all of one unit. A body spinning fast about an axis of symmetry has slow ones, and its
-    /// Jacobian is nearly the same step after step. `turned` may be v.
+    /// w_i v_i turned into space axes for the pose q, where the system knows such: the unknowns of iterations and what
+    /// is guessed from earlier steps, all of one unit. A body spinning fast about an axis of symmetry has slow ones,
+    /// and its Jacobian is nearly the same step after step. `turned` may be v.
     void to_space(const Real* q, const Real* v, Real* turned) const;
     void from_space(const Real* q, const Real* turned, Real* v) const;
     /// Largest w_i |v_i|.

@@ -4,11 +4,11 @@
 // either precision, without a Jacobian matrix.
 //
 // G is what a structured solve makes of a guess, so that the Jacobian of r is the identity up to O(h) where nothing is
-// stiff. x <- x - H r with H = I is the fixed point iteration; every step teaches H what r did along it, and what H knows is
-// kept from solve to solve (methods/implicit/inverse_jacobian.hpp). Where that gains too little, as with stiff springs,
-// the linear equations of a Newton step are solved by conjugate residuals [saad2003, Sec. 6.9] preconditioned with H,
-// products with the Jacobian being difference quotients of r: their directions enter H as well. `forget` drops H:
-// whoever must not depend on earlier steps calls that. Cost and storage are linear in the unknowns where these are
+// stiff. x <- x - H r with H = I is the fixed point iteration; every step teaches H what r did along it, and what H
+// knows is kept from solve to solve (methods/implicit/inverse_jacobian.hpp). Where that gains too little, as with stiff
+// springs, the linear equations of a Newton step are solved by conjugate residuals [saad2003, Sec. 6.9] preconditioned
+// with H, products with the Jacobian being difference quotients of r: their directions enter H as well. `forget` drops
+// H: whoever must not depend on earlier steps calls that. Cost and storage are linear in the unknowns where these are
 // many; all storage is sized in advance.
 //
 // Unknowns are compared by weights that give them one unit. No constant of the iteration has a unit.

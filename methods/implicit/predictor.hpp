@@ -23,8 +23,8 @@ class Predictor {
     bool empty() const { return known_ == 0; }
     /// Appends a new value.
     void push(const VecX& value);
-    /// The degree that would have guessed it best; errors are compared by the largest of their first entries, which are of
-    /// one unit.
+    /// The degree that would have guessed it best; errors are compared by the largest of their first entries, which are
+    /// of one unit.
     int best_degree(Eigen::Index entries) const;
     /// By the polynomial of some degree, at most as high as there are values for.
     void guess(int degree, VecX& value) const;

@@ -74,8 +74,8 @@ void StabilisedStep::weigh_rows(const Real& t, const Real* q, VecX& weights) {
     for (Real& weight : weights) weight = sqrt(weight * unit) / unit;
 }
 
-/// Rows turn with the bodies: with weights of other poses, an eta that moves much looks small. Whether they have changed is
-/// seen now and then; what the iteration has learnt goes with them.
+/// Rows turn with the bodies: with weights of other poses, an eta that moves much looks small. Whether they have
+/// changed is seen now and then; what the iteration has learnt goes with them.
 void StabilisedStep::refresh_rows() {
     constexpr int now_and_then = 8, much = 2;
     if (etas_count_ == 0 || ++steps_ % now_and_then != 0) return;
@@ -112,7 +112,8 @@ Status StabilisedStep::advance(const Real& t, const Real& h, Real* y) {
     return Status::ok;
 }
 
-/// From the guess, and where that leads nowhere from unchanged velocities: springs that are stiff make accelerations swing.
+/// From the guess, and where that leads nowhere from unchanged velocities: springs that are stiff make accelerations
+/// swing.
 Status StabilisedStep::solve() {
     const Status status = newton_.solve(*this, weights_, turned_.data());
     if (status != Status::newton_failed) return status;
@@ -129,8 +130,8 @@ Status StabilisedStep::find_cause() {
                                                                                     : Status::newton_failed;
 }
 
-/// Where something is stiff, its round-off in x' reaches eta: then Phi = 0 is met for the last x, as far as corrections lead
-/// nearer. Beside poses in which rows lose rank they do not.
+/// Where something is stiff, its round-off in x' reaches eta: then Phi = 0 is met for the last x, as far as corrections
+/// lead nearer. Beside poses in which rows lose rank they do not.
 Status StabilisedStep::settle_positions() {
     constexpr int most_corrections = 4;
     if (etas_count_ == 0 || !moves_positions()) return Status::ok;

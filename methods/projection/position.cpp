@@ -9,9 +9,7 @@ namespace {
 class PositionProjection final : public GaussNewtonProjection {
   public:
     using GaussNewtonProjection::GaussNewtonProjection;
-    Status project(const Real& t, Real* y) override {
-        return project_position(t, y);
-    }
+    Status project(const Real& t, Real* y) override { return project_position(t, y); }
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int most_iterations = 50;
 const Real tolerance = 45 * epsilon;  // 1e-14 in double
-constexpr int body_size = 12;  // x and the columns of R
+constexpr int body_size = 12;         // x and the columns of R
 
 class TerzeProjection final : public Projection {
   public:

@@ -9,9 +9,7 @@ namespace {
 class VelocityProjection final : public GaussNewtonProjection {
   public:
     using GaussNewtonProjection::GaussNewtonProjection;
-    Status project(const Real& t, Real* y) override {
-        return project_velocity(t, y);
-    }
+    Status project(const Real& t, Real* y) override { return project_velocity(t, y); }
 };
 
 }  // namespace

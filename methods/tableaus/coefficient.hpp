@@ -12,9 +12,9 @@ struct Coefficient {
     long numerator = 0, denominator = 1;
     const char* digits = nullptr;
 
-    constexpr Coefficient(int integer = 0) : numerator(integer) {}                 // NOLINT: tableaus list these
-    constexpr Coefficient(long p, long q) : numerator(p), denominator(q) {}        //
-    constexpr Coefficient(const char* decimal) : digits(decimal) {}                // NOLINT
+    constexpr Coefficient(int integer = 0) : numerator(integer) {}           // NOLINT: tableaus list these
+    constexpr Coefficient(long p, long q) : numerator(p), denominator(q) {}  //
+    constexpr Coefficient(const char* decimal) : digits(decimal) {}          // NOLINT
     constexpr bool is_zero() const { return !digits && numerator == 0; }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Butcher tableaus of explicit methods, as declared (methods/bound_tableau.hpp binds them to numbers).
+// Butcher tableaus of explicit methods, as declared (methods/tableaus/bound_tableau.hpp binds them to numbers).
 #pragma once
 
 #include <string>

@@ -18,7 +18,9 @@ class Scanner {
     std::size_t at() const { return at_; }
     char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
     bool ended() const { return at_ >= text_.size(); }
-    void advance() { if (!ended()) ++at_; }
+    void advance() {
+        if (!ended()) ++at_;
+    }
     void go(std::size_t byte) { at_ = byte; }
 
     void skip_space() {

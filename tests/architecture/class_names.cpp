@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Two classes of one name in one namespace are one class to the linker, which keeps the member functions of either: the other
-// file then works on memory laid out for something else. No compiler warns, since each sees one of them only.
+// Two classes of one name in one namespace are one class to the linker, which keeps the member functions of either: the
+// other file then works on memory laid out for something else. No compiler warns, since each sees one of them only.
 #include <algorithm>
 #include <array>
 #include <map>

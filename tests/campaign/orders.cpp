@@ -106,9 +106,17 @@ TEST_CASE("the truncated dexpinv has the order its number of brackets allows", "
 
 TEST_CASE("double and quad runs of one cell agree to double round-off", "[campaign]") {
     for (const MethodDescription& method : engine().methods()) {
-        Cell cell{.problem = "forced_heavy_top", .parameters = defaults("forced_heavy_top"), .formulation = "SO3",
-                  .method = method.name, .options = variants(method)[0], .projection = "none", .projection_options = {},
-                  .t_end = 1, .steps = 64, .samples = 0, .metrics = {}};
+        Cell cell{.problem = "forced_heavy_top",
+                  .parameters = defaults("forced_heavy_top"),
+                  .formulation = "SO3",
+                  .method = method.name,
+                  .options = variants(method)[0],
+                  .projection = "none",
+                  .projection_options = {},
+                  .t_end = 1,
+                  .steps = 64,
+                  .samples = 0,
+                  .metrics = {}};
         const Outcome narrow = engine_binary64().run(cell, nullptr, {}),
                       wide = engine_binary128().run(cell, nullptr, {});
         INFO(method.name);

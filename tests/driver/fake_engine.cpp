@@ -98,7 +98,12 @@ std::vector<ProblemDescription> FakeEngine::problems() const {
     return {{"heavy_top", "a top on a pivot", {"source2000"}, {mass, inertia, lever, rotation, amplitude}, false},
             {"free_top", "a free body", {}, {mass, inertia}, true},
             {"double_pendulum", "two links", {}, {bodies}, false},
-            {"multibody", "any mechanism", {}, mechanism(), false, {{"bodies", std::vector<BodyData>{{.name = "rod"}}}},
+            {"multibody",
+             "any mechanism",
+             {},
+             mechanism(),
+             false,
+             {{"bodies", std::vector<BodyData>{{.name = "rod"}}}},
              "experiments/mechanisms/one_rod.json"}};
 }
 

@@ -89,7 +89,7 @@ TEST_CASE("series in closed form") {
     Real binomial = 1;
     for (std::size_t k = 0; k < terms; ++k) {
         geometric[k] = quotient(one, linear, geometric, k), root[k] = square_root(linear, root, k);
-        CHECK(geometric[k] == 1);  // 1 / (1 - s)
+        CHECK(geometric[k] == 1);                    // 1 / (1 - s)
         CHECK(abs(root[k] - binomial) < round_off);  // sqrt(1 - s)
         binomial *= (real(k) - Real(1) / 2) / real(k + 1);
     }

@@ -19,9 +19,7 @@ std::string complaint(Model model, bool project = false) {
     try {
         if (project) project_start(model);
         check_start(model);
-    } catch (const ParameterError& error) {
-        return error.what();
-    }
+    } catch (const ParameterError& error) { return error.what(); }
     const auto s = make_system(model, "SE3");
     const auto y = initial_state(*s, model);
     VecX a(s->velocities());

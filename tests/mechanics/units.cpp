@@ -84,9 +84,7 @@ bool same_start(const Model& model, const Model& other, const Units& u) {
 std::string refusal(const Model& model) {
     try {
         check_start(model);
-    } catch (const ParameterError& error) {
-        return error.what();
-    }
+    } catch (const ParameterError& error) { return error.what(); }
     return "";
 }
 

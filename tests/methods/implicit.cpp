@@ -259,8 +259,7 @@ TEST_CASE("a step without a solution is newton_failed, and leaves the state", "[
         if (!entry.description.implicit) continue;
         INFO(entry.description.name);
         LineSystem system(runaway);
-        const auto integrator =
-            entry.bind(system, default_options(entry.description.options));
+        const auto integrator = entry.bind(system, default_options(entry.description.options));
         Real y[2] = {1, 0};
         CHECK(integrator->step(0, 1, y) == Status::newton_failed);
         CHECK(y[0] == 1);
@@ -282,8 +281,7 @@ TEST_CASE("NaN never ends as ok in an implicit step", "[methods]") {
                                                 << healthy_steps);
                     Trip trip(standard("double_pendulum"), "SO3xR3", entry);
                     PoisonedSystem system(*trip.system);
-                    const auto integrator =
-                        entry.bind(system, default_options(entry.description.options));
+                    const auto integrator = entry.bind(system, default_options(entry.description.options));
                     const Real h = Real(1) / 100;
                     for (int i = 0; i < healthy_steps; ++i)
                         REQUIRE(integrator->step(h * i, h, trip.y.data()) == Status::ok);

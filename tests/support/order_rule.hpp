@@ -25,9 +25,7 @@ inline int declared(const Order& order, const std::string& metric) {
 }
 
 /// Sizes of the quantities on the acceptance problems, for the limits of round-off and of the pre-asymptotic range.
-inline double scale_of(const std::string& metric) {
-    return is_multiplier(metric) ? 100 : is_velocity(metric) ? 5 : 1;
-}
+inline double scale_of(const std::string& metric) { return is_multiplier(metric) ? 100 : is_velocity(metric) ? 5 : 1; }
 
 /// The errors of one quantity, and the bound of the reference's own error.
 struct OrderCurve {

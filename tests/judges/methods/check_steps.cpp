@@ -15,8 +15,7 @@ Objection solves_objection(const Method& entry) {
     return first_objection(entry, [&](const models::Named& named, const std::string& formulation) -> Objection {
         const auto inner = make_system(named.model, formulation);
         SwitchedSystem system(*inner, *inner);
-        const auto integrator =
-            entry.bind(system, default_options(entry.description.options));
+        const auto integrator = entry.bind(system, default_options(entry.description.options));
         std::vector<Real> y = initial_state(*inner, named.model);
         const Real h = Real(1) / 1000;
         Status status = integrator->start(0, y.data());

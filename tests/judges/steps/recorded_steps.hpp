@@ -61,7 +61,6 @@ class RecordedRun {
     void solve_mass(const VecX& q, MatX& rates);
 
   private:
-
     std::unique_ptr<System> system_;
 };
 

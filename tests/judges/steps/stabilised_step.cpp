@@ -93,8 +93,7 @@ Violations generalised_alpha_violations(RecordedRun& run, const AlphaParameters&
 RecordedState state_before(RecordedRun& run) {
     const RecordedState& start = run.states[0];
     const Method& rk4 = method("rkmk/rk4");
-    const auto integrator =
-        rk4.bind(run.system(), stepping::default_options(rk4.description.options));
+    const auto integrator = rk4.bind(run.system(), stepping::default_options(rk4.description.options));
     VecX y(start.q.size() + start.v.size());
     y << start.q, start.v;
     if (integrator->step(start.t, -run.h, y.data()) != Status::ok) throw std::domain_error("the step back fails");

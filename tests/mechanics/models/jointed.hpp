@@ -12,9 +12,9 @@ inline namespace KREISEL_PRECISION {
 namespace models {
 
 inline const std::vector<JointType>& joint_types() {
-    static const std::vector<JointType> all = {JointType::spherical, JointType::revolute, JointType::universal,
+    static const std::vector<JointType> all = {JointType::spherical, JointType::revolute,    JointType::universal,
                                                JointType::prismatic, JointType::cylindrical, JointType::planar,
-                                               JointType::fixed, JointType::distance};
+                                               JointType::fixed,     JointType::distance};
     return all;
 }
 

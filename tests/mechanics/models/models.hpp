@@ -15,9 +15,7 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 namespace models {
 
-inline ParameterValues defaults(const Problem& problem) {
-    return demonstration_parameters(problem.description);
-}
+inline ParameterValues defaults(const Problem& problem) { return demonstration_parameters(problem.description); }
 
 inline Model standard(const std::string& name) {
     const ParameterValues values = defaults(problem(name));
