@@ -12,7 +12,7 @@ namespace kreisel {
 namespace {
 
 template <class Entries, class Write>
-std::string list_of(const Entries& entries, const Write& write) {
+std::string list_text(const Entries& entries, const Write& write) {
     std::string text;
     for (const auto& entry : entries) { text += (text.empty() ? "" : ",") + write(entry); }
     return "[" + text + "]";
@@ -25,7 +25,7 @@ std::string number_text(const std::vector<ProblemEntry>& entries, const std::str
         const double value = std::get<double>(entry.parameters.at(name));
         if (std::find(values.begin(), values.end(), value) == values.end()) { values.push_back(value); }
     }
-    return values.size() == 1 ? json_number(values.front()) : list_of(values, json_number);
+    return values.size() == 1 ? json_number(values.front()) : list_text(values, json_number);
 }
 
 // Entries that came from one, as one again.
@@ -66,14 +66,14 @@ std::string resolved_config(const Config& config) {
     object.member("name", json_text(config.name));
     if (!config.description.empty()) { object.member("description", json_text(config.description)); }
     object.member("kind", json_text(config.kind)).member("precision", json_value(config.precisions));
-    object.member("problems", list_of(as_written(config.problems), problem_text));
+    object.member("problems", list_text(as_written(config.problems), problem_text));
     object.member("formulations", json_value(config.formulations));
-    object.member("methods", list_of(config.methods, optioned_text));
-    object.member("projections", list_of(config.projections, optioned_text));
+    object.member("methods", list_text(config.methods, optioned_text));
+    object.member("projections", list_text(config.projections, optioned_text));
     const auto count = [](long value) { return fmt::format("{}", value); };
     object.member(
         "time",
-        ObjectWriter().member("end", json_number(config.t_end)).member("steps", list_of(config.steps, count)).text());
+        ObjectWriter().member("end", json_number(config.t_end)).member("steps", list_text(config.steps, count)).text());
     object.member("metrics", json_value(config.metrics));
     object.member("output", ObjectWriter().member("samples", count(config.samples)).text());
     if (!config.figure.is_null()) { object.member("figure", config.figure.dump()); }

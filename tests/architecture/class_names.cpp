@@ -56,7 +56,7 @@ std::vector<Definition> definitions(const Source& source) {
     return found;
 }
 
-bool is_numerical(const Source& source) {
+bool holds_classes_of_a_precision(const Source& source) {
     static const std::array<std::string, 5> folders = {"lie", "mechanics", "problems", "methods", "engine"};
     return source.is_cpp() && std::find(folders.begin(), folders.end(), source.folder()) != folders.end();
 }
@@ -67,7 +67,7 @@ std::vector<Finding> check_class_names(const std::vector<Source>& tree) {
     std::map<std::string, std::string> known;
     std::vector<Finding> findings;
     for (const Source& source : tree) {
-        if (!is_numerical(source)) { continue; }
+        if (!holds_classes_of_a_precision(source)) { continue; }
         for (const Definition& definition : definitions(source)) {
             const auto [entry, is_new] = known.insert({definition.name, source.path});
             if (!is_new && entry->second != source.path) {
