@@ -61,7 +61,8 @@ std::map<std::string, fs::path> configs_below(const fs::path& folder) {
 
 fs::path config_file(const fs::path& written) {
     std::error_code none;
-    if (fs::exists(written, none) && !fs::is_directory(written, none)) { return written; }
+    // A folder that is called like a config does not hide it; a path to a folder is refused by the reader.
+    if (fs::exists(written, none) && (is_path(written) || !fs::is_directory(written, none))) { return written; }
     const fs::path folder = shipped_folder();
     const auto shipped = configs_below(folder);
     if (is_path(written)) {

@@ -17,7 +17,7 @@ struct Group {
 std::string note_of(const std::string& label, const Group& group) {
     const ResultRow& row = *group.worst;
     return fmt::format(
-        "{}: {} of {} cells end ok with more than 1 % of a first integral lost, {} by {:.2g} % at most ({}, {}, "
+        "{}: {} of {} cells end ok with more than 1 % of a first integral lost, {} by {:.3g} % at most ({}, {}, "
         "projection {}, {} steps): their other numbers are no more accurate",
         label, group.lost, group.ended, row.lost_integral, 100 * row.lost_share, row.method, row.formulation,
         row.projection, row.steps);

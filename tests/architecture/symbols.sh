@@ -10,10 +10,11 @@ set -euo pipefail
 shared=(
     Cell Column ConstraintSummary Cost Engine Number Outcome Reference ReferenceCheck ReportedBody ReportedReaction        # engine.hpp
     ReportedState SystemSummary Trajectory
+    metric_table                                                # engine/metric_table.hpp
     matches matches_any                                         # support/pattern.hpp: texts
     BodyData ForceData JointData JointType ParameterError                                                                    # mechanics/model/data.hpp
     Elimination eliminate                                       # mechanics/solve/elimination.hpp: the joint graph, integers
-    MethodDescription OptionDescription OptionError Order ProjectionDescription             # methods/contract/description.hpp
+    MethodDescription OptionDescription OptionError Order ProjectionDescription with_defaults # methods/contract/description.hpp
     Coefficient Tableau                                                                           # methods/tableaus/tableau.hpp
     FormulationDescription IntegralDescription ParameterDescription ParameterKind ProblemDescription # problems/description.hpp
 )

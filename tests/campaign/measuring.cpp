@@ -81,13 +81,11 @@ TEST_CASE("a run that has lost a first integral reports it, requested or not", "
         return engine_binary64().run(cell, nullptr, {}).lost;
     };
     CHECK_FALSE(lost("rkmk/rk4", 2000).has_value());
-    const auto energy = lost("rkmk/euler", 2000);
-    REQUIRE(energy.has_value());
-    CHECK(energy->name == "energy");
-    CHECK(energy->share > 0.01);
-    const auto less = lost("rkmk/euler", 8000);
+    const auto vertical = lost("rkmk/euler", 16000), less = lost("rkmk/euler", 32000);
+    REQUIRE(vertical.has_value());
     REQUIRE(less.has_value());
-    CHECK(energy->share / less->share == Approx(4).epsilon(0.25));
+    CHECK(vertical->name == "angular_momentum_vertical");
+    CHECK(vertical->share / less->share == Approx(2).epsilon(0.1));  // it falls with the order of the method
 }
 
 TEST_CASE("a metric of rows that no joint has gives a warning", "[campaign]") {

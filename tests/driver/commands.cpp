@@ -112,7 +112,7 @@ TEST_CASE("list tells all, or one topic") {
 TEST_CASE("info tells parameters, options, integrals and why a formulation is impossible") {
     const auto problem = run_program({"info", "double_pendulum"}).out;
     CHECK(tells(problem, "invariant.energy [J]: forces have a potential"));
-    CHECK(tells(problem, "SO3: not possible: no body turns"));
+    CHECK(tells(problem, "SO3: not possible: no body rotates"));
     const auto top = run_program({"info", "heavy_top"}).out;
     CHECK(tells(top, "mass [kg]: a number greater than 0 (default 15)"));
     CHECK(tells(top, "source2000"));
