@@ -123,7 +123,8 @@ class Run {
     }
 
     void advance(const std::stop_token& stop) {
-        if (const Status status = simulation_.restart(); status != Status::ok) return fail(status, 0, "start");
+        if (const Status status = simulation_.restart(); status != Status::ok)
+            return fail(status, 0, "start", system_.reason(status));
         const long steps = cell_.steps;
         const bool observing = !monitor_.idle(), sampling = cell_.samples > 0;
         for (long i = 0; i < steps; ++i) {
@@ -132,7 +133,7 @@ class Run {
                 return;
             }
             if (const Status status = simulation_.step(h_, time(i + 1)); status != Status::ok)
-                return fail(status, i, simulation_.failed_part());
+                return fail(status, i, simulation_.failed_part(), simulation_.failure_reason());
             if (!all_finite(y_)) return fail(Status::non_finite, i, where_not_finite());
             outcome_.steps_done = i + 1;
             if (observing) monitor_.observe(simulation_.time(), y_.data());
@@ -140,11 +141,11 @@ class Run {
         }
     }
 
-    void fail(Status status, long step, const std::string& where) {
+    void fail(Status status, long step, const std::string& where, const std::string& reason = "") {
         outcome_.status = name(status);
         outcome_.detail = where + " failed in step " + std::to_string(step + 1) + " of " + std::to_string(cell_.steps) +
                           ", from t = " + brief(time(step)) + " s";
-        if (const std::string reason = system_.reason(status); !reason.empty()) outcome_.detail += ": " + reason;
+        if (!reason.empty()) outcome_.detail += ": " + reason;
     }
 
     /// Names the first quantity that is not finite.

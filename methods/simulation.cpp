@@ -10,6 +10,11 @@ Simulation::Simulation(Model model, const Setup& setup)
     const ProjectionMethod& projector = kreisel::projection(setup.projection);
     integrator_ = entry.bind(*system_, with_defaults(setup.options, entry.description.options));
     projection_ = projector.make(*system_, with_defaults(setup.projection_options, projector.description.options));
+    if (SingularPassage::is_possible(model_)) {
+        auto passage = std::make_unique<SingularPassage>(*system_, model_, std::move(projection_));
+        passage_ = passage.get();
+        projection_ = std::move(passage);
+    }
     y_ = initial_state(*system_, model_);
 }
 
@@ -24,11 +29,16 @@ Status Simulation::restart(const Real& t, const std::vector<Real>& y) {
     return restart();
 }
 
-Status Simulation::fail(Status status, const char* part, const std::string& who) {
-    const std::string reason = system_->reason(status);
-    failed_part_ = part + who;
-    failure_ = failed_part_ + ": " + name(status) + (reason.empty() ? "" : ", " + reason);
+Status Simulation::fail(Status status, const std::string& part, const std::string& reason) {
+    failed_part_ = part, failure_reason_ = reason;
+    failure_ = part + ": " + name(status) + (reason.empty() ? "" : ", " + reason);
     return status;
+}
+
+Status Simulation::fail_after(Status status) {
+    if (passage_ && !passage_->reason().empty())
+        return fail(status, "state after a step of " + setup_.method, passage_->reason());
+    return fail(status, "projection " + setup_.projection, system_->reason(status));
 }
 
 }  // namespace KREISEL_PRECISION

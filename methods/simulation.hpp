@@ -15,6 +15,7 @@
 #include "mechanics/formulation.hpp"
 #include "methods/contract/integrator.hpp"
 #include "methods/contract/projection.hpp"
+#include "methods/passage.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -60,9 +61,8 @@ class Simulation {
     Status step(const Real& h) { return step(h, t_ + h); }
     Status step(const Real& h, const Real& end) {
         if (const Status status = integrator_->step(t_, h, y_.data()); status != Status::ok)
-            return fail(status, "step of ", setup_.method);
-        if (const Status status = projection_->project(end, y_.data()); status != Status::ok)
-            return fail(status, "projection ", setup_.projection);
+            return fail(status, "step of " + setup_.method, system_->reason(status));
+        if (const Status status = projection_->project(end, y_.data()); status != Status::ok) return fail_after(status);
         t_ = end;
         return Status::ok;
     }
@@ -72,7 +72,8 @@ class Simulation {
     template <class Observer>
     Status advance(const Real& t_end, long steps, Observer observe) {
         const Real begin = t_, h = (t_end - begin) / Real(steps);
-        if (const Status status = restart(); status != Status::ok) return fail(status, "start", "");
+        if (const Status status = restart(); status != Status::ok)
+            return fail(status, "start", system_->reason(status));
         for (long i = 1; i <= steps; ++i) {
             if (const Status status = step(h, i == steps ? t_end : Real(begin + h * Real(i))); status != Status::ok)
                 return status;
@@ -87,19 +88,23 @@ class Simulation {
     /// What the last status that is not ok came from, "step of rkmk/rk4"; and with the status and the system's
     /// explanation of it, "step of rkmk/rk4: left_chart".
     const std::string& failed_part() const { return failed_part_; }
+    const std::string& failure_reason() const { return failure_reason_; }  ///< empty where nothing more is known
     const std::string& failure() const { return failure_; }
 
   private:
-    Status fail(Status status, const char* part, const std::string& who);
+    Status fail(Status status, const std::string& part, const std::string& reason);
+    /// After a step that has succeeded.
+    Status fail_after(Status status);
 
     Setup setup_;
     Model model_;
     std::unique_ptr<System> system_;
     std::unique_ptr<Integrator> integrator_;
     std::unique_ptr<Projection> projection_;
+    SingularPassage* passage_ = nullptr;  // the projection, where the model has closed loops
     Real t_ = 0;
     std::vector<Real> y_;
-    std::string failed_part_, failure_;
+    std::string failed_part_, failure_reason_, failure_;
 };
 
 }  // namespace KREISEL_PRECISION

@@ -5,12 +5,13 @@
 
 #include "mechanics/formulations/bodies.hpp"
 #include "mechanics/solve/joint_solver.hpp"
+#include "mechanics/solve/pivot_record.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 template <class Coordinates>
-class JointedBodies final : public Bodies<Coordinates> {
+class JointedBodies final : public Bodies<Coordinates>, public PivotRecord {
   public:
     explicit JointedBodies(Model model, SolverChoice choice = SolverChoice::automatic);
 
@@ -21,6 +22,7 @@ class JointedBodies final : public Bodies<Coordinates> {
     Status minimise_multipliers(const Real& t, const Real* q, Real* lambda) override;
     /// The complement loses twice the digits that its rows lose.
     Real kkt_round_off() const override { return epsilon / solver_.pivot(); }
+    Real least_pivot() override { return solver_.least_pivot(); }
     ConstraintRank constraint_rank() const override { return solver_.constraint_rank(); }
     std::string reason(Status status) const override {
         if (status == Status::newton_failed) return solver_.weakness();

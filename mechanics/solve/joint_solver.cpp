@@ -269,6 +269,7 @@ Status JointSolver::choose_and_factor() {
     if (rows_.empty()) return Status::ok;
     pivot_ = factor();
     if (!isfinite(pivot_)) return Status::non_finite;
+    least_pivot_ = min(least_pivot_, pivot_);
     doubtful_ = pivot_ <= doubtful_pivot;
     return doubtful_ ? choose_again() : Status::ok;
 }

@@ -15,6 +15,8 @@
 // unit of mechanics/model/scales.hpp.
 #pragma once
 
+#include <utility>
+
 #include "mechanics/joints/joint_rows.hpp"
 #include "mechanics/solve/block_matrix.hpp"
 #include "mechanics/solve/rank.hpp"
@@ -57,6 +59,8 @@ class JointSolver {
     void minimise_norm(VecX& lambda);
     /// Smallest pivot of the last factors, relative to its diagonal entry.
     const Real& pivot() const { return pivot_; }
+    /// The smallest of all factors since the last call; 1 without any.
+    Real least_pivot() { return std::exchange(least_pivot_, Real(1)); }
     /// After multipliers(): whether the null space of C^T does not touch a row, so that its multiplier is unique.
     bool is_unique(Eigen::Index row) const { return complete_ || share_[row] <= touched; }
     /// kg; forces of `mobility` and `multipliers` are divided by it.
@@ -133,7 +137,7 @@ class JointSolver {
     std::optional<Real> condition_;  // once requested
     bool complete_ = true;           // no row is dropped
     bool doubtful_ = false;          // the last factors have small pivots
-    Real pivot_ = 1;
+    Real pivot_ = 1, least_pivot_ = 1;
     std::vector<Real> length_;         // of each body
     std::vector<std::size_t> island_;  // of each joint
     std::vector<Real> largest_;        // by island
