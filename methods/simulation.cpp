@@ -35,6 +35,10 @@ Status Simulation::fail(Status status, const std::string& part, const std::strin
     return status;
 }
 
+Status Simulation::fail_in_step(Status status) {
+    return fail(status, "step of " + setup_.method, system_->reason(status));
+}
+
 Status Simulation::fail_after(Status status) {
     if (passage_ && !passage_->reason().empty())
         return fail(status, "state after a step of " + setup_.method, passage_->reason());

@@ -61,7 +61,7 @@ class Simulation {
     Status step(const Real& h) { return step(h, t_ + h); }
     Status step(const Real& h, const Real& end) {
         if (const Status status = integrator_->step(t_, h, y_.data()); status != Status::ok)
-            return fail(status, "step of " + setup_.method, system_->reason(status));
+            return fail_in_step(status);
         if (const Status status = projection_->project(end, y_.data()); status != Status::ok) return fail_after(status);
         t_ = end;
         return Status::ok;
@@ -93,8 +93,10 @@ class Simulation {
 
   private:
     Status fail(Status status, const std::string& part, const std::string& reason);
+    // Texts stay out of `step`, which is inlined into loops.
+    [[gnu::cold]] Status fail_in_step(Status status);
     /// After a step that has succeeded.
-    Status fail_after(Status status);
+    [[gnu::cold]] Status fail_after(Status status);
 
     Setup setup_;
     Model model_;
