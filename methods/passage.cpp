@@ -12,7 +12,8 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-// A projected linkage is 1e-13 to 1e-10 off, and one that is 1e-6 off has velocities that are wrong by some 1e-5 behind it.
+// Measured on a parallelogram through its flat poses: 1e-13 to 1e-10 with projection; where the distance was 1e-6,
+// velocities were wrong by some 1e-5 afterwards.
 const Real most_distance = Real(1) / 1000000, least_pivot = Real(1) / 1000;
 
 }  // namespace

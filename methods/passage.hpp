@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Beside a pose in which the constraints lose rank, what a state is off its constraints decides where it goes from there: with
-// pivots p times those at the start, a residual r of a row stands for a distance r / sqrt(p) from the constraints. A run that
-// does not project then moves on in some way, and all numbers look sound. Only closed loops have such poses.
+// Beside a pose in which the constraints lose rank, what a state is off its constraints decides where it goes from
+// there: with pivots p times those at the start, a residual r of a row stands for a distance r / sqrt(p) from the
+// constraints. A run that does not project then moves on in some way, and all numbers look sound. Only closed loops
+// have such poses.
 #pragma once
 
 #include <memory>
@@ -25,9 +26,9 @@ class SingularPassage final : public Projection {
     /// Of a system of this model. Sizes its work space; `project` allocates nothing but its reason.
     SingularPassage(System& system, const Model& model, std::unique_ptr<Projection> projection);
 
-    /// The status of the projection; if that is ok, singular_kkt where the least pivot since the last call is below 1/1000
-    /// of that of the first and the distance is above 1e-6, of positions relative to System::row_scale, of velocities
-    /// to the rate of the motion too.
+    /// The status of the projection; if that is ok, singular_kkt where the least pivot since the last call is below
+    /// 1/1000 of that of the first and the distance is above 1e-6, of positions relative to System::row_scale, of
+    /// velocities to the rate of the motion too.
     Status project(const Real& t, Real* y) override;
     /// After such a singular_kkt: which joint, and what would help; else empty.
     const std::string& reason() const { return reason_; }
