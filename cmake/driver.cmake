@@ -4,9 +4,11 @@ file(GLOB_RECURSE driver_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/driver/*.
 list(REMOVE_ITEM driver_sources ${CMAKE_SOURCE_DIR}/driver/main.cpp)
 add_library(kreisel_driver OBJECT ${driver_sources})
 kreisel_unite(kreisel_driver)
+kreisel_precompile(kreisel_driver driver)
 add_dependencies(kreisel_driver kreisel_commit)
 target_sources(kreisel_driver PRIVATE ${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp)
-set_source_files_properties(${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+set_source_files_properties(${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON
+                                                                                        SKIP_PRECOMPILE_HEADERS ON)
 target_include_directories(kreisel_driver PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
 target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 GSL::gsl Threads::Threads)
 

@@ -27,12 +27,7 @@ function(kreisel_layer precision layer)
   file(GLOB sources CONFIGURE_DEPENDS ${ARGN})
   add_library(kreisel_${layer}_${precision} OBJECT ${sources})
   target_link_libraries(kreisel_${layer}_${precision} PUBLIC kreisel_flags_${precision})
-  if(KREISEL_PCH AND layer STREQUAL "lie")
-    target_precompile_headers(kreisel_lie_${precision} PRIVATE ${CMAKE_SOURCE_DIR}/lie/linear.hpp <functional> <map>
-                              <memory> <optional> <sstream> <variant> <vector>)
-  elseif(KREISEL_PCH)
-    target_precompile_headers(kreisel_${layer}_${precision} REUSE_FROM kreisel_lie_${precision})
-  endif()
+  kreisel_precompile(kreisel_${layer}_${precision} numerics_${precision})
   target_sources(kreisel_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_${layer}_${precision}>)
   set(KREISEL_OBJECTS_${precision} ${KREISEL_OBJECTS_${precision}} $<TARGET_OBJECTS:kreisel_${layer}_${precision}>
       PARENT_SCOPE)

@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problems/problem.hpp"
 
-#include <algorithm>
-#include <stdexcept>
+#include "support/registered.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
-
-namespace {
-
-std::vector<Problem>& registry() {
-    static std::vector<Problem> all;
-    return all;
-}
-
-}  // namespace
 
 ProblemRegistration::ProblemRegistration(const char* file, Model (*build)(const Parameters&),
                                          ProblemDescription description,
                                          std::vector<BodyState> (*closed_form)(const Parameters&, const Real&)) {
     description.closed_form = closed_form != nullptr;
-    registry().push_back({std::move(description), build, closed_form, file});
+    Registered<Problem>::add({std::move(description), build, closed_form, file});
 }
 
 int Parameters::count(const std::string& name) const {
@@ -30,21 +20,9 @@ int Parameters::count(const std::string& name) const {
     return static_cast<int>(value);
 }
 
-const std::vector<Problem>& problems() {
-    static const std::vector<Problem> sorted = [] {
-        auto all = registry();
-        std::sort(all.begin(), all.end(),
-                  [](const Problem& a, const Problem& b) { return a.description.name < b.description.name; });
-        return all;
-    }();
-    return sorted;
-}
+const std::vector<Problem>& problems() { return Registered<Problem>::all(); }
 
-const Problem& problem(const std::string& name) {
-    for (const Problem& entry : problems())
-        if (entry.description.name == name) return entry;
-    throw std::out_of_range("no problem \"" + name + "\"");
-}
+const Problem& problem(const std::string& name) { return Registered<Problem>::named(name, "problem"); }
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

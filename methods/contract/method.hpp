@@ -12,6 +12,7 @@
 
 #include "methods/contract/description.hpp"
 #include "methods/tableaus/tableau.hpp"
+#include "support/unique_name.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -59,8 +60,9 @@ struct MethodRegistration {
 };
 
 /// KREISEL_METHOD(factory, {.name = "family/scheme", .order = p, .cites = {...}, .summary = "..."}).
-#define KREISEL_METHOD(factory, ...) \
-    static const ::kreisel::MethodRegistration kreisel_method_registration(__FILE__, factory, __VA_ARGS__)
+#define KREISEL_METHOD(factory, ...)                                                                               \
+    static const ::kreisel::MethodRegistration KREISEL_UNIQUE_NAME(kreisel_method_registration)(__FILE__, factory, \
+                                                                                                __VA_ARGS__)
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -12,6 +12,7 @@
 #include "lie/real.hpp"
 #include "lie/status.hpp"
 #include "methods/contract/description.hpp"
+#include "support/unique_name.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -46,8 +47,9 @@ struct ProjectionRegistration {
 };
 
 /// KREISEL_PROJECTION({description}, make).
-#define KREISEL_PROJECTION(...) \
-    static const ::kreisel::ProjectionRegistration kreisel_projection_registration(__FILE__, __VA_ARGS__)
+#define KREISEL_PROJECTION(...)                                                                                   \
+    static const ::kreisel::ProjectionRegistration KREISEL_UNIQUE_NAME(kreisel_projection_registration)(__FILE__, \
+                                                                                                        __VA_ARGS__)
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

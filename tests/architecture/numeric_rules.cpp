@@ -15,7 +15,7 @@ namespace architecture {
 namespace {
 
 bool is_numerical(const Source& source) {
-    static const std::array<std::string_view, 4> folders = {"lie", "mechanics", "problems", "methods"};
+    static const std::array<std::string_view, 5> folders = {"lie", "mechanics", "problems", "methods", "engine"};
     return source.is_cpp() && std::find(folders.begin(), folders.end(), source.folder()) != folders.end();
 }
 

@@ -13,6 +13,8 @@ const std::string interface = "engine/engine.hpp";
 const std::string metrics = "engine/metric_table.hpp";
 const std::string equations = "mechanics/system.hpp";
 const std::string axes = "mechanics/space_axes.hpp";
+const std::string registered = "support/registered.hpp";
+const std::string unique = "support/unique_name.hpp";
 
 // From the bottom up; CONTRIBUTING.md draws the same.
 const std::vector<Room>& rooms() {
@@ -31,9 +33,11 @@ const std::vector<Room>& rooms() {
          numbers},
         {"mechanics", {"mechanics", "lie"}, numbers},
         {"problems/reading", {"mechanics", "lie"}, numbers},
-        {"problems", {"problems", "mechanics", "lie"}, {"Eigen/", "boost/multiprecision/", "boost/math/"}},
+        {"problems",
+         {"problems", "mechanics", "lie", registered, unique},
+         {"Eigen/", "boost/multiprecision/", "boost/math/"}},
         {"methods/tableaus", {"lie"}, numbers},
-        {"methods/contract", {"methods/tableaus", "mechanics", "lie"}, numbers},
+        {"methods/contract", {"methods/tableaus", "mechanics", "lie", registered, unique}, numbers},
         {"methods/implicit", {"mechanics", "lie"}, numbers},
         {"methods", {"methods/contract", "methods/tableaus", "methods/implicit", "mechanics", "lie"}, numbers},
         {metrics, {}, {}},

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "methods/contract/turn_counting.hpp"
+
 #include <algorithm>
 
 #include "mechanics/system.hpp"
-#include "methods/contract/integrator.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -40,10 +41,9 @@ class TurnCounting final : public Integrator {
 
 }  // namespace
 
-std::unique_ptr<Integrator> Method::bind(System& system, const OptionValues& options) const {
-    auto integrator = factory.make(system, options, description);
-    if (system.torsion_springs() == 0) return integrator;
-    return std::make_unique<TurnCounting>(system, std::move(integrator));
+std::unique_ptr<Integrator> counting_turns(System& system, std::unique_ptr<Integrator> method) {
+    if (system.torsion_springs() == 0) return method;
+    return std::make_unique<TurnCounting>(system, std::move(method));
 }
 
 }  // namespace KREISEL_PRECISION

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "methods/contract/integrator.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// The method, which tells the system where its steps begin and end, so that torsion springs count full turns
+/// (mechanics/forces/turns.hpp); itself where there are none.
+std::unique_ptr<Integrator> counting_turns(System& system, std::unique_ptr<Integrator> method);
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
