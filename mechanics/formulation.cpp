@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mechanics/formulation.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <tuple>
 
-#include "mechanics/formulations/jointed_bodies.hpp"
-#include "mechanics/formulations/pivoted_bodies.hpp"
-#include "mechanics/formulations/spherical_bodies.hpp"
 #include "mechanics/integrals.hpp"
 
 namespace kreisel {
@@ -13,32 +12,26 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-std::string always(const Model&) { return ""; }
-
-/// Spherical joints without loops have a solver of their own.
-template <class Coordinates>
-std::unique_ptr<System> make_bodies(const Model& model) {
-    if (SphericalBodies<Coordinates>::fits(model)) return std::make_unique<SphericalBodies<Coordinates>>(model);
-    return std::make_unique<JointedBodies<Coordinates>>(model);
+std::vector<Formulation>& registry() {
+    static std::vector<Formulation> all;
+    return all;
 }
-
-std::unique_ptr<System> make_pivoted(const Model& model) { return std::make_unique<PivotedBodies>(model); }
 
 }  // namespace
 
+FormulationRegistration::FormulationRegistration(Formulation formulation) {
+    registry().push_back(std::move(formulation));
+}
+
 const std::vector<Formulation>& formulations() {
-    static const std::vector<Formulation> all = {
-        {"SO3xR3", "rotation and position of each body apart: q = (x, R), v = (x', omega); joints are constraints",
-         always, make_bodies<SO3xR3Coordinates>},
-        {"SE3", "rigid displacement of each body: q = (x, R), v = (R^T x', omega); joints are constraints", always,
-         make_bodies<SE3Coordinates>},
-        {"S3xR3",
-         "unit quaternion and position of each body apart: q = (x, a), v = (x', omega); joints are constraints", always,
-         make_bodies<S3xR3Coordinates>},
-        {"SO3", "bodies that turn about a fixed point: q = R, v = omega; no constraint is left", PivotedBodies::why_not,
-         make_pivoted},
-    };
-    return all;
+    static const std::vector<Formulation> sorted = [] {
+        auto all = registry();
+        std::sort(all.begin(), all.end(), [](const Formulation& a, const Formulation& b) {
+            return std::tie(a.place, a.name) < std::tie(b.place, b.name);
+        });
+        return all;
+    }();
+    return sorted;
 }
 
 const Formulation& formulation(const std::string& name) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lie/linear.hpp"
+#include "mechanics/blocks/solver_choice.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -45,8 +46,6 @@ std::unique_ptr<BlockSolver> graph_solver(const BlockMatrix& pattern);
 /// Scalar sparse LDL^T in an approximate minimum degree order: for many loops.
 std::unique_ptr<BlockSolver> sparse_solver(const BlockMatrix& pattern);
 
-/// Which of these; `automatic` decides by the structure.
-enum class SolverChoice { automatic, dense, graph, sparse };
 std::unique_ptr<BlockSolver> make_solver(const BlockMatrix& pattern, SolverChoice choice);
 
 }  // namespace KREISEL_PRECISION
