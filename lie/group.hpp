@@ -76,6 +76,12 @@ class TangentGroup final : public Group {
   public:
     explicit TangentGroup(std::shared_ptr<const Group> base);
     const Group& base() const { return *base_; }
+    /// The velocity part of an element y = (q, v), and of an algebra element z = (v, v').
+    const Real* v(const Real* y) const { return y + base_->size(); }
+    Real* v(Real* y) const { return y + base_->size(); }
+    const Real* dv(const Real* z) const { return z + base_->dim(); }
+    Real* dv(Real* z) const { return z + base_->dim(); }
+
     void identity(Real* y) const override;
     void multiply(const Real* a, const Real* b, Real* out) const override;
     void inverse(const Real* a, Real* out) const override;

@@ -39,7 +39,7 @@ class Start {
 
     System& system() { return *system_; }
     Real* q() { return y_.data(); }
-    Real* v() { return y_.data() + system_->group().size(); }
+    Real* v() { return system_->v(y_.data()); }
     Eigen::Map<VecX> velocities() { return Eigen::Map<VecX>(v(), n_); }
 
     VecX position_residual() {

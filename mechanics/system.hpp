@@ -62,6 +62,12 @@ class System {
     int velocities() const { return group_->dim(); }                    ///< n
     virtual int constraints() const { return 0; }                       ///< m, rows of C
     virtual int position_constraints() const { return constraints(); }  ///< rows of Phi, the first of C
+    /// The parts of a state y = (q, v) in TG, and v' of a slope z = (v, v').
+    const Real* q(const Real* y) const { return y; }
+    Real* q(Real* y) const { return y; }
+    const Real* v(const Real* y) const { return state_group_.v(y); }
+    Real* v(Real* y) const { return state_group_.v(y); }
+    Real* dv(Real* z) const { return state_group_.dv(z); }
 
     /// v' at (q, v). Counted as a solve of the dynamics.
     Status evaluate(const Real& t, const Real* q, const Real* v, Real* dv) {
@@ -70,9 +76,9 @@ class System {
     }
     /// Right-hand side of y' = y F(t, y) on TG: z = (v, v') [terzezlatarmueller, eq. 9].
     Status vector_field(const Real& t, const Real* y, Real* z) {
-        const Real* v = y + group_->size();
-        for (int i = 0; i < velocities(); ++i) z[i] = v[i];
-        return evaluate(t, y, v, z + velocities());
+        const Real* velocity = v(y);
+        for (int i = 0; i < velocities(); ++i) z[i] = velocity[i];
+        return evaluate(t, q(y), velocity, dv(z));
     }
     /// For methods that evaluate the equations of motion instead of solving them: counted alike.
     void count_evaluation() { ++evaluations_; }

@@ -65,7 +65,7 @@ Status SingularPassage::check(const Real& t, const Real* y) {
     system_.position_residual(t, y, residual_.data());
     std::pair<Real, std::size_t> found = worst(1);
     if (const Real unit = rate(y); unit > 0) {
-        system_.velocity_residual(t, y, y + system_.group().size(), residual_.data());
+        system_.velocity_residual(t, y, system_.v(y), residual_.data());
         const auto moving = worst(unit);
         if (moving.first > found.first) found = moving;
     }

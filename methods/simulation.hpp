@@ -41,12 +41,10 @@ class Simulation {
     const System& system() const { return *system_; }
     const Projection& projection() const { return *projection_; }
 
-    const Real& time() const { return t_; }                ///< s
-    const std::vector<Real>& state() const { return y_; }  ///< y = (q, v) in TG
-    const Real* q() const { return y_.data(); }            ///< configuration
-    const Real* v() const {
-        return y_.data() + system_->group().size();
-    }  ///< velocities, in the coordinates of the formulation
+    const Real& time() const { return t_; }                  ///< s
+    const std::vector<Real>& state() const { return y_; }    ///< y = (q, v) in TG
+    const Real* q() const { return y_.data(); }              ///< configuration
+    const Real* v() const { return system_->v(y_.data()); }  ///< velocities, in the coordinates of the formulation
     std::vector<BodyState> bodies() const;
     /// The method's own multipliers after the last step, or null (Integrator::multipliers).
     const Real* multipliers() const { return integrator_->multipliers(); }

@@ -73,7 +73,7 @@ Motion QuaternionForm::motion(const Real* w, int body) const {
 /// Flat state of SO3xR3: (x, R) of each body, the angles of torsion springs, then (x', omega) of each body.
 void QuaternionForm::load(const Real* w) {
     Real* q = y_.data();
-    Real* v = q + system_->group().size();
+    Real* v = system_->v(q);
     for (int i = 0; i < bodies_; ++i, w += body_size, q += 12, v += 6) {
         store(vec3(w), q), store(rotation_of_quaternion(w + 3), q + 3);
         store(vec3(w + 7), v), store(vec3(w + 10), v + 3);
@@ -83,7 +83,7 @@ void QuaternionForm::load(const Real* w) {
 
 Status QuaternionForm::rate(const Real& t, const Real* w, Real* dw) {
     load(w);
-    const Real* v = y_.data() + system_->group().size();
+    const Real* v = system_->v(y_.data());
     if (const Status s = system_->accelerations(t, y_.data(), v, acceleration_.data(), nullptr); s != Status::ok)
         return s;
     Real* theta_rate = dw + body_size * bodies_;
@@ -110,7 +110,7 @@ std::vector<BodyState> QuaternionForm::states(const Real* w) const {
 Status QuaternionForm::multipliers(const Real& t, const Real* w, std::vector<Real>& lambda) {
     load(w);
     lambda.resize(rows_.size());
-    const Real* v = y_.data() + system_->group().size();
+    const Real* v = system_->v(y_.data());
     return system_->accelerations(t, y_.data(), v, acceleration_.data(), lambda.data());
 }
 
@@ -119,7 +119,7 @@ QuaternionForm::Residual QuaternionForm::residual(const Real& t, const Real* w) 
     const auto norm = [&](int rows) { return Eigen::Map<const VecX>(rows_.data(), rows).norm(); };
     system_->position_residual(t, y_.data(), rows_.data());
     const Real position = norm(system_->position_constraints());
-    system_->velocity_residual(t, y_.data(), y_.data() + system_->group().size(), rows_.data());
+    system_->velocity_residual(t, y_.data(), system_->v(y_.data()), rows_.data());
     return {position, norm(system_->constraints())};
 }
 
@@ -127,7 +127,7 @@ QuaternionForm::AccelerationScale QuaternionForm::acceleration_scale(const Real&
     std::vector<Real> lambda;
     AccelerationScale squares;
     if (multipliers(t, w, lambda) != Status::ok) return squares;
-    const Real *q = y_.data(), *v = q + system_->group().size();
+    const Real *q = y_.data(), *v = system_->v(q);
     const Eigen::Index n = system_->velocities();
     VecX applied(n), gyroscopic(n);
     system_->applied_force(t, q, v, applied.data());

@@ -9,7 +9,6 @@
 
 #include "engine/reference/gbs.hpp"
 #include "engine/reference/quaternion_form.hpp"
-#include "lie/so3.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -178,17 +177,10 @@ void compare_ends(QuaternionForm& form, const Real& t_end, const Run& coarse, co
     const Real *a = coarse.states.back().data(), *b = fine.states.back().data();
     out.states = form.states(b);
     out.angles = form.angles(b);
-    const std::vector<BodyState> others = form.states(a);
-    Real x = 0, angle = 0, v = 0, omega = 0;
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        const BodyState &one = out.states[i], &other = others[i];
-        x += (one.x - other.x).squaredNorm(), v += (one.v - other.v).squaredNorm();
-        angle += SO3::log(other.R.transpose() * one.R).squaredNorm();
-        omega += (one.omega - other.omega).squaredNorm();
-    }
+    const Distance apart = distance(out.states, form.states(a));
     const auto drift = form.residual(t_end, b);
-    out.position_error = max(Real(sqrt(x)), drift.position), out.rotation_error = sqrt(angle);
-    out.velocity_error = max(Real(sqrt(v)), drift.velocity), out.omega_error = sqrt(omega);
+    out.position_error = max(apart.position, drift.position), out.rotation_error = apart.rotation;
+    out.velocity_error = max(apart.velocity, drift.velocity), out.omega_error = apart.omega;
     if (form.has_redundant_rows()) return;
     std::vector<Real> lambda;
     for (const Status s : {form.multipliers(t_end, a, lambda), form.multipliers(t_end, b, out.multipliers)})

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/reference/taylor_series.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -11,33 +10,33 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Below this ratio of pivots a row counts as dependent: a start may violate its joints by 1e-9.
-const Real dependence = Real(1) / 10000000;
-/// Pivots of S are squares of those, except for the masses: below this fraction of its diagonal, rank is determined
-/// anew.
-const Real doubtful = Real(1) / 10000000000;
+std::vector<BodySeries> bodies_and_ground(const Model& model, std::size_t size) {
+    std::vector<BodySeries> bodies;
+    for (const Body& body : model.bodies) bodies.emplace_back(body, size);
+    bodies.push_back(BodySeries::fixed(size));
+    return bodies;
+}
+
+std::size_t checked(int order) {
+    if (order < 2) throw std::invalid_argument("a Taylor series of motion needs an order of at least 2");
+    return static_cast<std::size_t>(order);
+}
 
 }  // namespace
 
-TaylorSeries::TaylorSeries(const Model& model, int order) : order_(static_cast<std::size_t>(order)) {
-    if (order < 2) throw std::invalid_argument("a Taylor series of motion needs an order of at least 2");
-    for (const Body& body : model.bodies) bodies_.emplace_back(body, order_ + 2);
-    bodies_.push_back(BodySeries::fixed(order_ + 2));
+TaylorSeries::TaylorSeries(const Model& model, int order)
+    : order_(checked(order)),
+      bodies_(bodies_and_ground(model, order_ + 2)),
+      joints_(joints_of(model)),
+      complement_(model, bodies_, joints_),
+      reaction_(bodies_.size()) {
     add_forces(model);
-    for (const Joint& joint : model.joints) {
-        joints_.emplace_back(joint, at(joint.first), at(joint.second));
-        for (int row = 0; row < joints_.back().rows(); ++row)
-            rows_.push_back({joints_.size() - 1, row, joints_.back().scale(row)});
-    }
-    for (const BodySeries& body : bodies_) lengths_.push_back(body.radius());
-    for (const Joint& joint : model.joints)
-        for (const auto& [body, arm] : {std::pair(joint.first, joint.r_first), std::pair(joint.second, joint.r_second)})
-            if (body != ground) {
-                Real& length = lengths_[static_cast<std::size_t>(body)];
-                length = max(length, Real(arm.norm()));
-            }
-    reaction_.resize(bodies_.size());
-    A_.resize(6 * static_cast<Eigen::Index>(model.bodies.size()), static_cast<Eigen::Index>(rows_.size()));
+}
+
+std::vector<JointSeries> TaylorSeries::joints_of(const Model& model) {
+    std::vector<JointSeries> joints;
+    for (const Joint& joint : model.joints) joints.emplace_back(joint, at(joint.first), at(joint.second));
+    return joints;
 }
 
 void TaylorSeries::add_forces(const Model& model) {
@@ -50,122 +49,58 @@ void TaylorSeries::add_forces(const Model& model) {
         forces_.push_back(std::make_unique<TorsionSpringSeries>(spring, at(spring.first), at(spring.second)));
 }
 
-void TaylorSeries::weigh() {
-    A_.setZero();
-    for (std::size_t c = 0; c < rows_.size(); ++c) {
-        const auto& [index, row, scale] = rows_[c];
-        const JointSeries& joint = joints_[index];
-        const auto add = [&, size = scale](const BodySeries& body, const JointSeries::Wrench& wrench) {
-            if (body.is_fixed()) return;
-            const auto place = 6 * static_cast<Eigen::Index>(&body - bodies_.data());
-            A_.block<6, 1>(place, static_cast<Eigen::Index>(c)) += body.weighted(wrench.force, wrench.moment) / size;
-        };
-        add(joint.first(), joint.on_first(row)), add(joint.second(), joint.on_second(row));
+Status TaylorSeries::expand(const Real& t, const std::vector<BodyState>& states) {
+    if (const Status status = start(t, states); status != Status::ok) return status;
+    for (std::size_t k = 0; k < order_; ++k) {
+        move_freely(k);
+        if (joints_.empty()) continue;
+        if (const Status status = constrain(k); status != Status::ok) return status;
     }
+    return is_finite() ? Status::ok : Status::non_finite;
 }
 
-/// False where the rank has changed since the first expansion.
-bool TaylorSeries::decompose() {
-    weigh();
-    if ((factored_ = rank_ == A_.cols() && factor() > doubtful)) return true;
-    const Eigen::Index rank = geometric_rank();
-    if (rank_ < 0) rank_ = rank;
-    if (rank != rank_) return false;
-    if ((factored_ = rank == A_.cols() && factor() > 0)) return true;
-    if (rank == 0) {
-        inverse_.setZero(A_.cols(), A_.rows());
-        return true;
+Status TaylorSeries::start(const Real& t, const std::vector<BodyState>& states) {
+    Real sum = 0;
+    for (const BodyState& s : states) sum += s.x.sum() + s.R.sum() + s.v.sum() + s.omega.sum();
+    if (!isfinite(sum)) return Status::non_finite;
+    for (std::size_t i = 0; i < states.size(); ++i) bodies_[i].start(states[i]);
+    for (const auto& force : forces_) {
+        force->start(t);
+        if (force->has_parted(0)) return Status::turn_lost;
     }
-    Eigen::CompleteOrthogonalDecomposition<MatX> decomposition(A_.rows(), A_.cols());
-    const auto pivot = [&, qr = Eigen::ColPivHouseholderQR<MatX>(A_)](Eigen::Index i) {
-        return i < min(A_.rows(), A_.cols()) ? Real(abs(qr.matrixQR()(i, i))) : Real(0);
-    };
-    decomposition.setThreshold((pivot(rank - 1) + pivot(rank)) / (2 * pivot(0)));
-    decomposition.compute(A_);
-    inverse_ = decomposition.pseudoInverse();
-    return decomposition.rank() == rank;
+    for (JointSeries& joint : joints_) joint.start(t);
+    return Status::ok;
 }
 
-/// Of C^T with torques over lengths of their bodies and columns of length 1: independent of masses and units.
-Eigen::Index TaylorSeries::geometric_rank() const {
-    MatX C = MatX::Zero(A_.rows(), A_.cols());
-    for (std::size_t c = 0; c < rows_.size(); ++c) {
-        const JointSeries& joint = joints_[rows_[c].joint];
-        const auto add = [&](const BodySeries& body, const JointSeries::Wrench& wrench) {
-            if (body.is_fixed()) return;
-            const Real& length = lengths_[static_cast<std::size_t>(&body - bodies_.data())];
-            Eigen::Matrix<Real, 6, 1> both;
-            both << wrench.force, wrench.moment / (length > 0 ? length : Real(1));
-            C.block<6, 1>(6 * (&body - bodies_.data()), static_cast<Eigen::Index>(c)) += both;
-        };
-        add(joint.first(), joint.on_first(rows_[c].row)), add(joint.second(), joint.on_second(rows_[c].row));
-    }
-    Eigen::ColPivHouseholderQR<MatX> qr;
-    qr.setThreshold(dependence);
-    qr.compute(C.colwise().normalized());
-    return qr.rank();
+void TaylorSeries::move_freely(std::size_t k) {
+    for (BodySeries& body : bodies_) body.begin(k);
+    for (const auto& force : forces_) force->act(k);
+    for (JointSeries& joint : joints_) joint.react(k);
+    for (std::size_t i = 0; i + 1 < bodies_.size(); ++i) bodies_[i].advance(k);
 }
 
-/// S = L L^T, entry by entry: most joints share no body.
-Real TaylorSeries::factor() {
-    MatX S = MatX::Zero(A_.cols(), A_.cols());
-    const auto share = [&](std::size_t a, std::size_t b, Eigen::Index i, Eigen::Index j) {
-        for (const BodySeries* body : {&joints_[a].first(), &joints_[a].second()}) {
-            if (body->is_fixed() || (body != &joints_[b].first() && body != &joints_[b].second())) continue;
-            const auto place = 6 * (body - bodies_.data());
-            S(i, j) += A_.block<6, 1>(place, i).dot(A_.block<6, 1>(place, j));
-        }
-    };
-    for (Eigen::Index i = 0; i < S.rows(); ++i)
-        for (Eigen::Index j = 0; j <= i; ++j)
-            share(rows_[static_cast<std::size_t>(i)].joint, rows_[static_cast<std::size_t>(j)].joint, i, j);
-    cholesky_.compute(S);
-    const auto& L = cholesky_.matrixLLT();
-    if (cholesky_.info() != Eigen::Success) return 0;
-    Real smallest = 1;
-    for (Eigen::Index i = 0; i < S.rows(); ++i) smallest = min(smallest, Real(L(i, i) * L(i, i) / S(i, i)));
-    return smallest;
-}
-
-VecX TaylorSeries::solve(const VecX& residual) const {
-    return factored_ ? VecX(cholesky_.solve(residual)) : VecX(inverse_ * (inverse_.transpose() * residual));
-}
-
-VecX TaylorSeries::terms() const {
-    VecX sizes = VecX::Zero(A_.cols());
-    for (std::size_t c = 0; c < rows_.size(); ++c) {
-        const auto& [index, row, scale] = rows_[c];
-        const JointSeries& joint = joints_[index];
-        const auto add = [&, size = scale](const BodySeries& body, const JointSeries::Wrench& wrench) {
-            if (body.is_fixed()) return;
-            sizes[static_cast<Eigen::Index>(c)] +=
-                (wrench.force.norm() * body.acceleration_size() + wrench.moment.norm() * body.turning_size()) / size +
-                body.omega[0].squaredNorm();
-        };
-        add(joint.first(), joint.on_first(row)), add(joint.second(), joint.on_second(row));
-    }
-    return sizes;
-}
-
-/// Whether the residual has a part outside the range of S above round-off and drift of its terms.
-bool TaylorSeries::contradicts(const VecX& residual) const {
-    if (rank_ == A_.cols()) return false;
-    const Real rest = (residual - A_.transpose() * (inverse_.transpose() * residual)).norm();
-    return rest > (residual.norm() + terms().norm()) / 1000000;
-}
-
-/// Coefficient k of the multipliers, and their effects.
-Status TaylorSeries::react(std::size_t k) {
+Status TaylorSeries::constrain(std::size_t k) {
     for (JointSeries& joint : joints_) joint.update(k);
-    if (k == 0 && !decompose()) return Status::singular_kkt;
-    VecX residual(A_.cols());
-    for (std::size_t c = 0; c < rows_.size(); ++c)
-        residual[static_cast<Eigen::Index>(c)] = joints_[rows_[c].joint].acceleration(rows_[c].row, k) / rows_[c].scale;
-    if (k == 0 && contradicts(residual)) return Status::singular_kkt;
-    const VecX lambda = solve(residual);
+    if (k == 0 && !complement_.factor()) return Status::singular_kkt;
+    const VecX rho = residual(k);
+    if (k == 0 && complement_.contradicts(rho)) return Status::singular_kkt;
+    react(complement_.solve(rho), k);
+    for (JointSeries& joint : joints_) joint.update(k);
+    return Status::ok;
+}
+
+VecX TaylorSeries::residual(std::size_t k) const {
+    const auto& rows = complement_.rows();
+    VecX rho(static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t c = 0; c < rows.size(); ++c)
+        rho[static_cast<Eigen::Index>(c)] = joints_[rows[c].joint].acceleration(rows[c].row, k) / rows[c].scale;
+    return rho;
+}
+
+void TaylorSeries::react(const VecX& lambda, std::size_t k) {
     for (JointSeries::Wrench& sum : reaction_) sum = {Vec3::Zero(), Vec3::Zero()};
-    for (std::size_t c = 0; c < rows_.size(); ++c) {
-        const auto& [index, row, scale] = rows_[c];
+    for (std::size_t c = 0; c < complement_.rows().size(); ++c) {
+        const auto& [index, row, scale] = complement_.rows()[c];
         JointSeries& joint = joints_[index];
         const Real value = lambda[static_cast<Eigen::Index>(c)] / scale;
         joint.set_multiplier(row, k, value);
@@ -177,32 +112,13 @@ Status TaylorSeries::react(std::size_t k) {
         add(joint.first(), joint.on_first(row)), add(joint.second(), joint.on_second(row));
     }
     for (std::size_t i = 0; i + 1 < bodies_.size(); ++i) bodies_[i].correct(reaction_[i].force, reaction_[i].moment, k);
-    for (JointSeries& joint : joints_) joint.update(k);
-    return Status::ok;
 }
 
-Status TaylorSeries::expand(const Real& t, const std::vector<BodyState>& states) {
-    Real sum = 0;
-    for (const BodyState& s : states) sum += s.x.sum() + s.R.sum() + s.v.sum() + s.omega.sum();
-    if (!isfinite(sum)) return Status::non_finite;
-    for (std::size_t i = 0; i < states.size(); ++i) bodies_[i].start(states[i]);
-    for (const auto& force : forces_) {
-        force->start(t);
-        if (force->has_parted(0)) return Status::turn_lost;
-    }
-    for (JointSeries& joint : joints_) joint.start(t);
-    for (std::size_t k = 0; k < order_; ++k) {
-        for (BodySeries& body : bodies_) body.begin(k);
-        for (const auto& force : forces_) force->act(k);
-        for (JointSeries& joint : joints_) joint.react(k);
-        for (std::size_t i = 0; i < states.size(); ++i) bodies_[i].advance(k);
-        if (joints_.empty()) continue;
-        if (const Status status = react(k); status != Status::ok) return status;
-    }
+bool TaylorSeries::is_finite() const {
     for (const BodySeries& body : bodies_)
         for (const Real& last : {body.v[order_].sum(), body.omega[order_].sum(), body.R[order_].sum()})
-            if (!isfinite(last)) return Status::non_finite;
-    return Status::ok;
+            if (!isfinite(last)) return false;
+    return true;
 }
 
 void TaylorSeries::move_on(const Real& s) {
@@ -260,7 +176,7 @@ std::vector<BodyState> TaylorSeries::states(const Real& s) const {
 std::vector<Real> TaylorSeries::multipliers() const {
     std::vector<Real> lambda;
     for (const bool velocity : {false, true})
-        for (const Row& row : rows_)
+        for (const TaylorComplement::Row& row : complement_.rows())
             if (joints_[row.joint].is_velocity(row.row) == velocity)
                 lambda.push_back(joints_[row.joint].multiplier(row.row));
     return lambda;

@@ -6,16 +6,15 @@
 //   residual      Phi_{k+2} of every joint row, from x_{k+2} and R_{k+2} of that motion,
 //   multipliers   S lambda_k = (k+1) (k+2) Phi_{k+2},  S = C M^{-1} C^T at the expansion point,
 //   reaction      v', omega' -= M^{-1} C^T lambda_k.
-// S is the same for every k: it is factored once [hairer1993, Sec. I.8]. Rows may be dependent, which is decided
-// by geometry only, torques on a body divided by a length of it: multipliers are those of least norm, each row divided
-// by its scale. Steps end where the last terms sink into round-off
-// [jorbazou2005].
+// S is the same for every k: it is factored once [hairer1993, Sec. I.8], in taylor_complement.hpp. Rows may be
+// dependent: multipliers are those of least norm, each row divided by its scale. Steps end where the last terms sink
+// into round-off [jorbazou2005].
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <memory>
 #include <vector>
 
+#include "engine/reference/taylor_complement.hpp"
 #include "engine/reference/taylor_forces.hpp"
 #include "engine/reference/taylor_joints.hpp"
 #include "lie/status.hpp"
@@ -50,35 +49,24 @@ class TaylorSeries {
     std::vector<Real> multipliers() const;
 
   private:
+    std::vector<JointSeries> joints_of(const Model& model);
     void add_forces(const Model& model);
+    Status start(const Real& t, const std::vector<BodyState>& states);
     BodySeries& at(int body) { return body == ground ? bodies_.back() : bodies_[static_cast<std::size_t>(body)]; }
-    void weigh();
-    bool decompose();
-    Eigen::Index geometric_rank() const;
-    /// Smallest pivot of S relative to its diagonal, not positive where there are no factors.
-    Real factor();
-    /// Sizes of the terms of each row, over its scale (1/s^2).
-    VecX terms() const;
-    VecX solve(const VecX& residual) const;
-    bool contradicts(const VecX& residual) const;
-    Status react(std::size_t k);
+    bool is_finite() const;
+    /// Free motion to coefficient k of the accelerations.
+    void move_freely(std::size_t k);
+    /// Coefficient k of the multipliers, and the reaction.
+    Status constrain(std::size_t k);
+    /// (k+1) (k+2) Phi_{k+2} of every row over its scale.
+    VecX residual(std::size_t k) const;
+    void react(const VecX& lambda, std::size_t k);
 
     std::size_t order_;
     std::vector<BodySeries> bodies_;  // the last is the ground
     std::vector<std::unique_ptr<ForceSeries>> forces_;
     std::vector<JointSeries> joints_;
-    struct Row {
-        std::size_t joint;
-        int row;
-        Real scale;
-    };
-    std::vector<Row> rows_;
-    std::vector<Real> lengths_;  // of the bodies: the radius of gyration or the longest arm
-    MatX A_;                     // M^{-1/2} C^T, columns divided by the rows' scale, so that S = A^T A
-    Eigen::LLT<MatX> cholesky_;
-    bool factored_ = false;                      // S by Cholesky's factors; else by
-    MatX inverse_;                               // the pseudoinverse of A
-    Eigen::Index rank_ = -1;                     // of the first expansion
+    TaylorComplement complement_;
     std::vector<JointSeries::Wrench> reaction_;  // on each body
 };
 

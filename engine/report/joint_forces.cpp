@@ -33,7 +33,7 @@ JointForces::JointForces(System& system, const Model& model)
 
 bool JointForces::find(const Real& t, const Real* y, const Real* own) {
     if (joints_.empty()) return true;
-    const Real* v = y + system_.group().size();
+    const Real* v = system_.v(y);
     if (!rows_.empty() && (!own || redundant_)) {  // uniqueness of rows is known only after a solve
         ++evaluations_;
         if (system_.accelerations(t, y, v, dv_.data(), scratch_.data()) != Status::ok) return false;

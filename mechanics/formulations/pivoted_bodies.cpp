@@ -7,39 +7,11 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-namespace {
-
 std::vector<const Joint*> joints_of(const Model& model, int body) {
     std::vector<const Joint*> joints;
     for (const Joint& joint : model.joints)
         if (joint.first == body || joint.second == body) joints.push_back(&joint);
     return joints;
-}
-
-bool rests_unloaded(const Model& model, int index) {
-    for (const Load& load : model.loads)
-        if (load.body == index && !load.force.isZero(0)) return false;
-    for (const Spring& spring : model.springs)
-        if (spring.first == index || spring.second == index) return false;
-    return model.bodies[static_cast<std::size_t>(index)].start.v.isZero(0) && model.gravity.g.isZero(0);
-}
-
-}  // namespace
-
-std::string PivotedBodies::why_not(const Model& model) {
-    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-        const Body& body = model.bodies[i];
-        const auto joints = joints_of(model, static_cast<int>(i));
-        if (joints.empty() && !rests_unloaded(model, static_cast<int>(i)))
-            return "body \"" + body.name + "\" has no fixed point: no spherical joint to the ground holds it";
-        if (joints.size() > 1) return "body \"" + body.name + "\" has more than one joint, so SO3 cannot remove them";
-        if (joints.size() == 1 && joints[0]->first != ground && joints[0]->second != ground)
-            return "body \"" + body.name + "\" is joined to a moving body, so no point of it is fixed";
-        if (joints.size() == 1 && joints[0]->type != JointType::spherical)
-            return "body \"" + body.name + "\" hangs on a " + name(joints[0]->type) +
-                   " joint: SO3 takes spherical ones only";
-    }
-    return "";
 }
 
 PivotedBodies::PivotedBodies(Model model)
@@ -181,7 +153,7 @@ Real PivotedBodies::potential(const Real& t, const Real* q) const {
 }
 
 void PivotedBodies::read(const Real* y, BodyState* states) const {
-    const Real* v = y + group().size();
+    const Real* v = this->v(y);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const Mat3 R = mat3(y + i * SO3::size);
         const Vec3 w = vec3(v + 3 * i);
@@ -190,18 +162,18 @@ void PivotedBodies::read(const Real* y, BodyState* states) const {
 }
 
 void PivotedBodies::write(const BodyState* states, Real* y) const {
-    Real* v = y + group().size();
+    Real* v = this->v(y);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         store(states[i].R, y + i * SO3::size), store(states[i].omega, v + 3 * i);
 }
 
 Status PivotedBodies::begin_step(const Real& t, const Real& h, const Real* y) {
-    const Real* v = y + group().size();
+    const Real* v = this->v(y);
     return turns_.begin_step(t, h, labels(y), [&](int body) { return motion(y, v, body); });
 }
 
 Status PivotedBodies::end_step(Status result, const Real& t, Real* y) {
-    const Real* v = y + group().size();
+    const Real* v = this->v(y);
     return turns_.end_step(result, t, labels(y), [&](int body) { return motion(y, v, body); });
 }
 

@@ -18,10 +18,12 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
+/// Those that join a body to another or to the ground.
+std::vector<const Joint*> joints_of(const Model& model, int body);
+
+/// For models in which each body hangs on the ground by at most one spherical joint, and one without is at rest.
 class PivotedBodies final : public System, public SpaceAxes {
   public:
-    /// Why the formulation does not apply to this model; empty if it does.
-    static std::string why_not(const Model& model);
     explicit PivotedBodies(Model model);
 
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override;

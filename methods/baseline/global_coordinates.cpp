@@ -45,7 +45,7 @@ class GlobalRk4 final : public Integrator {
     void read(const Real* y) {
         std::copy(y, y + y_.size(), y_.begin());  // turn labels, which are not part of a pose
         Real* w = w_.data();
-        const Real* v = y + system_.group().size();
+        const Real* v = system_.v(y);
         for (int i = 0; i < bodies_; ++i, y += translations_ + 9, w += stride()) {
             std::copy_n(y, translations_, w);
             coordinates_->from_matrix(y + translations_, w + translations_);
@@ -55,7 +55,7 @@ class GlobalRk4 final : public Integrator {
 
     void write(const Flat& flat, Real* y) const {
         const Real* w = flat.data();
-        Real* v = y + system_.group().size();
+        Real* v = system_.v(y);
         for (int i = 0; i < bodies_; ++i, y += translations_ + 9, w += stride()) {
             std::copy_n(w, translations_, y);
             coordinates_->to_matrix(w + translations_, y + translations_);

@@ -42,11 +42,11 @@ class GeneralisedAlpha final : public Integrator {
     }
 
     Status step(const Real& t, const Real& h, Real* y) override {
-        if (h == 0) return system_.evaluate(t, y, y + system_.group().size(), near_rate_.data());
+        if (h == 0) return system_.evaluate(t, y, system_.v(y), near_rate_.data());
         if (h != h_)
             if (const Status status = begin(t, h, y); status != Status::ok) return status;
         h_ = 0;  // until this step has succeeded
-        set_relations(y + system_.group().size());
+        set_relations(system_.v(y));
         if (const Status status = step_.advance(t, h, y); status != Status::ok) return status;
         a_ = a_known_ + a_slope() * step_.rate();
         h_ = h, stepped_ = true;
@@ -75,8 +75,8 @@ class GeneralisedAlpha final : public Integrator {
 
     /// near_rate_ = h v' at t + d h on the flow through y, up to O(d^3 h^3) in q and O(d^2 h^2) in v (even in d).
     Status rate_along_flow(const Real& t, const Real& h, const Real& d, const Real* y) {
-        const Real* v = y + system_.group().size();
-        Real* near_v = near_.data() + system_.group().size();
+        const Real* v = system_.v(y);
+        Real* near_v = system_.v(near_.data());
         for (Eigen::Index i = 0; i < shift_.size(); ++i) {
             shift_[i] = d * h * (v[i] + d * rate_[i] / 2);
             near_v[i] = v[i] + d * rate_[i];

@@ -52,7 +52,7 @@ Real MotionScale::of_impulse(const Real* p) const {
 }
 
 Real MotionScale::of_motion(const Real& t, const Real& h, const Real* y) {
-    const Real* v = y + system_.group().size();
+    const Real* v = system_.v(y);
     system_.applied_force(t, y, v, applied_.data());
     system_.gyroscopic_force(y, v, gyroscopic_.data());
     applied_.array() = abs(h) * (applied_.array().abs() + gyroscopic_.array().abs());

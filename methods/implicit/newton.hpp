@@ -6,32 +6,20 @@
 // G is what a structured solve makes of a guess, so that the Jacobian of r is the identity up to O(h) where nothing is
 // stiff. x <- x - H r with H = I is the fixed point iteration; every step teaches H what r did along it, and what H
 // knows is kept from solve to solve (methods/implicit/inverse_jacobian.hpp). Where that gains too little, as with stiff
-// springs, the linear equations of a Newton step are solved by conjugate residuals [saad2003, Sec. 6.9] preconditioned
-// with H, products with the Jacobian being difference quotients of r: their directions enter H as well. `forget` drops
+// springs, Newton steps take over (methods/implicit/newton_step.hpp), whose directions enter H as well. `forget` drops
 // H: whoever must not depend on earlier steps calls that. Cost and storage are linear in the unknowns where these are
 // many; all storage is sized in advance.
 //
 // Unknowns are compared by weights that give them one unit. No constant of the iteration has a unit.
 #pragma once
 
-#include "lie/linear.hpp"
-#include "lie/status.hpp"
+#include "methods/implicit/directions.hpp"
 #include "methods/implicit/inverse_jacobian.hpp"
+#include "methods/implicit/newton_step.hpp"
+#include "methods/implicit/weighted_equations.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
-
-/// r(x) = 0, as many equations as unknowns, each equation with the unit of its unknown.
-class Equations {
-  public:
-    virtual ~Equations() = default;
-    /// Any status but ok ends the iteration with that status.
-    virtual Status residual(const Real* x, Real* r) = 0;
-    /// After `residual`: size of the weighted unknowns, what their round-off is relative to.
-    virtual Real size() const = 0;
-    /// Relative round-off of a residual: eps times the condition of its solves.
-    virtual Real round_off() const { return epsilon; }
-};
 
 class Newton {
   public:
@@ -48,33 +36,46 @@ class Newton {
     bool stiff() const { return stiff_; }
 
   private:
-    Status iterate(Equations& equations);
-    /// Residual at plain_ into r, weighted, and its largest entry; non_finite where an entry is no number.
-    Status evaluate(Equations& equations, VecX& r);
-    bool converged(const Real& now, const Real& before, int still, bool newton_step) const;
-    /// Solves J s = r up to a small share by directions that enter H.
-    Status probe(Equations& equations);
-    Status search(Equations& equations, const Real& before);
-    Status difference(Equations& equations, const Real& step);
-    /// u_ = -(1/|p|) g where p_ = r - before_ is new; H p = s then holds for the step s that has led from before_ to r.
-    void learn_from_step(const Real& noise);
-    /// p_ less its part in the directions of this solve, normalised; its length before, or 0 if too little is left.
-    Real orthonormalise(int share);
-    Eigen::Index keep() const;
+    /// How the iteration is doing, by largest entries.
+    struct Progress {
+        Real correction;           // |H r| at x_
+        Real before = 0;           // the one before the last step; 0 where there is none to compare with
+        Real residual_before = 0;  // |r| then
+        bool quiet = false;        // what is left is about round-off
+        bool newton_step = false;  // the last step was one
+        int slow = 0, still = 0;   // steps that gained little, above round-off and at it
+        int newton_steps = 0;
+    };
+    Status iterate();
+    /// Counts the last step if it gained little.
+    void assess(Progress& progress) const;
+    bool converged(const Progress& progress) const;
+    /// g_ becomes a Newton step.
+    Status plan_newton_step(Progress& progress);
+    /// x_ -= g_, where g_ = H r_ or a Newton step; r_ and g_ are then those of the new point.
+    Status take_step(const Progress& progress);
+    /// The Newton step that has led to x_, or the half of it, ..., that makes the correction smaller.
+    Status backtrack(const Real& before);
+    bool came_nearer(const Progress& progress) const;
     void keep_best();
-    /// Residual r_ at x_, and the correction g_ = H r_.
-    Status move(Equations& equations);
+    void return_to_best();
 
+    /// Residual r_ at x_, and the correction g_ = H r_.
+    Status evaluate();
+    /// u_ = -(1/|p|) g where p_ = r - before_ is new; H p = s then holds for the step s that has led from before_ to r.
+    void learn_from_step();
+    /// `units` of round-off in the unknowns.
+    Real round_off(int units) const { return units * equations_.round_off() * equations_.size(); }
+    Eigen::Index keep() const;
+
+    WeightedEquations equations_;
     InverseJacobian H_;
-    bool stiff_ = false;           // has needed a Newton step, and H comes from such steps
-    Real gain_ = 1;                // of the Jacobian, by largest entries
-    Eigen::Index directions_ = 0;  // found in this solve
-    const VecX* weights_ = nullptr;
-    Real size_ = 1, round_off_ = 1, largest_ = 0;  // of the last evaluation
-    Real residual_ = 0;                            // largest entry of r_
-    Real best_size_ = 1;                           // where best_r_ is
-    VecX x_, plain_, r_, before_, best_x_, best_r_, g_, u_, p_, rest_, moved_, newton_step_;
-    MatX group_;  // the last p of this solve that H knows, orthonormal columns
+    Directions directions_;  // the last p of this solve that H knows
+    NewtonStep newton_;
+    bool stiff_ = false;  // has needed a Newton step, and H comes from such steps
+    Real residual_ = 0;   // largest entry of r_
+    Real best_size_ = 1;  // where best_r_ is
+    VecX x_, r_, before_, best_x_, best_r_, g_, u_, p_, back_;
 };
 
 }  // namespace KREISEL_PRECISION

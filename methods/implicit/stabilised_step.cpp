@@ -16,6 +16,7 @@ StabilisedStep::StabilisedStep(System& system)
       m_(system.constraints()),
       positions_(system.position_constraints()),
       scale_(system),
+      weights_of_positions_(system, scale_),
       etas_count_(positions_ > 0 ? m_ : 0),
       newton_(n_ + etas_count_),
       past_(n_ + etas_count_),
@@ -30,8 +31,6 @@ StabilisedStep::StabilisedStep(System& system)
       shift_(velocity_offset),
       shift_force_(velocity_offset),
       rows_(VecX::Zero(m_)),
-      row_weights_(rows_),
-      lengths_(rows_),
       change_(rows_),
       impulse_(rows_),
       lambda_(rows_),
@@ -39,63 +38,24 @@ StabilisedStep::StabilisedStep(System& system)
 
 Status StabilisedStep::start(const Real& t, const Real& h, const Real* y) {
     newton_.forget(), scale_.forget(), past_.clear();
-    balance_ = 0, steps_ = 0, h_ = h, start_ = t, q_ = y;
-    const Real* v = y + configuration_.size();
-    if (const Status status = system_.accelerations(t, y, v, rate_.data(), nullptr); status != Status::ok)
+    h_ = h, start_ = t, q_ = y;
+    if (const Status status = system_.accelerations(t, y, system_.v(y), rate_.data(), nullptr); status != Status::ok)
         return status;
     rate_ *= h;
     scale_.weigh(y);
     size_ = scale_.of_motion(t, h, y);
     unknowns_.setZero();
     remember();
-    return measure_positions(t, y);
-}
-
-/// The largest velocity times h that corrects rows whose residual is the size of their terms.
-Status StabilisedStep::measure_positions(const Real& t, const Real* q) {
-    reach_ = 0, remoteness_ = 1;
-    if (positions_ == 0) return Status::ok;
-    weigh_rows(t, q, row_weights_);
-    rows_.setZero();
-    system_.position_scale(q, rows_.data());
-    system_.row_scale(lengths_.data());
-    remoteness_ = max(remoteness_, Real(rows_.head(positions_).cwiseQuotient(lengths_.head(positions_)).maxCoeff()));
-    force_.setZero();
-    if (const Status status = system_.prepare_kkt(t, q); status != Status::ok) return status;
-    const Status status = system_.solve_prepared(t, q, force_.data(), rows_.data(), shift_.data(), nullptr);
-    reach_ = scale_.of_velocity(shift_.data());
-    return status;
-}
-
-/// eta by the velocity that it makes: what a multiplier moves is in its diagonal entry of C M^{-1} C^T.
-void StabilisedStep::weigh_rows(const Real& t, const Real* q, VecX& weights) {
-    system_.complement_diagonal(t, q, weights.data());
-    const Real unit = scale_.mass_unit();
-    for (Real& weight : weights) weight = sqrt(weight * unit) / unit;
-}
-
-/// Rows turn with the bodies: with weights of other poses, an eta that moves much looks small. Whether they have
-/// changed is seen now and then; what the iteration has learnt goes with them.
-void StabilisedStep::refresh_rows() {
-    constexpr int now_and_then = 8, much = 2;
-    if (etas_count_ == 0 || ++steps_ % now_and_then != 0) return;
-    weigh_rows(start_, q_, rows_);
-    bool changed = false;
-    for (Eigen::Index i = 0; i < m_; ++i)
-        changed |= rows_[i] > much * row_weights_[i] || row_weights_[i] > much * rows_[i];
-    if (!changed) return;
-    row_weights_ = rows_;
-    newton_.forget();
+    return weights_of_positions_.start(t, y);
 }
 
 Status StabilisedStep::advance(const Real& t, const Real& h, Real* y) {
     h_ = h, start_ = t, end_ = t + h, q_ = y;
     scale_.weigh(y);
-    speed_ = scale_.of_velocity(y + configuration_.size());
-    refresh_rows();
-    balance();
+    speed_ = scale_.of_velocity(system_.v(y));
+    weigh_unknowns();
     guess();
-    if (const Status status = solve(); status != Status::ok) {
+    if (const Status status = iterate(); status != Status::ok) {
         const Status cause = status == Status::newton_failed ? find_cause() : status;
         std::copy_n(y, configuration_.size(), configuration_.begin());  // where the multipliers act
         end_ = t;
@@ -103,22 +63,35 @@ Status StabilisedStep::advance(const Real& t, const Real& h, Real* y) {
     }
     if (const Status status = settle_positions(); status != Status::ok) return status;
     if (const Status status = settle_rate(); status != Status::ok) return status;
-    velocity_ = velocity_slope * rate_ + velocity_offset;
-    lambda_ = impulse_ / h;
-    least_norm_ = false;
-    remember();
-    std::copy(configuration_.begin(), configuration_.end(), y);
-    std::copy_n(velocity_.data(), n_, y + configuration_.size());
+    accept(y);
     return Status::ok;
 }
 
+/// What the iteration has learnt holds for its weights.
+void StabilisedStep::weigh_unknowns() {
+    if (weights_of_positions_.refresh(start_, q_)) newton_.forget();
+    if (weights_of_positions_.rebalance(max(size_, speed_), h_)) newton_.forget();
+    if (etas_count_ > 0) weights_.tail(m_) = weights_of_positions_.weights();
+}
+
+void StabilisedStep::guess() { past_.guess(newton_.stiff() ? 0 : past_.best_degree(n_), turned_); }
+
 /// From the guess, and where that leads nowhere from unchanged velocities: springs that are stiff make accelerations
 /// swing.
-Status StabilisedStep::solve() {
+Status StabilisedStep::iterate() {
     const Status status = newton_.solve(*this, weights_, turned_.data());
     if (status != Status::newton_failed) return status;
     turned_.setZero();
     return newton_.solve(*this, weights_, turned_.data());
+}
+
+void StabilisedStep::accept(Real* y) {
+    velocity_ = velocity_slope * rate_ + velocity_offset;
+    lambda_ = impulse_ / h_;
+    least_norm_ = false;
+    remember();
+    std::copy(configuration_.begin(), configuration_.end(), y);
+    std::copy_n(velocity_.data(), n_, system_.v(y));
 }
 
 /// An iteration fails near poses in which rows lose rank. If the guess is such a pose, the system names the joints.
@@ -154,15 +127,10 @@ Status StabilisedStep::settle_positions() {
     return system_.prepare_kkt(end_, configuration_.data());
 }
 
-/// Whether the last correction of positions was more than round-off.
-bool StabilisedStep::moves_positions() const {
-    return row_weights_.cwiseProduct(change_).cwiseAbs().maxCoeff() * balance_ > 64 * epsilon * size_;
-}
-
 /// Largest entry of Phi at q+, each over the scale of its row.
 Real StabilisedStep::position_defect() {
     system_.position_residual(end_, configuration_.data(), rows_.data());
-    return rows_.head(positions_).cwiseQuotient(lengths_.head(positions_)).cwiseAbs().maxCoeff();
+    return weights_of_positions_.of_residual(rows_);
 }
 
 /// The last guess satisfies Phi = 0, and x' of its solve C v + b = 0 at the same configuration; that solve is repeated
@@ -181,20 +149,6 @@ Status StabilisedStep::settle_rate() {
     rate_ += shift_;
     return status;
 }
-
-/// Weights of e follow the ratio of motion and place in large steps, so that the iteration's Jacobian stays valid.
-void StabilisedStep::balance() {
-    constexpr int much = 1024;
-    const Real size = max(size_, speed_), place = reach_ / abs(h_), least = epsilon;
-    const Real now = size < place ? max(Real(size / place), least) : Real(1);
-    if (now > much * balance_ || balance_ > much * now) {
-        balance_ = now;
-        newton_.forget();
-    }
-    if (etas_count_ > 0) weights_.tail(m_) = balance_ * row_weights_;
-}
-
-void StabilisedStep::guess() { past_.guess(newton_.stiff() ? 0 : past_.best_degree(n_), turned_); }
 
 void StabilisedStep::remember() {
     turned_.tail(etas_count_) = unknowns_.tail(etas_count_);
@@ -241,7 +195,7 @@ Status StabilisedStep::solve_dynamics() {
     system_.applied_force(end_, q, v, force_.data());
     system_.gyroscopic_force(q, v, gyroscopic_.data());
     force_ = h_ * (force_ + gyroscopic_);
-    size_ = max(max(speed_, scale_.of_impulse(force_.data())), Real(balance_ * reach_ / abs(h_)));
+    size_ = max(max(speed_, scale_.of_impulse(force_.data())), weights_of_positions_.of_places(h_));
     if (m_ > 0) {
         system_.velocity_residual(end_, q, velocity_offset.data(), rows_.data());
         rows_ /= -velocity_slope;

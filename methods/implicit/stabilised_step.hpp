@@ -23,6 +23,7 @@
 #include "mechanics/system.hpp"
 #include "methods/implicit/motion_scale.hpp"
 #include "methods/implicit/newton.hpp"
+#include "methods/implicit/position_weights.hpp"
 #include "methods/implicit/predictor.hpp"
 
 namespace kreisel {
@@ -49,50 +50,46 @@ class StabilisedStep final : private Equations {
   private:
     Status residual(const Real* turned, Real* r) override;
     Real size() const override { return size_; }
-    Real round_off() const override { return remoteness_ * system_.kkt_round_off(); }
+    Real round_off() const override { return weights_of_positions_.remoteness() * system_.kkt_round_off(); }
 
-    Status measure_positions(const Real& t, const Real* q);
-    Status solve();
+    /// Of the iteration: x, eta.
+    void weigh_unknowns();
+    void guess();
+    Status iterate();
     Status find_cause();
     Status settle_positions();
-    bool moves_positions() const;
-    Real position_defect();
     Status settle_rate();
-    void weigh_rows(const Real& t, const Real* q, VecX& weights);
-    void refresh_rows();
-    void balance();
-    /// Into turned_.
-    void guess();
-    /// Unknowns x, eta from those of the iteration.
-    void take(const Real* turned);
     /// What the next guess is made from.
     void remember();
+    void accept(Real* y);
+
+    /// Unknowns x, eta from those of the iteration.
+    void take(const Real* turned);
     /// q+, v+ and D of a guess.
     void place(const Real* x);
-    Status solve_dynamics();
-    Status correct_positions(const Real* x, Real* change);
     /// M^{-1} C(q)^T eta.
     void pull_back(const Real* eta);
+    Status solve_dynamics();
+    Status correct_positions(const Real* x, Real* change);
+    bool moves_positions() const { return weights_of_positions_.of_eta(change_) > 64 * epsilon * size_; }
+    Real position_defect();
 
     System& system_;
     Eigen::Index n_, m_, positions_;
     MotionScale scale_;
+    PositionWeights weights_of_positions_;
     Eigen::Index etas_count_;  // all rows, or none
     Newton newton_;
     Predictor past_;                                         // of turned_
     VecX unknowns_, turned_, weights_;                       // x, eta; the same with x weighted and in space axes
     VecX increment_, velocity_, rate_, force_, gyroscopic_;  // n
     VecX shift_, shift_force_;                               // n: M^{-1} C^T eta
-    VecX rows_, row_weights_, lengths_, change_, impulse_;   // m; impulse: h lambda
+    VecX rows_, change_, impulse_;                           // m; impulse: h lambda
     mutable VecX lambda_;
     mutable bool least_norm_ = true;
     std::vector<Real> configuration_;
     Real start_ = 0, end_ = 0, h_ = 0, speed_ = 0, size_ = 0;
-    Real reach_ = 0;       // size of positions (m), as a size of unknowns times h
-    Real remoteness_ = 1;  // size of positions over that of the joints: how round-off of places affects directions
-    Real balance_ = 0;     // weight of eta beside x: what it corrects is known only to round-off of reach / h
     const Real* q_ = nullptr;
-    long steps_ = 0;
 };
 
 }  // namespace KREISEL_PRECISION

@@ -37,11 +37,11 @@ class BLieDF2 final : public Integrator {
     }
 
     Status step(const Real& t, const Real& h, Real* y) override {
-        if (h == 0) return system_.evaluate(t, y, y + system_.group().size(), v_.data());
+        if (h == 0) return system_.evaluate(t, y, system_.v(y), v_.data());
         if (h != h_)
             if (const Status status = begin(t, h, y); status != Status::ok) return status;
         h_ = 0;  // until this step has succeeded
-        v_ = Eigen::Map<const VecX>(y + system_.group().size(), v_.size());
+        v_ = Eigen::Map<const VecX>(system_.v(y), v_.size());
         step_.velocity_slope = Real(2) / 3;
         step_.velocity_offset = (4 * v_ - previous_v_) / 3;
         step_.increment_slope = Real(4) / 9;
@@ -63,7 +63,7 @@ class BLieDF2 final : public Integrator {
         std::copy_n(y, past_.size(), past_.begin());
         if (const Status status = starter_->step(t, -h, past_.data()); status != Status::ok) return status;
         const Group& group = system_.group();
-        previous_v_ = Eigen::Map<const VecX>(past_.data() + group.size(), v_.size());
+        previous_v_ = Eigen::Map<const VecX>(system_.v(past_.data()), v_.size());
         group.inverse(past_.data(), past_.data());
         group.multiply(past_.data(), y, past_.data());
         group.log(past_.data(), previous_increment_.data());

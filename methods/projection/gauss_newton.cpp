@@ -75,7 +75,7 @@ Status GaussNewtonProjection::project_position(const Real& t, Real* y) {
 
 Status GaussNewtonProjection::project_velocity(const Real& t, Real* y) {
     if (residual_.empty()) return Status::ok;
-    Real* v = y + system_.group().size();
+    Real* v = system_.v(y);
     system_.velocity_residual(t, y, v, residual_.data());
     if (!all_finite(residual_)) return Status::non_finite;
     if (const Status status = correction(t, y); status != Status::ok) return status;

@@ -88,7 +88,7 @@ class TerzeProjection final : public Projection {
     Real relative_residual(const Real* y) const {
         const Eigen::Index m = system_.constraints();
         Real linear = 0, angular = 0;
-        for (const Real* v = y + configuration_; v != y + unknowns_; v += 6)
+        for (const Real* v = system_.v(y); v != y + unknowns_; v += 6)
             linear = max(linear, Real(vec3(v).norm())), angular = max(angular, Real(vec3(v + 3).norm()));
         Real largest = residual_.tail(rows_ - joint_rows_).lpNorm<Eigen::Infinity>();
         for (Eigen::Index i = 0; i < m; ++i) {
@@ -124,7 +124,7 @@ class TerzeProjection final : public Projection {
 
     /// Fills residual_, jacobian_ and kkt_.
     void linearise(const Real& t, const Real* y) {
-        const Real* v = y + configuration_;
+        const Real* v = system_.v(y);
         system_.position_residual(t, y, residual_.data());
         system_.velocity_residual(t, y, v, residual_.data() + system_.constraints());
         system_.ambient_jacobian(t, y, v, joint_jacobian_.data());

@@ -46,7 +46,7 @@ class ImplicitMidpoint final : public Integrator, private Equations {
     }
 
     Status step(const Real& t, const Real& h, Real* y) override {
-        t_ = t, h_ = h, q_ = y, v_ = y + middle_q_.size();
+        t_ = t, h_ = h, q_ = y, v_ = system_.v(y);
         scale_.weigh(y);
         if (const Status status = guess(); status != Status::ok) return status;
         motion_ = scale_.of_motion(t, h, y);
@@ -58,7 +58,7 @@ class ImplicitMidpoint final : public Integrator, private Equations {
         w_ = h * f_;
         scale_.to_space(q_, w_.data(), turned_.data());
         changes_.push(turned_);
-        Eigen::Map<VecX> v(y + middle_q_.size(), w_.size());
+        Eigen::Map<VecX> v(system_.v(y), w_.size());
         u_ = h * (v + w_ / 2);
         v += w_;
         system_.group().append_exp(y, u_.data(), y);

@@ -13,6 +13,7 @@ const std::string interface = "engine/engine.hpp";
 const std::string metrics = "engine/metric_table.hpp";
 const std::string equations = "mechanics/system.hpp";
 const std::string axes = "mechanics/space_axes.hpp";
+const std::string formulation = "mechanics/formulation.hpp";
 const std::string registered = "support/registered.hpp";
 const std::string unique = "support/unique_name.hpp";
 
@@ -27,11 +28,16 @@ const std::vector<Room>& rooms() {
         {"mechanics/forces", {"mechanics/model", "lie"}, numbers},
         {equations, {"mechanics/model", "mechanics/joints", "mechanics/forces", "lie"}, numbers},
         {axes, {"lie"}, {}},
-        {"mechanics/solve", {equations, "mechanics/model", "mechanics/joints", "mechanics/forces", "lie"}, numbers},
-        {"mechanics/formulations",
-         {equations, axes, "mechanics/model", "mechanics/joints", "mechanics/forces", "mechanics/solve", "lie"},
+        {"mechanics/blocks", {"lie"}, numbers},
+        {"mechanics/solve",
+         {equations, "mechanics/blocks", "mechanics/model", "mechanics/joints", "mechanics/forces", "lie"},
          numbers},
-        {"mechanics", {"mechanics", "lie"}, numbers},
+        {formulation, {equations, "mechanics/blocks/solver_choice.hpp", unique}, {}},
+        {"mechanics/formulations",
+         {equations, axes, formulation, "mechanics/model", "mechanics/joints", "mechanics/forces", "mechanics/solve",
+          "lie"},
+         numbers},
+        {"mechanics", {"mechanics", "lie", registered, unique}, numbers},
         {"problems/reading", {"mechanics", "lie"}, numbers},
         {"problems",
          {"problems", "mechanics", "lie", registered, unique},

@@ -13,7 +13,7 @@ shared=(
     metric_table                                                # engine/metric_table.hpp
     matches matches_any                                         # support/pattern.hpp: texts
     BodyData ForceData JointData JointType ParameterError                                                                    # mechanics/model/data.hpp
-    Elimination eliminate                                       # mechanics/solve/elimination.hpp: the joint graph, integers
+    Elimination eliminate                                       # mechanics/blocks/elimination.hpp: the joint graph, integers
     MethodDescription OptionDescription OptionError Order ProjectionDescription with_defaults # methods/contract/description.hpp
     Coefficient Tableau                                                                           # methods/tableaus/tableau.hpp
     FormulationDescription IntegralDescription ParameterDescription ParameterKind ProblemDescription # problems/description.hpp

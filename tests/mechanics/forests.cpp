@@ -5,8 +5,6 @@
 #include <numeric>
 #include <random>
 
-#include "mechanics/formulations/jointed_bodies.hpp"
-#include "mechanics/formulations/spherical_bodies.hpp"
 #include "mechanics/solve/forest.hpp"
 #include "tests/mechanics/models/models.hpp"
 
@@ -53,7 +51,7 @@ struct Solved {
 Solved accelerations(System& s, const Model& model) {
     const auto y = initial_state(s, model);
     Solved out{VecX(s.velocities()), VecX(s.constraints())};
-    REQUIRE(s.accelerations(0, y.data(), y.data() + s.group().size(), out.a.data(), out.lambda.data()) == Status::ok);
+    REQUIRE(s.accelerations(0, y.data(), s.v(y.data()), out.a.data(), out.lambda.data()) == Status::ok);
     return out;
 }
 
@@ -74,14 +72,12 @@ void check_equal(const Solved& a, const Solved& b, const Real& condition) {
     CHECK((a.lambda - b.lambda).norm() <= tolerance * (1 + b.lambda.norm()));
 }
 
-template <class Coordinates>
-void compare(const Model& model) {
-    JointedBodies<Coordinates> general(model);
-    SphericalBodies<Coordinates> recursion(model);
-    const Real condition = general.constraint_rank().condition.value_or(1);
-    check_equal(solution(recursion, model), solution(general, model), condition);
-    check_equal(accelerations(recursion, model), accelerations(general, model), condition);
-    check_equal(solution(recursion, model), solution(general, model), condition);  // no state is left from before
+void compare(const Model& model, const std::string& formulation) {
+    const auto general = general_system(model, formulation), recursion = make_system(model, formulation);
+    const Real condition = general->constraint_rank().condition.value_or(1);
+    check_equal(solution(*recursion, model), solution(*general, model), condition);
+    check_equal(accelerations(*recursion, model), accelerations(*general, model), condition);
+    check_equal(solution(*recursion, model), solution(*general, model), condition);  // no state is left from before
 }
 
 }  // namespace
@@ -91,10 +87,8 @@ TEST_CASE("the recursion over a forest agrees with the general path", "[forest]"
     for (unsigned seed = 0; seed < 30; ++seed) {
         const Model model = random_forest(seed, 2 + static_cast<int>(seed % 9));
         INFO("seed " << seed);
-        REQUIRE(SphericalBodies<SO3xR3Coordinates>::fits(model));
-        compare<SO3xR3Coordinates>(model);
-        compare<SE3Coordinates>(model);
-        compare<S3xR3Coordinates>(model);
+        REQUIRE(takes_recursion(model));
+        for (const char* formulation : {"SO3xR3", "SE3", "S3xR3"}) compare(model, formulation);
         std::vector<int> children(model.bodies.size(), 0);
         const auto all = branches(model);
         for (const Branch& branch : all) {
@@ -131,12 +125,12 @@ TEST_CASE("loops and other joints are not a forest of spherical joints", "[fores
     Model model = bodies_in_a_row(2);
     model.join(ground, 0, Vec3::Zero());
     model.join(0, 1, Vec3(1, 1, 0));
-    CHECK(SphericalBodies<SO3xR3Coordinates>::fits(model));
+    CHECK(takes_recursion(model));
     Model loop = model;
     loop.join(1, ground, Vec3(2, 2, 1));
     CHECK_FALSE(is_forest(loop));
-    CHECK_FALSE(SphericalBodies<SO3xR3Coordinates>::fits(loop));
+    CHECK_FALSE(takes_recursion(loop));
     model.joints[1].type = JointType::revolute;
     CHECK(is_forest(model));
-    CHECK_FALSE(SphericalBodies<SO3xR3Coordinates>::fits(model));
+    CHECK_FALSE(takes_recursion(model));
 }

@@ -29,7 +29,7 @@ TEST_CASE("loads change linear and angular momentum by force and torque", "[mech
         INFO(name);
         const auto s = make_system(model, name);
         const auto y = initial_state(*s, model);
-        const Real* v = y.data() + s->group().size();
+        const Real* v = s->v(y.data());
         VecX dv(6);
         REQUIRE(s->accelerations(t, y.data(), v, dv.data(), nullptr) == Status::ok);
         const Mat3& R = body.start.R;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What joints exert: by hand for bodies at rest, and by Newton's and Euler's laws for moving bodies.
-#include "mechanics/formulations/jointed_bodies.hpp"
-#include "mechanics/formulations/spherical_bodies.hpp"
+#include "mechanics/solve/forest.hpp"
 #include "mechanics/start.hpp"
 #include "tests/mechanics/models/models.hpp"
 
@@ -21,7 +20,7 @@ struct Answered {
 /// Of a system in coordinates whose v' is (x'', omega').
 Answered answered(System& s, const Model& model, const Real& t) {
     const auto y = initial_state(s, model);
-    const Real *q = y.data(), *v = q + s.group().size();
+    const Real *q = y.data(), *v = s.v(q);
     Answered out;
     VecX dv(s.velocities());
     out.lambda.resize(s.constraints());
@@ -120,10 +119,9 @@ TEST_CASE("reactions and loads satisfy the Newton-Euler equations of each body, 
         INFO(named.name);
         std::vector<std::unique_ptr<System>> systems;
         for (const SolverChoice choice : {SolverChoice::dense, SolverChoice::graph, SolverChoice::sparse})
-            systems.push_back(std::make_unique<JointedBodies<SO3xR3Coordinates>>(named.model, choice));
+            systems.push_back(general_system(named.model, "SO3xR3", choice));
         const Real tolerance = reactions_tolerance(*systems[0]);
-        if (SphericalBodies<SO3xR3Coordinates>::fits(named.model))
-            systems.push_back(std::make_unique<SphericalBodies<SO3xR3Coordinates>>(named.model));
+        if (takes_recursion(named.model)) systems.push_back(make_system(named.model, "SO3xR3"));
         for (const auto& system : systems) {
             const Answered now = answered(*system, named.model, t);
             CHECK(newton_euler_defect(named.model, now, t) <= tolerance);
@@ -135,8 +133,8 @@ TEST_CASE("reactions and loads satisfy the Newton-Euler equations of each body, 
 
 TEST_CASE("a reaction on the wrong body or about the wrong point is noticed", "[reactions]") {
     const Model model = damped(JointType::prismatic);
-    JointedBodies<SO3xR3Coordinates> system(model);
-    const Answered good = answered(system, model, 0);
+    const auto system = general_system(model, "SO3xR3");
+    const Answered good = answered(*system, model, 0);
     for (std::size_t j = 0; j < model.joints.size(); ++j) {
         Answered bad = good;
         bad.reactions[j].force *= -1, bad.reactions[j].torque *= -1;
@@ -214,8 +212,8 @@ TEST_CASE("joints hold a body at rest with its weight and its moment", "[reactio
             if (other_order && one.type == JointType::rolling) continue;
             INFO(name(one.type) << (other_order ? ", ground second" : ""));
             const Model model = at_rest(one.type, one.point, one.axis, one.centre, one.torque, other_order);
-            JointedBodies<SO3xR3Coordinates> system(model);
-            const Answered now = answered(system, model, 0);
+            const auto system = general_system(model, "SO3xR3");
+            const Answered now = answered(*system, model, 0);
             const Real sense = other_order ? -1 : 1, tolerance = 10000 * epsilon;
             CHECK(now.acceleration[0].norm() + now.turning[0].norm() <= tolerance);
             CHECK((now.reactions[0].force - sense * Vec3(0, 0, 20)).norm() <= tolerance);
@@ -228,7 +226,7 @@ TEST_CASE("a distance joint pulls with a positive multiplier, in either order", 
         for (const int side : {1, -1}) {  // a rod from above, and one from below
             const Model model = at_rest(JointType::distance, Vec3(0, 0, 3 * side), Vec3::UnitZ(), Vec3::Zero(),
                                         Vec3::Zero(), other_order);
-            JointedBodies<SO3xR3Coordinates> system(model);
-            CHECK(abs(answered(system, model, 0).lambda[0] - 20 * side) <= 100 * epsilon);
+            const auto system = general_system(model, "SO3xR3");
+            CHECK(abs(answered(*system, model, 0).lambda[0] - 20 * side) <= 100 * epsilon);
         }
 }

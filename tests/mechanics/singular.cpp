@@ -23,7 +23,7 @@ std::string complaint(Model model, bool project = false) {
     const auto s = make_system(model, "SE3");
     const auto y = initial_state(*s, model);
     VecX a(s->velocities());
-    const Status status = s->accelerations(0, y.data(), y.data() + s->group().size(), a.data(), nullptr);
+    const Status status = s->accelerations(0, y.data(), s->v(y.data()), a.data(), nullptr);
     return status == Status::ok ? "" : std::string(name(status)) + ": " + s->reason(status);
 }
 
@@ -63,7 +63,7 @@ Model parallelogram(const Real& angle, const Real& speed) {
 Status ask(System& s, const Model& elsewhere) {
     const auto y = initial_state(s, elsewhere);
     VecX a(s.velocities());
-    return s.accelerations(0, y.data(), y.data() + s.group().size(), a.data(), nullptr);
+    return s.accelerations(0, y.data(), s.v(y.data()), a.data(), nullptr);
 }
 
 }  // namespace

@@ -2,8 +2,7 @@
 //
 // The three ways to solve with C M^{-1} C^T give the same accelerations and multipliers, and the general path gives
 // those of the one for spherical joints.
-#include "mechanics/formulations/jointed_bodies.hpp"
-#include "mechanics/formulations/spherical_bodies.hpp"
+#include "mechanics/solve/forest.hpp"
 #include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
@@ -18,7 +17,7 @@ struct Answer {
 Answer answer(System& s, const Model& model) {
     const auto y = initial_state(s, model);
     Answer answer{VecX(s.velocities()), VecX(s.constraints())};
-    REQUIRE(s.accelerations(Real(1) / 4, y.data(), y.data() + s.group().size(), answer.a.data(),
+    REQUIRE(s.accelerations(Real(1) / 4, y.data(), s.v(y.data()), answer.a.data(),
                             answer.lambda.size() > 0 ? answer.lambda.data() : nullptr) == Status::ok);
     return answer;
 }
@@ -70,12 +69,12 @@ std::vector<Named> with_nets() {
 TEST_CASE("dense, graph and sparse solves agree", "[solvers]") {
     for (const Named& named : with_nets()) {
         INFO(named.name);
-        JointedBodies<SE3Coordinates> dense(named.model, SolverChoice::dense);
-        const Answer expected = answer(dense, named.model);
-        const Real condition = dense.constraint_rank().condition.value_or(1);
+        const auto dense = general_system(named.model, "SE3", SolverChoice::dense);
+        const Answer expected = answer(*dense, named.model);
+        const Real condition = dense->constraint_rank().condition.value_or(1);
         for (const SolverChoice choice : {SolverChoice::graph, SolverChoice::sparse, SolverChoice::automatic}) {
-            JointedBodies<SE3Coordinates> s(named.model, choice);
-            check_same(answer(s, named.model), expected, condition);
+            const auto system = general_system(named.model, "SE3", choice);
+            check_same(answer(*system, named.model), expected, condition);
         }
     }
 }
@@ -83,13 +82,12 @@ TEST_CASE("dense, graph and sparse solves agree", "[solvers]") {
 TEST_CASE("the path for spherical joints agrees with the general one", "[solvers]") {
     int compared = 0;
     for (const Named& named : all()) {
-        if (!SphericalBodies<SO3xR3Coordinates>::fits(named.model)) continue;
+        if (!takes_recursion(named.model)) continue;
         INFO(named.name);
-        JointedBodies<SO3xR3Coordinates> general(named.model);
-        SphericalBodies<SO3xR3Coordinates> special(named.model);
-        if (general.constraint_rank().rank < general.constraints()) continue;
-        check_same(answer(special, named.model), answer(general, named.model),
-                   general.constraint_rank().condition.value_or(1));
+        const auto general = general_system(named.model, "SO3xR3"), special = make_system(named.model, "SO3xR3");
+        if (general->constraint_rank().rank < general->constraints()) continue;
+        check_same(answer(*special, named.model), answer(*general, named.model),
+                   general->constraint_rank().condition.value_or(1));
         ++compared;
     }
     CHECK(compared >= 15);

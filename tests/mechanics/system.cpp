@@ -18,7 +18,7 @@ namespace {
 struct Dense {
     Dense(System& s, const Real& t, const std::vector<Real>& y)
         : n(s.velocities()), m(s.constraints()), M(MatX::Zero(n, n)), C(m, n), Q(n), xi(m) {
-        const Real* v = y.data() + s.group().size();
+        const Real* v = s.v(y.data());
         const int block = s.mass_block();
         std::vector<Real> blocks(static_cast<std::size_t>(n * block));
         s.mass(y.data(), blocks.data());
@@ -71,7 +71,7 @@ TEST_CASE("accelerations and multipliers equal a dense solve of the KKT system",
         const Real t = Real(3) / 10;
         const Dense dense(s, t, y);
         VecX dv(dense.n), lambda(dense.m);
-        const Real* v = y.data() + s.group().size();
+        const Real* v = s.v(y.data());
         REQUIRE(s.accelerations(t, y.data(), v, dv.data(), dense.m > 0 ? lambda.data() : nullptr) == Status::ok);
         const VecX expected = dense.solve(dense.Q, dense.xi);
         CHECK((dv - expected.head(dense.n)).norm() <= tolerance(s) * max(Real(1), Real(expected.norm())));

@@ -34,7 +34,7 @@ Solved solved(const Model& model, const std::string& formulation) {
     const auto s = make_system(model, formulation);
     const auto y = initial_state(*s, model);
     Solved result{Status::ok, VecX::Zero(s->velocities()), VecX::Zero(s->constraints()), s->constraint_rank()};
-    result.status = s->accelerations(0, y.data(), y.data() + s->group().size(), result.a.data(),
+    result.status = s->accelerations(0, y.data(), s->v(y.data()), result.a.data(),
                                      result.lambda.size() > 0 ? result.lambda.data() : nullptr);
     return result;
 }

@@ -80,7 +80,7 @@ class ForgetfulSprings final : public Forwarding {
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
         VecX torques = VecX::Zero(velocities()), none = VecX::Zero(constraints()), more(velocities());
         std::vector<Real> y(q, q + state_group().size());
-        std::copy_n(v, velocities(), y.data() + group().size());
+        std::copy_n(v, velocities(), this->v(y.data()));
         inner_->read(y.data(), states_.data());
         for (const TorsionSpring& spring : springs_) {
             const BodyState& s = states_[static_cast<std::size_t>(spring.second)];

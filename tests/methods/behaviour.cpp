@@ -146,7 +146,7 @@ TEST_CASE("the mass-weighted projection is the nearest point in the mass metric"
     Trip trip(standard("double_pendulum"), "SO3xR3", method("rkmk/rk4"), "velocity");
     System& s = *trip.system;
     const auto n = static_cast<std::size_t>(s.velocities());
-    Real* v = trip.y.data() + s.group().size();
+    Real* v = s.v(trip.y.data());
     VecX before(s.velocities()), correction(s.velocities()), tangent(s.velocities()), f(s.velocities());
     for (std::size_t i = 0; i < n; ++i) v[i] += sin(Real(static_cast<int>(i)));
     before = Eigen::Map<VecX>(v, s.velocities());
@@ -181,7 +181,7 @@ TEST_CASE("the seed's projection in the metric of M is the mass-weighted one, ne
         const Method& rk4 = method("rkmk/rk4");
         Trip trip(model, "SO3xR3", rk4, default_options(rk4.description.options), name, options);
         const int n = trip.system->velocities();
-        Real* v = trip.y.data() + trip.system->group().size();
+        Real* v = trip.system->v(trip.y.data());
         std::vector<Real> u(static_cast<std::size_t>(n));
         for (int i = 0; i < n; ++i)
             u[static_cast<std::size_t>(i)] = distance * sin(Real(i + 1)), v[i] = distance * cos(Real(3 * i));

@@ -159,7 +159,7 @@ TEST_CASE("methods with multipliers stay on the constraints, and report multipli
                 VecX dv(s.velocities()), exact(s.constraints());
                 if (exact.size() == 0) continue;
                 REQUIRE(trip.integrator->multipliers() != nullptr);
-                const Real* v = trip.y.data() + s.group().size();
+                const Real* v = s.v(trip.y.data());
                 REQUIRE(s.accelerations(Real(20) / 1000, trip.y.data(), v, dv.data(), exact.data()) == Status::ok);
                 const Eigen::Map<const VecX> own(trip.integrator->multipliers(), exact.size());
                 CHECK((own - exact).norm() <= max(Real(1), Real(exact.norm())) / (spins_fast(named.model) ? 10 : 1000));
@@ -200,7 +200,7 @@ TEST_CASE("a run reports the multipliers of the method, where it has any", "[met
         Trip trip(standard("forced_heavy_top"), "SO3xR3", entry);
         REQUIRE(trip.run(1, 64) == Status::ok);
         VecX dv(6), from_state(3);
-        const Real* v = trip.y.data() + trip.system->group().size();
+        const Real* v = trip.system->v(trip.y.data());
         REQUIRE(trip.system->accelerations(1, trip.y.data(), v, dv.data(), from_state.data()) == Status::ok);
         for (std::size_t i = 0; i < 3; ++i) {
             CHECK(from_number(outcome.final->multipliers.at(i)) == trip.integrator->multipliers()[i]);
@@ -221,7 +221,7 @@ TEST_CASE("velocities turn into space axes and back", "[methods]") {
             const std::vector<Real> y = initial_state(*system, named.model);
             std::vector<BodyState> bodies(named.model.bodies.size());
             system->read(y.data(), bodies.data());
-            const Real* v = y.data() + system->group().size();
+            const Real* v = system->v(y.data());
             VecX turned(system->velocities()), back(turned);
             axes->to_space_axes(y.data(), v, turned.data());
             axes->from_space_axes(y.data(), turned.data(), back.data());

@@ -72,7 +72,7 @@ struct Trip {
     }
     Real velocity_defect(const Real& t = 0) const {
         VecX rows(system->constraints());
-        system->velocity_residual(t, y.data(), y.data() + system->group().size(), rows.data());
+        system->velocity_residual(t, y.data(), system->v(y.data()), rows.data());
         return rows.norm();
     }
 

@@ -31,7 +31,7 @@ void onto_joints(System& s, checks::At& at) {
         const VecX u = rows.completeOrthogonalDecomposition().solve(-residual.head(positions));
         s.group().append_exp(at.y.data(), u.data(), at.y.data());
     }
-    Real* v = at.y.data() + s.group().size();
+    Real* v = s.v(at.y.data());
     s.jacobian(at.t, at.y.data(), C.data());
     s.velocity_residual(at.t, at.y.data(), v, residual.data());
     Eigen::Map<VecX>{v, n} -= C.completeOrthogonalDecomposition().solve(residual);

@@ -56,7 +56,7 @@ std::vector<Real> disturbed_state(const ProjectionMethod& entry, const OptionVal
     Trip trip(model, form, method("rkmk/rk4"));
     trip.project = entry.make(*trip.system, options);
     if (trip.run(h * healthy_steps, healthy_steps) != Status::ok) return {};
-    Real* v = trip.y.data() + trip.system->group().size();
+    Real* v = trip.system->v(trip.y.data());
     for (int i = 0; i < trip.system->velocities(); ++i) v[i] += Real(i % 5 - 2) / 1000;
     std::vector<Real> move(v, v + trip.system->velocities());
     for (Real& x : move) x *= h / 10;

@@ -35,7 +35,7 @@ std::string compare(const std::string& what, const VecX& got, const VecX& expect
     return out.str();
 }
 
-const Real* velocity(const System& s, const At& at) { return at.y.data() + s.group().size(); }
+const Real* velocity(const System& s, const At& at) { return s.v(at.y.data()); }
 
 /// State at (q, v) exp(x (u, a)).
 std::vector<Real> moved(const System& s, const At& at, const VecX& u, const VecX& a, const Real& x) {
@@ -54,7 +54,7 @@ MatX jacobian(const System& s, const At& at) {
 
 VecX velocity_residual(const System& s, const Real& t, const std::vector<Real>& y) {
     VecX r(s.constraints());
-    s.velocity_residual(t, y.data(), y.data() + s.group().size(), r.data());
+    s.velocity_residual(t, y.data(), s.v(y.data()), r.data());
     return r;
 }
 

@@ -102,7 +102,7 @@ class GlobalState {
     VecX rate(const Real& t, const VecX& w) const {
         const VecX y = write(w, false), v = w.tail(system_.velocities());
         VecX dv(v.size()), dw(0);
-        const Status status = system_.accelerations(t, y.data(), y.data() + system_.group().size(), dv.data(), nullptr);
+        const Status status = system_.accelerations(t, y.data(), system_.v(y.data()), dv.data(), nullptr);
         if (status != Status::ok) throw std::domain_error("the dynamics fail");
         for (int i = 0; i < system_.bodies(); ++i) {
             const VecX body = segment(w, i), vi = v.segment(i * (lead_ + 3), lead_ + 3);

@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/formulation.hpp"
+#include "mechanics/joints/joint_rows.hpp"
+#include "mechanics/solve/forest.hpp"
 #include "problems/problem.hpp"
 #include "tests/mechanics/models/jointed.hpp"
 
@@ -86,6 +89,15 @@ inline std::vector<Named> of_tests() {
         models.push_back({std::string(name(type)) + " joints and dampers", damped(type)});
     }
     return models;
+}
+
+/// Whether the recursion over forests solves the model, in formulations that have constraints.
+inline bool takes_recursion(const Model& model) { return all_spherical(model) && is_forest(model); }
+
+/// The system with the solver for joints of any kind.
+inline std::unique_ptr<System> general_system(const Model& model, const std::string& name,
+                                              SolverChoice choice = SolverChoice::automatic) {
+    return formulation(name).make_general(model, choice);
 }
 
 inline std::vector<std::string> applicable(const Model& model) {

@@ -100,7 +100,7 @@ Model freed(const Model& model, std::size_t joint, const Action& wrench) {
 VecX accelerations(const Model& model, System& system, Real* lambda) {
     const std::vector<Real> y = initial_state(system, model);
     VecX dv(system.velocities());
-    const Status status = system.accelerations(0, y.data(), y.data() + system.group().size(), dv.data(), lambda);
+    const Status status = system.accelerations(0, y.data(), system.v(y.data()), dv.data(), lambda);
     if (status != Status::ok) dv.setConstant(std::numeric_limits<Real>::quiet_NaN());
     return dv;
 }

@@ -64,7 +64,7 @@ class Run {
             return Status::ok;
         }
         std::vector<Real> dv(static_cast<std::size_t>(system_->velocities()));
-        return system_->accelerations(t, y_.data(), y_.data() + system_->group().size(), dv.data(), lambda_.data());
+        return system_->accelerations(t, y_.data(), system_->v(y_.data()), dv.data(), lambda_.data());
     }
 
     /// The wrench of each joint on its bodies: minus its part of C^T lambda. Rows without a position level come last.
@@ -165,8 +165,7 @@ Real shortest_arm(const Model& model) {
 Real fastest_rate(const Model& model) {
     const auto system = make_system(model, "SO3xR3");
     std::vector<Real> y = initial_state(*system, model), dv(static_cast<std::size_t>(system->velocities()));
-    if (system->accelerations(0, y.data(), y.data() + system->group().size(), dv.data(), nullptr) != Status::ok)
-        return 0;
+    if (system->accelerations(0, y.data(), system->v(y.data()), dv.data(), nullptr) != Status::ok) return 0;
     const Real size = extent(model), arm = shortest_arm(model);
     Real rate = model.gravity.amplitude != 0 ? abs(model.gravity.frequency) : Real(0);
     const auto allow = [&](const Real& other) { rate = max(rate, other); };

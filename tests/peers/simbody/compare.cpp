@@ -56,8 +56,7 @@ Real reaction_difference(const Model& model, const Simbody& simbody, const std::
     MatX C(system->constraints(), system->velocities());
     VecX lambda(system->constraints()), dv(system->velocities());
     system->jacobian(0, y.data(), C.data());
-    REQUIRE(system->accelerations(0, y.data(), y.data() + system->group().size(), dv.data(), lambda.data()) ==
-            Status::ok);
+    REQUIRE(system->accelerations(0, y.data(), system->v(y.data()), dv.data(), lambda.data()) == Status::ok);
     Largest forces, torques;
     for (const Reaction& theirs : simbody.reactions()) {
         const Reaction ours = reaction_of(model, C, lambda, theirs.joint, theirs.body);
@@ -78,7 +77,7 @@ std::vector<Acceleration> accelerations(System& system, const std::string& formu
                                         const std::vector<BodyState>& bodies) {
     const auto y = state(system, bodies);
     VecX dv(system.velocities());
-    REQUIRE(system.evaluate(0, y.data(), y.data() + system.group().size(), dv.data()) == Status::ok);
+    REQUIRE(system.evaluate(0, y.data(), system.v(y.data()), dv.data()) == Status::ok);
     std::vector<Acceleration> result;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const auto part = dv.segment(6 * static_cast<Eigen::Index>(i), 6);
