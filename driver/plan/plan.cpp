@@ -10,6 +10,7 @@
 #include "driver/plan/metric_names.hpp"
 #include "engine/metric_table.hpp"
 #include "records/json/writer.hpp"
+#include "records/kinds/kind.hpp"
 #include "support/hash.hpp"
 #include "support/nearest.hpp"
 #include "support/pattern.hpp"
@@ -253,8 +254,9 @@ void warn(Plan& plan) {
     if (plan.skipped() == plan.cells.size()) {
         plan.warnings.emplace_back("every cell of this config is skipped: nothing will be computed");
     }
-    if (plan.config.kind == "trajectory" && plan.config.samples == 0) {
-        plan.warnings.emplace_back("a trajectory without \"output\": {\"samples\": ...} keeps its final state only");
+    const ExperimentKind& kind = *find_experiment_kind(plan.config.kind);
+    for (std::string& advice : kind.advise({plan.config.metrics, plan.config.samples})) {
+        plan.warnings.push_back(std::move(advice));
     }
 }
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "plots/tables/cells.hpp"
+#include "plots/tables/names.hpp"
 
 namespace kreisel {
 
@@ -35,12 +35,10 @@ struct ScalingLaw {
     long from = 0, to = 0;  ///< numbers of bodies
 };
 
-/// From 8 bodies on: for fewer, the constant cost of a step dominates. Nothing with fewer than three sizes.
-std::optional<ScalingLaw> scaling_law(const CellGroup& curve, const std::string& quantity);
+/// The fewest bodies that a law is fitted to.
+inline constexpr long least_bodies = 8;
 
-/// One row per cell: time per step, and per body; memory, and per body.
-TextTable scaling_table(const Results& results, std::string (*number)(double));
-/// One row per curve: the exponents of time and memory with their errors.
-TextTable scaling_laws_table(const Results& results);
+/// From that many bodies on: for fewer, the constant cost of a step dominates. Nothing with fewer than three sizes.
+std::optional<ScalingLaw> scaling_law(const CellGroup& curve, const std::string& quantity);
 
 }  // namespace kreisel

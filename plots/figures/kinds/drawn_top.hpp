@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Figures in space: the path of a mass centre, and the motion as a sequence of drawn tops.
+// The picture of a top.
 #pragma once
 
-#include <filesystem>
-
-#include "plots/figures/kinds/curves.hpp"
+#include <array>
+#include <vector>
 
 namespace kreisel {
 
@@ -16,9 +15,5 @@ using Point3 = std::array<double, 3>;
 /// x: mass centre in space axes, m. R: body to space, row by row. lever: tip to mass centre in body axes, m, not zero.
 std::vector<std::vector<Point3>> drawn_top(const Point3& x, const std::array<double, 9>& R, const Point3& lever,
                                            double radius);
-
-/// Writes settings and data of a path3d or motion figure into plotdata/. Throws FigureError, FileError.
-void write_bodies(const std::filesystem::path& plotdata, const FigureSpec& spec, const Results& results,
-                  const std::filesystem::path& folder);
 
 }  // namespace kreisel
