@@ -9,11 +9,11 @@ namespace {
 
 constexpr bool talks = true;
 
+const std::string names_of_cells = "plots/tables/names.hpp";
 const std::string interface = "engine/engine.hpp";
 const std::string metrics = "engine/metric_table.hpp";
 const std::string equations = "mechanics/system.hpp";
 const std::string axes = "mechanics/space_axes.hpp";
-const std::string names_of_cells = "plots/tables/names.hpp";
 
 // From the bottom up; CONTRIBUTING.md draws the same.
 const std::vector<Room>& rooms() {
