@@ -6,8 +6,10 @@
 #include <iostream>
 
 #include "plots/figures/gnuplot.hpp"
-#include "plots/figures/kinds/bodies.hpp"
+#include "plots/figures/kind.hpp"
+#include "plots/figures/spec.hpp"
 #include "records/json/strict.hpp"
+#include "records/kinds/kind.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
 
@@ -15,41 +17,48 @@ namespace kreisel {
 
 namespace {
 
-std::vector<FigureSpec> figures_of(const Results& results) {
+using Figures = std::vector<std::unique_ptr<Figure>>;
+
+Figures figure_of_kind(const std::string& kind, const std::string& experiment) {
+    const ExperimentKind* known = find_experiment_kind(kind);
+    if (known == nullptr) {
+        throw FigureError(fmt::format("{}: no figure shows an experiment of kind {}; describe one under \"figure\"",
+                                      experiment, kind));
+    }
+    Figures figures;
+    figures.push_back(standard_figure(known->figure, experiment));
+    return figures;
+}
+
+Figures figures_of(const Results& results) {
     const auto& config = results.config;
     if (!config.is_object()) { throw FileError("manifest.json: no config in it; figures need one"); }
-    if (!config.contains("figure")) { return {standard_figure(config.value("kind", "trajectory"), results.name)}; }
+    if (!config.contains("figure")) { return figure_of_kind(config.value("kind", ""), results.name); }
     const Document document = parse_document("manifest.json (config)", config.dump(2));
     Diagnostics diagnostics(document);
-    const auto specs = read_figures(Node(document.value.at("figure"), "/figure", diagnostics), results.name);
+    Figures figures = read_figures(Node(document.value.at("figure"), "/figure", diagnostics), results.name);
     diagnostics.raise();
-    return specs;
+    return figures;
 }
 
-void write_data(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder) {
-    const auto plotdata = folder / "plotdata";
-    if (spec.kind == "path3d" || spec.kind == "motion") { return write_bodies(plotdata, spec, results, folder); }
-    if (spec.kind == "convergence") { return write_panels(plotdata, convergence_figure(spec, results)); }
-    if (spec.kind == "drift") { return write_panels(plotdata, drift_figure(spec, results, folder)); }
-    if (spec.kind == "invariants") { return write_panels(plotdata, invariants_figure(spec, results, folder)); }
-    if (spec.kind == "scaling") { return write_panels(plotdata, scaling_figure(spec, results)); }
-    if (spec.kind == "components") { return write_panels(plotdata, components_figure(spec, results, folder)); }
-    throw FigureError(fmt::format("{}: no figure shows an experiment of kind {}; describe one under \"figure\"",
-                                  spec.name, spec.kind));
-}
-
-bool draw(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder,
+void draw(const Figure& figure, const Results& results, const std::filesystem::path& folder,
           const std::filesystem::path& scripts) {
+    figure.write(results, folder);
+    const std::string said = run_gnuplot(folder, scripts, find_figure_kind(figure.kind)->script, figure.name);
+    if (!said.empty()) { std::cerr << "gnuplot on " << figure.name << ": " << said << "\n"; }
+    fmt::print("{}\n", (folder / "figures" / (figure.name + ".{pdf,svg,png}")).string());
+}
+
+// False, with a message, if what it does cannot be drawn.
+template <class Draw>
+bool is_drawn(const Draw& draw_it) {
     try {
-        write_data(spec, results, folder);
+        draw_it();
+        return true;
     } catch (const FigureError& error) {
         std::cerr << "not drawn: " << error.what() << "\n";
         return false;
     }
-    const std::string said = run_gnuplot(folder, scripts, spec.kind, spec.name);
-    if (!said.empty()) { std::cerr << "gnuplot on " << spec.name << ": " << said << "\n"; }
-    fmt::print("{}\n", (folder / "figures" / (spec.name + ".{pdf,svg,png}")).string());
-    return true;
 }
 
 }  // namespace
@@ -57,11 +66,13 @@ bool draw(const FigureSpec& spec, const Results& results, const std::filesystem:
 Exit plot_command(const std::filesystem::path& folder) {
     const Results results = read_results(folder);
     for (const std::string& damage : results.damage) { std::cerr << damage << "\n"; }
-    const auto specs = figures_of(results);
+    Figures figures;
+    bool drawn = is_drawn([&] { figures = figures_of(results); });
     const auto scripts = plot_scripts();
     make_folder(folder / "figures");
-    bool drawn = true;
-    for (const FigureSpec& spec : specs) { drawn = draw(spec, results, folder, scripts) && drawn; }
+    for (const auto& figure : figures) {
+        drawn = is_drawn([&] { draw(*figure, results, folder, scripts); }) && drawn;
+    }
     if (!results.damage.empty()) { return Exit::io; }
     return drawn ? Exit::ok : Exit::cells_failed;
 }

@@ -5,11 +5,8 @@
 
 #include <iostream>
 
-#include "plots/tables/certification.hpp"
-#include "plots/tables/drift.hpp"
-#include "plots/tables/orders.hpp"
-#include "plots/tables/references.hpp"
-#include "plots/tables/scaling.hpp"
+#include "plots/tables/names.hpp"
+#include "plots/tables/table.hpp"
 #include "records/remarks/lost_integrals.hpp"
 #include "records/remarks/past_horizon.hpp"
 #include "support/errors.hpp"
@@ -29,13 +26,12 @@ class TableWriter {
   public:
     explicit TableWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    void write(const TextTable& full, const TextTable& brief, bool print) {
-        if (full.rows.empty()) { return; }
-        const TextTable compact = without_constant_columns(brief, common_columns());
-        write_table(folder_, full, compact);
+    void write(const TablePair& table, bool print) const {
+        if (table.full.rows.empty()) { return; }
+        const TextTable compact = without_constant_columns(table.brief, common_columns());
+        write_table(folder_, table.full, compact);
         if (print) { std::cout << terminal_text(compact) << "\n"; }
     }
-    void write(const TextTable& table, bool print) { write(table, table, print); }
 
   private:
     std::filesystem::path folder_;
@@ -63,23 +59,11 @@ Exit table_command(const std::filesystem::path& folder) {
     print_counts(results);
     const auto tables = folder / "tables";
     std::filesystem::remove_all(tables);  // tables of an earlier run must not remain beside these
-    TableWriter writer(tables);
-    const bool convergence = !error_metrics(results.rows).empty();
-    if (convergence) {
-        for (const TextTable& table : certification_tables(results)) { writer.write(table, table, false); }
-        writer.write(references_table(results), false);
-        writer.write(orders_in_full(results), orders_in_brief(results), true);
-        writer.write(errors_in_full(results), errors_in_brief(results), true);
+    const TableWriter writer(tables);
+    for (const ResultTable& table : result_tables()) {
+        if (!table.applies(results)) { continue; }
+        for (const TablePair& pair : table.make(results, folder)) { writer.write(pair, table.is_printed(results)); }
     }
-    const bool scaling = results.config.is_object() && results.config.value("kind", "") == "scaling";
-    if (scaling) {
-        writer.write(scaling_table(results, exact_number), scaling_table(results, short_number), true);
-        writer.write(scaling_laws_table(results), true);
-    }
-    writer.write(drift_table(results, folder, exact_number), drift_table(results, folder, short_number), !convergence);
-    writer.write(invariants_table(results, exact_number), invariants_table(results, short_number), !convergence);
-    writer.write(cost_table(results), false);
-    writer.write(failures_table(results), true);
     fmt::print("tables in {}\n", tables.string());
     return results.damage.empty() ? Exit::ok : Exit::io;
 }

@@ -109,7 +109,9 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 // What differs from run to run is only in the journals.
 void add_times(const std::filesystem::path& folder, Results& results) {
-    if (!results.config.is_object() || results.config.value("kind", "") != "scaling") { return; }
+    const auto is_timed = [](const ResultRow& row) { return row.bodies > 0; };
+    const bool timed = std::any_of(results.rows.begin(), results.rows.end(), is_timed);
+    if (!results.config.is_object() || !timed) { return; }
     const JournalContents journals = read_journals(folder, read_manifest(folder / "manifest.json").build);
     results.damage.insert(results.damage.end(), journals.complaints.begin(), journals.complaints.end());
     for (ResultRow& row : results.rows) {

@@ -42,7 +42,7 @@ struct Results {
     std::string name;                 ///< of the experiment
 };
 
-/// Reads DIR/results.jsonl and DIR/manifest.json, and for a scaling experiment the times in DIR/journal*.jsonl. A
+/// Reads DIR/results.jsonl and DIR/manifest.json, and for timed cells the times in DIR/journal*.jsonl. A
 /// damaged line is skipped and named in `damage`. Throws FileError where results.jsonl cannot be read.
 Results read_results(const std::filesystem::path& folder);
 

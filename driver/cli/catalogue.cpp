@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <set>
 
+#include "driver/cli/kinds.hpp"
+#include "driver/cli/rows.hpp"
 #include "driver/config/options.hpp"
 #include "driver/config/values.hpp"
 #include "driver/plan/metric_names.hpp"
@@ -20,23 +22,6 @@
 namespace kreisel {
 
 namespace {
-
-using NamedText = std::pair<std::string, std::string>;
-
-void print_rows(std::ostream& out, const std::string& title, const std::vector<NamedText>& rows) {
-    std::size_t width = 0;
-    for (const NamedText& row : rows) { width = std::max(width, row.first.size()); }
-    fmt::print(out, "{}\n", title);
-    for (const auto& [name, text] : rows) { fmt::print(out, "  {:<{}}  {}\n", name, width, text); }
-}
-
-template <class Description>
-std::vector<NamedText> summaries(const std::vector<Description>& all) {
-    std::vector<NamedText> rows;
-    rows.reserve(all.size());
-    for (const auto& one : all) { rows.emplace_back(one.name, one.summary); }
-    return rows;
-}
 
 std::string order_text(const Order& order) {
     if (order == Order(order.configuration)) { return fmt::format("order {}", order.configuration); }
@@ -235,7 +220,11 @@ bool describe_metric(const Engine& engine, const std::string& name, std::ostream
 }  // namespace
 
 const std::vector<std::string>& catalogue_topics() {
-    static const std::vector<std::string> topics = {"problems", "methods", "projections", "formulations", "metrics"};
+    static const std::vector<std::string> topics = [] {
+        std::vector<std::string> all = {"problems", "methods", "projections", "formulations", "metrics"};
+        all.insert(all.end(), kind_topics().begin(), kind_topics().end());
+        return all;
+    }();
     return topics;
 }
 
@@ -246,6 +235,7 @@ void list_topic(const Engine& engine, const std::string& topic, std::ostream& ou
     if (wanted("projections")) { print_rows(out, "Projections", summaries(engine.projections())); }
     if (wanted("formulations")) { print_rows(out, "Formulations", summaries(engine.formulations())); }
     if (wanted("metrics")) { print_rows(out, "Metrics", metric_rows()); }
+    list_kinds(topic, out);
 }
 
 void describe(const Engine& engine, const std::string& name, std::ostream& out) {
@@ -261,16 +251,17 @@ void describe(const Engine& engine, const std::string& name, std::ostream& out) 
         fmt::print(out, "{}: {}\n", formulation->name, formulation->summary);
         return;
     }
-    if (describe_metric(engine, name, out)) { return; }
+    if (describe_metric(engine, name, out) || describe_kind(name, out)) { return; }
     auto names = metric_names(integral_names(engine));
     for (const auto& some : {names_of(registry.problems), names_of(registry.methods), names_of(registry.projections),
-                             names_of(registry.formulations)}) {
+                             names_of(registry.formulations), names_of_kinds()}) {
         names.insert(names.end(), some.begin(), some.end());
     }
     const std::string nearest = nearest_name(name, names);
-    throw UsageError(fmt::format(
-        "expected the name of a problem, method, projection, formulation or metric (see kreisel list), got {}{}",
-        in_quotes(name), nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?"));
+    throw UsageError(
+        fmt::format("expected the name of a problem, method, projection, formulation, metric, kind, figure or table "
+                    "(see kreisel list), got {}{}",
+                    in_quotes(name), nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?"));
 }
 
 }  // namespace kreisel

@@ -96,17 +96,19 @@ class CommandLine {
     }
 
     void add_catalogue() {
-        CLI::App* list =
-            command("list", "What there is: problems, methods, projections, formulations, metrics", [this] {
+        CLI::App* list = command(
+            "list", "What there is: problems, methods, projections, formulations, metrics, kinds, figures, tables",
+            [this] {
                 list_topic(engines_.binary64, arguments_.topic, terminal_.out);
                 return Exit::ok;
             });
         list->add_option("topic", arguments_.topic, "One of them; all if left out")
             ->check(CLI::IsMember(catalogue_topics()));
-        CLI::App* info = command("info", "All about one problem, method, projection, formulation or metric", [this] {
-            describe(engines_.binary64, arguments_.name, terminal_.out);
-            return Exit::ok;
-        });
+        CLI::App* info = command(
+            "info", "All about one problem, method, projection, formulation, metric, kind, figure or table", [this] {
+                describe(engines_.binary64, arguments_.name, terminal_.out);
+                return Exit::ok;
+            });
         info->add_option("name", arguments_.name, "Its name, as kreisel list shows it")->required();
         command("schema", "The JSON Schema (draft-07) of a config, for editors and checkers", [this] {
             terminal_.out << config_schema(Registry(engines_.binary64)).dump(2) << "\n";

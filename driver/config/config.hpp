@@ -18,6 +18,9 @@ struct ProblemEntry {
     std::string label;           ///< of its own: the series, and the values of listed parameters
     ParameterValues parameters;  ///< complete
     std::string pointer;         ///< its position in the config
+
+    /// The position of a parameter: below "parameters" where the config writes them.
+    std::string parameter_pointer(const std::string& path) const { return pointer + "/parameters" + path; }
 };
 
 /// A method or a projection with one value for each of its options.
@@ -30,7 +33,7 @@ struct OptionedEntry {
 struct Config {
     std::string name;
     std::string description;
-    std::string kind;
+    std::string kind;  ///< one of experiment_kinds()
     std::vector<std::string> precisions;
     std::vector<ProblemEntry> problems;
     std::vector<std::string> formulations;
@@ -43,7 +46,7 @@ struct Config {
     bool metrics_given = false;  ///< false: the defaults of the kind apply
     nlohmann::json figure;       ///< as written; null if absent
     /// True if cells measure the time and memory of their steps; they then run one at a time.
-    bool is_timed() const { return kind == "scaling"; }
+    bool is_timed() const;
 };
 
 /// Reads a config. Throws UsageError with every error found; physical validity is checked when the plan is made.
@@ -51,7 +54,5 @@ Config read_config(const Document& document, const Registry& registry);
 
 /// The keys a config may have.
 const std::vector<std::string>& config_keys();
-/// The kinds that can be run.
-const std::vector<std::string>& runnable_kinds();
 
 }  // namespace kreisel

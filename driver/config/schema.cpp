@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver/config/schema.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "driver/config/config.hpp"
 #include "driver/config/options.hpp"
+#include "driver/config/reading/measurements.hpp"
+#include "plots/figures/schema.hpp"
 #include "records/json/model_keys.hpp"
 #include "records/json/node.hpp"
+#include "records/kinds/kind.hpp"
 
 namespace kreisel {
 
@@ -206,8 +211,16 @@ Schema time() {
     return schema;
 }
 
-// A kind other than scaling, or no measurements besides the steps.
-Schema not_timed() { return {{"properties", {{"kind", {{"not", {{"const", "scaling"}}}}}}}}; }
+std::vector<std::string> timed_kinds() {
+    std::vector<std::string> names;
+    for (const ExperimentKind& kind : experiment_kinds()) {
+        if (kind.timed) { names.push_back(kind.name); }
+    }
+    return names;
+}
+
+// A kind whose cells are not timed, or no measurements besides the steps.
+Schema not_timed() { return {{"properties", {{"kind", {{"not", {{"enum", timed_kinds()}}}}}}}}; }
 Schema measures_nothing_else() {
     return {{"properties",
              {{"metrics", {{"maxItems", 0}}}, {"output", {{"properties", {{"samples", {{"maximum", 0}}}}}}}}}};
@@ -217,11 +230,11 @@ Schema measures_nothing_else() {
 
 Schema config_schema(const Registry& registry) {
     const Schema precision = choice({"double", "quad"});
-    const Schema figure = {{"type", "object"}, {"required", {"kind"}}};
+    const Schema figure = figure_schema();
     Schema schema =
         object({{"name", {{"type", "string"}, {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]*$"}, {"maxLength", 100}}},
                 {"description", text(2000)},
-                {"kind", choice(runnable_kinds())},
+                {"kind", choice(names_of(experiment_kinds()))},
                 {"precision", one_or_list(precision)},
                 {"problems", entries(names_of_complete(registry.problems), registry.problems, problem_object)},
                 {"formulations", list(choice(names_of(registry.formulations)))},
@@ -229,7 +242,7 @@ Schema config_schema(const Registry& registry) {
                 {"projections", optioned_entries(registry.projections)},
                 {"time", time()},
                 {"metrics", list(text(100), 0)},
-                {"output", object({{"samples", integer(0, 10'000'000)}}, {})},
+                {"output", object({{"samples", integer(0, most_samples)}}, {})},
                 {"figure", {{"anyOf", {figure, list(figure, 0)}}}}},
                {"name", "kind", "problems", "methods", "time"});
     schema["anyOf"] = Schema::array({not_timed(), measures_nothing_else()});

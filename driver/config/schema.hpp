@@ -3,14 +3,14 @@
 // The shape of a config as a JSON Schema, made from the same registries the reader uses.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "driver/config/registry.hpp"
 
 namespace kreisel {
 
 /// Draft-07. What depends on several places at once (samples that divide steps, labels of their own, steps that divide
-/// the end time), what a figure may say, and physical validity are beyond it: only there the reader is stricter.
+/// the end time, figures with different names), and physical validity are beyond it: only there the reader is stricter.
 nlohmann::ordered_json config_schema(const Registry& registry);
 
 }  // namespace kreisel

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
-#include "plots/tables/scaling.hpp"
 #include "support/nearest.hpp"
 #include "support/pattern.hpp"
 
@@ -43,27 +43,33 @@ std::vector<std::string> selectable(const std::string& key, const Config& config
     return values;
 }
 
+std::vector<std::string> timed_figures() {
+    std::vector<std::string> names;
+    for (const FigureKind& kind : figure_kinds()) {
+        if (kind.draws == FigureData::timed_cells) { names.push_back(kind.name); }
+    }
+    return names;
+}
+
 class FigureCheck {
   public:
     FigureCheck(const Document& document, const Plan& plan, const std::vector<std::string>& metrics, Diagnostics& sink)
         : document_(document), config_(plan.config), metrics_(metrics), sink_(sink) {}
 
-    void check(const FigureSpec& spec) {
-        if ((spec.kind == "scaling") != config_.is_timed()) {
-            sink_.add({spec.pointer + "/kind",
-                       config_.is_timed() ? "\"scaling\", the figure of an experiment of this kind"
-                                          : "a figure of states or errors (\"scaling\" draws experiments of that kind)",
-                       in_quotes(spec.kind)});
-            return;
-        }
-        if (draws_samples(spec.kind) && config_.samples == 0) {
-            sink_.add({spec.pointer + "/kind",
+    void check(const Figure& figure) {
+        const FigureKind& kind = *find_figure_kind(figure.kind);
+        if ((kind.draws == FigureData::timed_cells) != config_.is_timed()) { return refuse_kind(figure); }
+        if (kind.draws == FigureData::samples && config_.samples == 0) {
+            sink_.add({figure.pointer + "/kind",
                        "an experiment that stores samples (\"output\": {\"samples\": K}), since this figure draws them",
-                       fmt::format("{} and no samples", in_quotes(spec.kind))});
+                       fmt::format("{} and no samples", in_quotes(figure.kind))});
         }
-        for (std::size_t i = 0; i < spec.metrics.size(); ++i) { check_metric(spec, i); }
-        for (const auto& [key, values] : spec.select) {
-            for (std::size_t i = 0; i < values.size(); ++i) { check_selection(spec, key, values[i], i); }
+        const std::vector<std::string> drawn = figure.drawn_metrics();
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            check_metric(kind, drawn[i], place(figure.pointer + "/metric", i));
+        }
+        for (const auto& [key, values] : figure.select) {
+            for (std::size_t i = 0; i < values.size(); ++i) { check_selection(figure, key, values[i], i); }
         }
     }
 
@@ -75,10 +81,16 @@ class FigureCheck {
         return document_.value.at(path).is_array() ? fmt::format("{}/{}", pointer, i) : pointer;
     }
 
-    void check_metric(const FigureSpec& spec, std::size_t i) {
-        const std::string& metric = spec.metrics[i];
-        const std::string pointer = place(spec.pointer + "/metric", i);
-        if (spec.kind == "scaling") { return check_cost(metric, pointer); }
+    void refuse_kind(const Figure& figure) {
+        const std::string kind = in_quotes(figure.kind);
+        sink_.add({figure.pointer + "/kind",
+                   config_.is_timed() ? listed(timed_figures()) + ", the figure of an experiment of this kind"
+                                      : "a figure of states or errors (" + kind + " draws experiments of that kind)",
+                   kind});
+    }
+
+    void check_metric(const FigureKind& kind, const std::string& metric, const std::string& pointer) {
+        if (!kind.metrics.empty()) { return check_own_metric(kind, metric, pointer); }
         if (!in_list(metrics_, metric)) {
             sink_.add({pointer, "a metric of these problems (see kreisel list metrics)", in_quotes(metric),
                        nearest_name(metric, metrics_)});
@@ -90,18 +102,16 @@ class FigureCheck {
         }
     }
 
-    void check_cost(const std::string& metric, const std::string& pointer) {
-        const auto names = names_of(scaling_quantities());
-        if (!in_list(names, metric)) {
-            sink_.add({pointer, "one of " + listed(names), in_quotes(metric), nearest_name(metric, names)});
-        }
+    void check_own_metric(const FigureKind& kind, const std::string& metric, const std::string& pointer) {
+        if (in_list(kind.metrics, metric)) { return; }
+        sink_.add({pointer, "one of " + listed(kind.metrics), in_quotes(metric), nearest_name(metric, kind.metrics)});
     }
 
-    void check_selection(const FigureSpec& spec, const std::string& key, const std::string& value, std::size_t i) {
+    void check_selection(const Figure& figure, const std::string& key, const std::string& value, std::size_t i) {
         const auto values = selectable(key, config_);
         const bool with_options = (key == "method" || key == "projection") && value.find(' ') != std::string::npos;
         if (in_list(values, value) || with_options) { return; }
-        sink_.add({place(fmt::format("{}/select/{}", spec.pointer, key), i),
+        sink_.add({place(fmt::format("{}/select/{}", figure.pointer, key), i),
                    fmt::format("a {} of this experiment", key), key == "steps" ? value : in_quotes(value),
                    nearest_name(value, values)});
     }
@@ -118,9 +128,9 @@ void check_figures(const Document& document, const Plan& plan, const std::vector
                    Diagnostics& sink) {
     if (plan.config.figure.is_null()) { return; }
     Diagnostics quiet(document);  // the shape was checked when the config was read
-    const auto specs = read_figures(Node(document.value.at("figure"), "/figure", quiet), plan.config.name);
+    const auto figures = read_figures(Node(document.value.at("figure"), "/figure", quiet), plan.config.name);
     FigureCheck check(document, plan, metrics, sink);
-    for (const FigureSpec& spec : specs) { check.check(spec); }
+    for (const auto& figure : figures) { check.check(*figure); }
 }
 
 }  // namespace kreisel

@@ -73,13 +73,13 @@ std::filesystem::path plot_scripts() {
 }
 
 std::string run_gnuplot(const std::filesystem::path& folder, const std::filesystem::path& scripts,
-                        const std::string& kind, const std::string& name) {
+                        const std::string& script, const std::string& name) {
     const auto log = std::filesystem::absolute(folder) / "plotdata" / (name + ".log");
-    const std::string script = (scripts / (kind + ".gp")).string();
+    const std::string path = (scripts / (script + ".gp")).string();
     pid_t child = 0;
     const ChildSetup setup(folder, log);
     const int failure = setup.spawn(
-        child, {"gnuplot", "-d", "-c", script, "plotdata/" + name + ".gp", "figures/" + name, scripts.string()});
+        child, {"gnuplot", "-d", "-c", path, "plotdata/" + name + ".gp", "figures/" + name, scripts.string()});
     if (failure != 0) { throw FileError(fmt::format("gnuplot cannot be started: {}", std::strerror(failure))); }
     const int code = wait_for(child);
     std::string said = read_text(log);

@@ -35,7 +35,7 @@ struct Panel {
 };
 
 struct PanelFigure {
-    std::string kind, name, title;
+    std::string name, title;
     std::vector<Panel> panels;
     long columns = 2;
     double axes_height = 5;  ///< cm
@@ -44,13 +44,5 @@ struct PanelFigure {
 /// Writes plotdata/<name>.gp (titles, ranges, layout) and one data file per curve and panel. Throws FileError, and
 /// std::invalid_argument where a label holds a control character.
 void write_panels(const std::filesystem::path& plotdata, const PanelFigure& figure);
-
-/// `text` as a single-quoted string of gnuplot; an apostrophe becomes a typographic one. Throws std::invalid_argument
-/// on a control character.
-std::string gnuplot_quoted(const std::string& text);
-/// Makes enhanced text show `text` as it is.
-std::string enhanced_escape(const std::string& text);
-/// Width of enhanced text in characters: mark-up does not count.
-std::size_t enhanced_width(const std::string& text);
 
 }  // namespace kreisel

@@ -54,24 +54,24 @@ ResultRow selected_trajectory(const FigureSpec& spec, const Results& results) {
     return rows.front();
 }
 
-TrajectoryTable selected_samples(const FigureSpec& spec, const ResultRow& row, const std::filesystem::path& folder) {
+TrajectoryTable samples_until(std::optional<double> until, const ResultRow& row, const std::filesystem::path& folder) {
     TrajectoryTable table = read_trajectory(folder, row);
     const auto* t = table.find("t");
-    if (!spec.until || t == nullptr) { return table; }
+    if (!until || t == nullptr) { return table; }
     // Times are sums of decimals: half a step's rounding must not lose the last sample.
-    const double last = *spec.until * (1 + 1e-9);
+    const double last = *until * (1 + 1e-9);
     const auto count = std::count_if(t->begin(), t->end(), [&](double time) { return time <= last; });
     for (auto& column : table.columns) { column.resize(static_cast<std::size_t>(count)); }
     return table;
 }
 
-std::string body_of(const FigureSpec& spec, const TrajectoryTable& trajectory) {
+std::string body_of(const FigureSpec& spec, const std::string& wanted, const TrajectoryTable& trajectory) {
     for (const std::string& name : trajectory.names) {
         if (!name.ends_with(".x1")) { continue; }
         const std::string body = name.substr(0, name.size() - 3);
-        if (spec.body.empty() || spec.body == body) { return body; }
+        if (wanted.empty() || wanted == body) { return body; }
     }
-    throw FigureError(fmt::format("{}: the trajectory has no body \"{}\"", spec.name, spec.body));
+    throw FigureError(fmt::format("{}: the trajectory has no body \"{}\"", spec.name, wanted));
 }
 
 }  // namespace kreisel

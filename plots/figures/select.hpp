@@ -4,17 +4,14 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "plots/figures/spec.hpp"
+#include "plots/figures/figure.hpp"
 #include "records/results.hpp"
 
 namespace kreisel {
-
-/// Thrown if a figure cannot be drawn from these results; says why.
-struct FigureError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 /// The rows that `spec.select` leaves, except skipped ones; with `failed` also those that did not finish.
 /// Throws FigureError where none is left.
@@ -26,10 +23,11 @@ ResultRow selected_trajectory(const FigureSpec& spec, const Results& results);
 /// The rows of `rows` that hold samples. Throws FigureError where there are none.
 std::vector<ResultRow> with_samples(std::vector<ResultRow> rows, const FigureSpec& spec);
 
-/// The samples of the selected cell, up to `spec.until`.
-TrajectoryTable selected_samples(const FigureSpec& spec, const ResultRow& row, const std::filesystem::path& folder);
+/// The samples of a cell, up to the time `until` (s) if there is one.
+TrajectoryTable samples_until(std::optional<double> until, const ResultRow& row, const std::filesystem::path& folder);
 
-/// The body that the figure draws: as requested, or the first. Throws FigureError where there is no such body.
-std::string body_of(const FigureSpec& spec, const TrajectoryTable& trajectory);
+/// The body that the figure draws: `wanted`, or the first if that is empty. Throws FigureError where there is no such
+/// body.
+std::string body_of(const FigureSpec& spec, const std::string& wanted, const TrajectoryTable& trajectory);
 
 }  // namespace kreisel

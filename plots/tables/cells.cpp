@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plots/tables/cells.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace kreisel {
@@ -21,6 +22,22 @@ void add_row(TextTable& table, const CellNames& names, const ResultRow& row, con
     auto line = identity(names, row);
     line.insert(line.end(), cells.begin(), cells.end());
     table.rows.push_back(std::move(line));
+}
+
+std::vector<std::string> with(std::vector<std::string> head, const std::vector<std::string>& tail) {
+    head.insert(head.end(), tail.begin(), tail.end());
+    return head;
+}
+
+std::vector<std::string> plain_metrics(const std::vector<ResultRow>& rows, const std::string& prefix) {
+    std::vector<std::string> found;
+    for (const ResultRow& row : rows) {
+        for (const auto& [name, value] : row.metrics) {
+            const bool plain = name.starts_with(prefix) && name.find('.', prefix.size()) == std::string::npos;
+            if (plain && std::find(found.begin(), found.end(), name) == found.end()) { found.push_back(name); }
+        }
+    }
+    return found;
 }
 
 double value_or_nan(const std::map<std::string, double>& values, const std::string& name) {

@@ -17,6 +17,12 @@ TextTable cell_table(std::string name, std::string title, const std::vector<std:
 /// Adds the row of a cell.
 void add_row(TextTable& table, const CellNames& names, const ResultRow& row, const std::vector<std::string>& cells);
 
+/// `head` and `tail` in one list.
+std::vector<std::string> with(std::vector<std::string> head, const std::vector<std::string>& tail);
+
+/// The metrics with this prefix ("defect.", "invariant.") and no further suffix, in the order of first appearance.
+std::vector<std::string> plain_metrics(const std::vector<ResultRow>& rows, const std::string& prefix);
+
 /// The value of a metric or of a cost; NaN where it is absent.
 double value_or_nan(const std::map<std::string, double>& values, const std::string& name);
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plots/tables/certification.hpp"
-
+//
+// Declared against observed orders at a glance: one table for each problem (by label) of a convergence study, named
+// "certification", or "certification_<label>" where there are several; a line per method, a column per formulation. A
+// cell holds the observed orders of configuration, velocity and multipliers: the least over the metrics of each that
+// have one, "-" where none does; "?" where the slopes of a metric have not settled; "!" where one does not converge, or
+// its order and the finest local slope of its window fall short of the declared one by more than `order_tolerance`.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "engine/metric_table.hpp"
-#include "plots/tables/orders.hpp"
+#include "plots/laws/convergence.hpp"
+#include "plots/tables/table.hpp"
 
 namespace kreisel {
 
@@ -15,6 +20,9 @@ namespace {
 using Metrics = std::vector<std::string>;
 
 constexpr MetricLevel levels[] = {MetricLevel::configuration, MetricLevel::velocity, MetricLevel::multipliers};
+
+// How far an observed order may fall short of the declared one.
+double order_tolerance(int declared) { return declared < 6 ? 0.1 : 0.2; }
 
 // The claim is about h -> 0: if the slopes of the window still rise, the finest one counts.
 bool falls_short(const ObservedOrder& order, int declared) {
@@ -106,11 +114,7 @@ TextTable table_of(const std::string& label, bool single, const std::vector<Cell
     return table;
 }
 
-}  // namespace
-
-double order_tolerance(int declared) { return declared < 6 ? 0.1 : 0.2; }
-
-std::vector<TextTable> certification_tables(const Results& results) {
+std::vector<TablePair> certification_tables(const Results& results, const std::filesystem::path& /*folder*/) {
     const CellNames names(results.rows);
     const auto groups = group_by_method(results.rows);
     std::vector<std::string> labels;
@@ -118,10 +122,21 @@ std::vector<TextTable> certification_tables(const Results& results) {
         const std::string& label = group.front().label;
         if (std::find(labels.begin(), labels.end(), label) == labels.end()) { labels.push_back(label); }
     }
-    std::vector<TextTable> tables;
+    std::vector<TablePair> tables;
     tables.reserve(labels.size());
-    for (const std::string& label : labels) { tables.push_back(table_of(label, labels.size() == 1, groups, names)); }
+    for (const std::string& label : labels) {
+        tables.push_back(unabridged(table_of(label, labels.size() == 1, groups, names)));
+    }
     return tables;
 }
+
+}  // namespace
+
+KREISEL_TABLE({.name = "certification",
+               .summary = "declared and observed orders: a line per method, a column per formulation",
+               .place = 10,
+               .applies = has_errors,
+               .is_printed = never,
+               .make = certification_tables});
 
 }  // namespace kreisel

@@ -1,36 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plots/tables/orders.hpp"
-
+//
+// Observed orders of a convergence study.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
 
 #include "engine/metric_table.hpp"
+#include "plots/laws/convergence.hpp"
+#include "plots/tables/cells.hpp"
+#include "plots/tables/table.hpp"
 
 namespace kreisel {
 
 namespace {
-
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 const std::vector<std::string> order_notes = {
     "Observed order: least-squares slope of log error against log h over the window of step counts in brackets, +- the "
     "largest distance of a local slope from it. Admissible errors lie below 1e-2 of the scale, above 100 times the "
     "error "
     "of the reference and above 100 eps sqrt(N) of the scale; at least three consecutive slopes must agree."};
-
-std::vector<std::string> with(std::vector<std::string> head, const std::vector<std::string>& tail) {
-    head.insert(head.end(), tail.begin(), tail.end());
-    return head;
-}
-
-double value_or_nan(const std::map<std::string, double>& values, const std::string& name) {
-    const auto found = values.find(name);
-    return found == values.end() ? absent : found->second;
-}
 
 std::string in_short(NoOrder why) {
     switch (why) {
@@ -50,13 +38,13 @@ std::string in_short(NoOrder why) {
     return "";
 }
 
-std::string window(const ObservedOrder& order) {
+std::string window_text(const ObservedOrder& order) {
     return fmt::format("{}–{}", order.points[order.first].steps, order.points[order.last].steps);
 }
 
 std::string order_cell(const ObservedOrder& order) {
     if (!order.order) { return order.points.empty() ? "-" : in_short(order.why); }
-    return fmt::format("{:.2f} ± {:.2f} [{}]", *order.order, order.uncertainty, window(order));
+    return fmt::format("{:.2f} ± {:.2f} [{}]", *order.order, order.uncertainty, window_text(order));
 }
 
 std::string slopes_text(const ObservedOrder& order) {
@@ -78,34 +66,6 @@ std::vector<std::string> full_row(const ObservedOrder& order) {
             order.stall ? fmt::format("stalls at {:.1e}", *order.stall) : ""};
 }
 
-const ResultRow* finest(const CellGroup& group) {
-    const ResultRow* best = nullptr;
-    for (const ResultRow* row : group.rows) {
-        if (row->ok() && (best == nullptr || row->steps > best->steps)) { best = row; }
-    }
-    return best;
-}
-
-std::vector<std::string> errors_row(const ResultRow& row, const std::vector<std::string>& metrics,
-                                    std::string (*number)(double)) {
-    std::vector<std::string> cells = {fmt::format("{}", row.steps), number(row.h)};
-    for (const std::string& metric : metrics) { cells.push_back(number(value_or_nan(row.metrics, metric))); }
-    return cells;
-}
-
-// Marks the errors of a row that ends past the horizon of its reference; the first two cells are not errors.
-std::vector<std::string> marked(std::vector<std::string> cells, const ResultRow& row) {
-    for (std::size_t i = 2; i < cells.size() && row.past_horizon; ++i) { cells[i] += cells[i] == "-" ? "" : "*"; }
-    return cells;
-}
-
-std::vector<std::string> with_units(const std::vector<std::string>& metrics) {
-    std::vector<std::string> titles;
-    titles.reserve(metrics.size());
-    for (const std::string& metric : metrics) { titles.push_back(fmt::format("{} [{}]", metric, metric_unit(metric))); }
-    return titles;
-}
-
 // "4", or "2, 2, 1": configuration, velocity, multipliers.
 std::string declared_cell(const ResultRow& row) {
     if (row.declared_order.empty()) { return "-"; }
@@ -121,40 +81,7 @@ std::vector<std::string> without_prefix(const std::vector<std::string>& metrics)
     return titles;
 }
 
-}  // namespace
-
-ObservedOrder order_of(const CellGroup& group, const std::string& metric) {
-    std::vector<ErrorPoint> points;
-    OrderLimits limits;
-    limits.epsilon = epsilon_of(group.front().precision);
-    for (const ResultRow* row : group.rows) {
-        const auto error = row->metrics.find(metric);
-        if (!row->ok() || error == row->metrics.end()) { continue; }
-        points.push_back({row->steps, row->h, error->second});
-        const auto bound = row->reference_error.find(metric);
-        if (bound != row->reference_error.end()) {
-            limits.reference_error = std::max(limits.reference_error, bound->second);
-        }
-    }
-    if (const ResultRow* best = finest(group)) {
-        const auto scale = best->scale.find(metric);
-        if (scale != best->scale.end()) { limits.scale = scale->second; }
-    }
-    return observed_order(std::move(points), limits);
-}
-
-std::vector<std::string> error_metrics(const std::vector<ResultRow>& rows) {
-    std::vector<std::string> found;
-    for (const MetricDescription& entry : metric_table) {
-        const std::string metric(entry.name);
-        const bool occurs = is_error(entry) && std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
-                                return row.metrics.contains(metric);
-                            });
-        if (occurs) { found.push_back(metric); }
-    }
-    return found;
-}
-
+// One row per group and metric, with window, slopes and reason.
 TextTable orders_in_full(const Results& results) {
     const CellNames names(results.rows);
     TextTable table{"orders", "Observed orders: " + results.name, {}, {}};
@@ -173,6 +100,7 @@ TextTable orders_in_full(const Results& results) {
     return table;
 }
 
+// One row per group, one column per metric: "3.99 ± 0.02 [256–4096]", or the reason in short.
 TextTable orders_in_brief(const Results& results) {
     const CellNames names(results.rows);
     const auto metrics = error_metrics(results.rows);
@@ -191,38 +119,17 @@ TextTable orders_in_brief(const Results& results) {
     return without_constant_columns(table, CellNames::axes());
 }
 
-TextTable errors_in_full(const Results& results) {
-    const CellNames names(results.rows);
-    const auto metrics = error_metrics(results.rows);
-    TextTable table{"errors", "Errors of the final state: " + results.name, {}, {}};
-    table.columns = with(with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics)), {"past_horizon"});
-    for (const CellGroup& group : group_by_method(results.rows)) {
-        for (const ResultRow* row : group.rows) {
-            if (!row->ok()) { continue; }
-            table.rows.push_back(with(identity(names, *row), errors_row(*row, metrics, exact_number)));
-            table.rows.back().emplace_back(row->past_horizon ? "yes" : "");
-        }
-    }
-    return table;
+std::vector<TablePair> orders_tables(const Results& results, const std::filesystem::path& /*folder*/) {
+    return {{orders_in_full(results), orders_in_brief(results)}};
 }
 
-TextTable errors_in_brief(const Results& results) {
-    const CellNames names(results.rows);
-    const auto metrics = error_metrics(results.rows);
-    TextTable table{"errors", "Errors of the final state, finest step: " + results.name, {}, {}};
-    bool past = false;
-    table.columns = with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics));
-    for (const CellGroup& group : group_by_method(results.rows)) {
-        const ResultRow* best = finest(group);
-        if (best == nullptr) { continue; }
-        table.rows.push_back(with(identity(names, *best), marked(errors_row(*best, metrics, short_number), *best)));
-        past = past || best->past_horizon;
-    }
-    if (past) {
-        table.notes.emplace_back(
-            "An asterisk marks errors past the horizon of the reference: they are above 100 times its uncertainty.");
-    }
-    return without_constant_columns(table, with(CellNames::axes(), {"steps", "h [s]"}));
-}
+}  // namespace
+
+KREISEL_TABLE({.name = "orders",
+               .summary = "observed orders with their windows, or why there is none",
+               .place = 30,
+               .applies = has_errors,
+               .is_printed = always,
+               .make = orders_tables});
 
 }  // namespace kreisel

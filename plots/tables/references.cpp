@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plots/tables/references.hpp"
-
+//
+// How far the references of a convergence study can be trusted: one row per problem (by label) and end time, with the
+// horizon, and for each quantity the digits up to which step sizes and routes agree, -log10 of the error bound relative
+// to the size of the final state.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include <map>
 
 #include "engine/metric_table.hpp"
+#include "plots/tables/table.hpp"
 
 namespace kreisel {
 
@@ -35,8 +38,6 @@ std::string digits(const ResultRow& row, const std::string& metric) {
     return fmt::format("{:.1f}", -std::log10(bound->second / scale->second));
 }
 
-}  // namespace
-
 TextTable references_table(const Results& results) {
     const std::vector<std::string> metrics = metrics_of(results);
     TextTable table{"references", "References: " + results.name, {"problem", "t [s]", "horizon [s]"}, {}};
@@ -61,5 +62,18 @@ TextTable references_table(const Results& results) {
     }
     return table;
 }
+
+std::vector<TablePair> references_tables(const Results& results, const std::filesystem::path& /*folder*/) {
+    return {unabridged(references_table(results))};
+}
+
+}  // namespace
+
+KREISEL_TABLE({.name = "references",
+               .summary = "horizon of each reference, and the digits on which its routes agree",
+               .place = 20,
+               .applies = has_errors,
+               .is_printed = never,
+               .make = references_tables});
 
 }  // namespace kreisel

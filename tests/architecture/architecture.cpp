@@ -65,6 +65,7 @@ TEST_CASE("each rule catches the tree that breaks it", "[architecture]") {
                                                          {"cite_list", "methods/euler.cpp:2: cite: unknown"},
                                                          {"cite_comment", "lie/so3.hpp:2: cite: nobody1999"},
                                                          {"class_twice", "methods/predictor.cpp:9: class"},
+                                                         {"kind_asked", "plots/plot.cpp:3: kind"},
                                                          {"nothing", ""}};
     const auto bad = project_root / "tests/architecture/bad";
     std::size_t cases = 0;

@@ -9,6 +9,7 @@ namespace {
 
 constexpr bool talks = true;
 
+const std::string names_of_cells = "plots/tables/names.hpp";
 const std::string interface = "engine/engine.hpp";
 const std::string metrics = "engine/metric_table.hpp";
 const std::string equations = "mechanics/system.hpp";
@@ -57,17 +58,23 @@ const std::vector<Room>& rooms() {
          {interface, "mechanics/model/data.hpp", "problems/description.hpp", "support"},
          {"fmt/", "nlohmann/"},
          talks},
+        {"records/kinds", {"support"}, {}},
         {"records/diff", {"records", "support"}, {"fmt/", "nlohmann/"}, talks},
         {"records/remarks", {"records", metrics, "support"}, {"fmt/"}, talks},
         {"records", {"records", interface, metrics, "support"}, {"fmt/", "nlohmann/"}, talks},
-        {"plots/tables", {"records", metrics, "support"}, {"fmt/"}, talks},
+        {names_of_cells, {"records", metrics, "support"}, {"fmt/"}, talks},
+        {"plots/laws", {names_of_cells, "records", metrics, "support"}, {"fmt/"}, talks},
+        {"plots/tables", {"plots/laws", names_of_cells, "records", metrics, "support"}, {"fmt/"}, talks},
         {"plots/diff", {"plots/tables", "records", "support"}, {"fmt/"}, talks},
-        {"plots/figures/kinds", {"plots/figures", "plots/tables", "records", metrics, "support"}, {"fmt/"}, talks},
-        {"plots/figures", {"plots/tables", "records", "support"}, {"fmt/"}, talks},
+        {"plots/figures/kinds",
+         {"plots/figures", "plots/laws", names_of_cells, "records", metrics, "support"},
+         {"fmt/"},
+         talks},
+        {"plots/figures", {names_of_cells, "records", "support"}, {"fmt/", "nlohmann/"}, talks},
         {"plots", {"plots", "records", "support"}, {"fmt/"}, talks},
         {"driver/config",
-         {"plots/figures/spec.hpp", "records", interface, "methods/contract/description.hpp",
-          "problems/description.hpp", "support"},
+         {"plots/figures/spec.hpp", "plots/figures/schema.hpp", "records", interface,
+          "methods/contract/description.hpp", "problems/description.hpp", "support"},
          {"fmt/", "nlohmann/"},
          talks},
         {"driver/plan",
@@ -102,7 +109,9 @@ const Room* room_of(const std::string& path) {
 }
 
 std::size_t capacity_of(const std::string& folder) {
-    const bool registry = folder == "problems" || folder.starts_with("methods/");
+    static const Names registries = {"problems", "records/kinds", "plots/figures/kinds", "plots/tables"};
+    const bool registry =
+        folder.starts_with("methods/") || std::find(registries.begin(), registries.end(), folder) != registries.end();
     return registry ? 40 : 20;
 }
 

@@ -21,7 +21,8 @@ struct Room {
 /// The room that a file belongs to: the one with the longest name that begins its path. Null outside the house.
 const Room* room_of(const std::string& path);
 
-/// How many sources may lie in a folder: 20, but 40 in those that each new problem or method of a family adds one to.
+/// How many sources may lie in a folder: 20, but 40 in those to which each new problem, method, kind or
+/// table adds one.
 std::size_t capacity_of(const std::string& folder);
 
 /// Folders whose files see everything.

@@ -132,6 +132,20 @@ TEST_CASE("info tells parameters, options, integrals and why a formulation is im
     CHECK(tells(run_program({"info", "SE3"}).out, "semidirect"));
 }
 
+TEST_CASE("info tells all that has the name of a kind, and the keys of figures") {
+    const auto scaling = run_program({"info", "scaling"}).out;
+    CHECK(tells(scaling, "scaling, a kind of experiments: "));
+    CHECK(tells(scaling, "cells are timed, run one at a time"));
+    CHECK(tells(scaling, "scaling, a kind of figures: "));
+    CHECK(tells(scaling, "\"cost.step_per_body\""));
+    CHECK(tells(scaling, "scaling, a table: "));
+    const auto motion = run_program({"info", "motion"}).out;
+    CHECK(tells(motion, "how many tops, evenly spaced over time: a whole number from 1 to 100 (default 9)"));
+    CHECK(tells(motion, "[elevation, azimuth] (default [65.0,35.0])"));
+    CHECK(tells(run_program({"info", "drift"}).out, "Metrics: \"defect.*\", \"invariant.*\" by default\n"));
+    CHECK(tells(run_program({"info", "motoin"}).messages, "did you mean \"motion\"?"));
+}
+
 TEST_CASE("plan lists the cells, as text and as JSON") {
     const ScratchFolder scratch;
     const std::string config = scratch.file("good.json", good_config());
@@ -150,7 +164,10 @@ TEST_CASE("each topic is listed for itself") {
                                                                      {"methods", "rkmk/rk4"},
                                                                      {"projections", "position_velocity"},
                                                                      {"formulations", "SO3xR3"},
-                                                                     {"metrics", "invariant.<integral>.slope_error"}};
+                                                                     {"metrics", "invariant.<integral>.slope_error"},
+                                                                     {"kinds", "trajectory"},
+                                                                     {"figures", "motion"},
+                                                                     {"tables", "certification"}};
     for (const auto& [topic, entry] : topics) {
         const auto result = run_program({"list", topic});
         INFO(result.out);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <regex>
 
+#include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/gnuplot.hpp"
 #include "plots/figures/panels.hpp"
 #include "plots/plot.hpp"
@@ -99,8 +100,8 @@ std::pair<long, long> size_of(const std::string& png) {
 }
 
 // Panels beside each other with the same curves, none of whose names begins another.
-PanelFigure figure_of(std::size_t panels, std::size_t curves, const std::string& kind) {
-    PanelFigure figure{kind, "page", "A title", {}};
+PanelFigure figure_of(std::size_t panels, std::size_t curves) {
+    PanelFigure figure{"page", "A title", {}};
     for (std::size_t p = 0; p < panels; ++p) {
         Panel panel{"", "the step h [s]", "the error [m]", true, true, {}, {}, {}};
         for (std::size_t i = 0; i < curves; ++i) {
@@ -129,9 +130,9 @@ TEST_CASE("every legend entry and label is on the page in all three formats") {
         CAPTURE(panels, curves);
         const ResultFolder folder;
         make_folder(folder.path() / "figures");
-        const PanelFigure figure = figure_of(panels, curves, "convergence");
+        const PanelFigure figure = figure_of(panels, curves);
         write_panels(folder.path() / "plotdata", figure);
-        REQUIRE(run_gnuplot(folder.path(), scripts, figure.kind, figure.name).empty());
+        REQUIRE(run_gnuplot(folder.path(), scripts, "linespoints", figure.name).empty());
         const std::string svg = folder.read("figures/page.svg");
         std::vector<std::string> texts = legend_of(figure);
         texts.insert(texts.end(), {figure.panels[0].x_label, figure.panels[0].y_label});
@@ -150,9 +151,9 @@ TEST_CASE("every legend entry and label is on the page in all three formats") {
 TEST_CASE("control: a lost entry, one beyond the page and two in one place are seen") {
     const ResultFolder folder;
     make_folder(folder.path() / "figures");
-    const PanelFigure figure = figure_of(2, 6, "convergence");
+    const PanelFigure figure = figure_of(2, 6);
     write_panels(folder.path() / "plotdata", figure);
-    run_gnuplot(folder.path(), plot_scripts(), figure.kind, figure.name);
+    run_gnuplot(folder.path(), plot_scripts(), "linespoints", figure.name);
     const std::string svg = folder.read("figures/page.svg");
     const auto labels = legend_of(figure);
     REQUIRE(fault(svg, labels, 2) == "");

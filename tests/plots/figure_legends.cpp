@@ -5,22 +5,15 @@
 #include <cmath>
 #include <functional>
 
-#include "plots/figures/kinds/curves.hpp"
-#include "records/json/strict.hpp"
+#include "plots/figures/kinds/curve_kind.hpp"
+#include "plots/figures/select.hpp"
+#include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"
 
 using namespace kreisel;
 using namespace kreisel::test;
 
 namespace {
-
-FigureSpec spec_of(const nlohmann::json& figure) {
-    const Document document = parse_document("test.json", nlohmann::json{{"figure", figure}}.dump());
-    Diagnostics diagnostics(document);
-    const auto specs = read_figures(Node(document.value["figure"], "/figure", diagnostics), "figure");
-    diagnostics.raise();
-    return specs.at(0);
-}
 
 /// The legend of the one curve whose error after h = 2^-6 ... 2^-11 is as given.
 std::string legend_of(const std::function<double(double)>& error) {
@@ -31,7 +24,7 @@ std::string legend_of(const std::function<double(double)>& error) {
     }
     const ResultFolder folder;
     folder.write("results.jsonl", lines);
-    const PanelFigure figure = convergence_figure(spec_of({{"kind", "convergence"}}), read_results(folder.path()));
+    const PanelFigure figure = panels_of({{"kind", "convergence"}}, read_results(folder.path()));
     REQUIRE(figure.panels.size() == 1);
     REQUIRE(figure.panels[0].curves.size() == 1);
     return figure.panels[0].curves[0].label;
@@ -53,8 +46,8 @@ std::string growth_legend(const std::function<double(double)>& defect) {
         result_line("aa", 64, 0, {{"trajectory", "trajectories/aa.csv"}, {"metrics", {{"defect.position", 1}}}})
                 .dump() +
             "\n");
-    const PanelFigure figure = drift_figure(spec_of({{"kind", "drift"}, {"metric", "defect.position"}}),
-                                            read_results(folder.path()), folder.path());
+    const PanelFigure figure =
+        panels_of({{"kind", "drift"}, {"metric", "defect.position"}}, read_results(folder.path()), folder.path());
     return figure.panels.at(0).curves.at(0).label;
 }
 
@@ -81,7 +74,7 @@ TEST_CASE("fewer than four step sizes are too few, and a method that failed says
                                      {"final", nullptr}});
     folder.write("results.jsonl", result_line("aa", 64, 1e-3).dump() + "\n" + result_line("ab", 128, 1e-4).dump() +
                                       "\n" + failed.dump() + "\n");
-    const PanelFigure figure = convergence_figure(spec_of({{"kind", "convergence"}}), read_results(folder.path()));
+    const PanelFigure figure = panels_of({{"kind", "convergence"}}, read_results(folder.path()));
     REQUIRE(figure.panels.at(0).curves.size() == 2);
     CHECK(figure.panels[0].curves[0].label == "rkmk/rk4: too few points");
     CHECK(figure.panels[0].curves[1].label == "cg/cg3a: left\\_chart");
@@ -108,9 +101,8 @@ TEST_CASE("a cell that did not come to its end is drawn as far as it came, and s
                                 {"metrics", {{"defect.position", 1e-6}, {"invariant.energy", 1e-3}}}};
     folder.write("results.jsonl", result_line("aa", 50, 0, end).dump() + "\n");
     const Results results = read_results(folder.path());
-    const PanelFigure drift =
-        drift_figure(spec_of({{"kind", "drift"}, {"metric", "defect.position"}}), results, folder.path());
-    const PanelFigure energy = invariants_figure(spec_of({{"kind", "invariants"}}), results, folder.path());
+    const PanelFigure drift = panels_of({{"kind", "drift"}, {"metric", "defect.position"}}, results, folder.path());
+    const PanelFigure energy = panels_of({{"kind", "invariants"}}, results, folder.path());
     for (const PanelFigure* figure : {&drift, &energy}) {
         REQUIRE(figure->panels.size() == 1);
         REQUIRE(figure->panels[0].curves.size() == 1);
@@ -124,7 +116,7 @@ TEST_CASE("an order past the horizon of its reference says so") {
     const nlohmann::json past = {
         {"reference", {{"error", {{"error.position", 1e-20}}}, {"horizon", 0.5}, {"past_horizon", true}}}};
     folder.write("results.jsonl", convergence_lines(4, past));
-    const PanelFigure figure = convergence_figure(spec_of({{"kind", "convergence"}}), read_results(folder.path()));
+    const PanelFigure figure = panels_of({{"kind", "convergence"}}, read_results(folder.path()));
     CHECK_THAT(figure.panels.at(0).curves.at(0).label, Catch::EndsWith(": 4.00 ± 0.00, past the horizon"));
 }
 
@@ -145,9 +137,8 @@ TEST_CASE("select names cells by step count, label, problem, method, options and
     const Results results = read_results(folder.path());
     const auto cells = [&](const nlohmann::json& select, bool failed = false) {
         std::string text;
-        for (const ResultRow& row : selected_rows(spec_of({{"kind", "drift"}, {"select", select}}), results, failed)) {
-            text += row.cell.substr(1);
-        }
+        const auto figure = figure_read_from({{"kind", "drift"}, {"select", select}});
+        for (const ResultRow& row : selected_rows(*figure, results, failed)) { text += row.cell.substr(1); }
         return text;
     };
     CHECK(cells(nlohmann::json::object()) == "01234");
@@ -174,7 +165,7 @@ TEST_CASE("components are drawn until the time asked for, in one panel or stacke
     const Results results = read_results(folder.path());
     const auto figure = [&](nlohmann::json more) {
         more["kind"] = "components";
-        return components_figure(spec_of(more), results, folder.path());
+        return panels_of(more, results, folder.path());
     };
     const PanelFigure all = figure({{"quantity", "x"}});
     REQUIRE(all.panels.size() == 1);

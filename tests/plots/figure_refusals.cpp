@@ -166,9 +166,9 @@ TEST_CASE("a gnuplot that is not there, fails or complains is told apart") {
     }
     folder.write("scripts/style.gp", "");
     const Variable scripts("KREISEL_PLOTS", (folder.path() / "scripts").string());
-    folder.write("scripts/convergence.gp", "printerr 'a word'\nexit status 3\n");
+    folder.write("scripts/linespoints.gp", "printerr 'a word'\nexit status 3\n");
     CHECK_THROWS_WITH(plot_command(folder.path()), Catch::Contains("gnuplot failed with exit code 3: a word"));
-    folder.write("scripts/convergence.gp", "printerr 'only a warning'\n");
+    folder.write("scripts/linespoints.gp", "printerr 'only a warning'\n");
     const Plotted plotted = plot(folder);
     CHECK(plotted.code == Exit::ok);
     CHECK(plotted.messages == "gnuplot on n: only a warning\n\n");

@@ -4,7 +4,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "plots/figures/kinds/bodies.hpp"
+#include "plots/figures/enhanced_text.hpp"
+#include "plots/figures/kinds/drawn_top.hpp"
+#include "plots/figures/kinds/slope_triangle.hpp"
+#include "plots/figures/spec.hpp"
 #include "plots/plot.hpp"
 #include "records/json/strict.hpp"
 #include "tests/plots/folder.hpp"

@@ -8,12 +8,9 @@
 #include <functional>
 
 #include "plots/table.hpp"
-#include "plots/tables/certification.hpp"
-#include "plots/tables/drift.hpp"
 #include "plots/tables/names.hpp"
-#include "plots/tables/orders.hpp"
-#include "plots/tables/references.hpp"
 #include "tests/plots/folder.hpp"
+#include "tests/plots/named_tables.hpp"
 
 using namespace kreisel;
 using namespace kreisel::test;
@@ -63,7 +60,7 @@ TEST_CASE("where no order can be stated the table says why") {
                     lines_of("bent", [](double h) { return 1e-3 * h * (h < 1.0 / 600 ? std::pow(600 * h, 2) : 1); }) +
                     lines_of("flat", [](double h) { return 1e-3 * std::pow(h, 0.1); }) + lines_of("slow", slow) +
                     result_line("aa", 64, 1e-3, {{"method", "short"}}).dump() + "\n");
-    const TextTable brief = orders_in_brief(results);
+    const TextTable brief = tables_named("orders", results).at(0).brief;
     CHECK(entry(brief, "good", "position") == "2.00 ± 0.00 [64–2048]");
     CHECK(entry(brief, "large", "position") == "pre-asymptotic");
     CHECK(entry(brief, "exact", "position") == "floor");
@@ -71,7 +68,7 @@ TEST_CASE("where no order can be stated the table says why") {
     CHECK(entry(brief, "flat", "position") == "no convergence");
     CHECK(entry(brief, "slow", "position") == "no convergence");
     CHECK(entry(brief, "short", "position") == "too few points");
-    const TextTable full = orders_in_full(results);
+    const TextTable full = tables_named("orders", results).at(0).full;
     const auto remark = [&](const std::string& method) {
         for (const auto& row : full.rows) {
             if (row.at(2) == method) { return row.back(); }
@@ -89,7 +86,8 @@ TEST_CASE("where no order can be stated the table says why") {
 TEST_CASE("errors that leap over the admissible range are told apart from those that never enter it") {
     const ResultFolder folder;
     const Results results = results_of(folder, lines_of("leap", [](double h) { return h > 1.0 / 200 ? 0.5 : 1e-17; }));
-    CHECK(orders_in_full(results).rows.at(0).back() == "the errors leap from above 1e-2 of the scale to the floor");
+    CHECK(tables_named("orders", results).at(0).full.rows.at(0).back() ==
+          "the errors leap from above 1e-2 of the scale to the floor");
 }
 
 TEST_CASE("certification marks what falls short, has not settled, or failed") {
@@ -105,16 +103,16 @@ TEST_CASE("certification marks what falls short, has not settled, or failed") {
                 "silent", [](double h) { return h * h; }, none) +
             lines_of("failed", [](double) { return 1; },
                      {{"status", "left_chart"}, {"detail", "step 1"}, {"metrics", nullptr}, {"final", nullptr}}));
-    const auto tables = certification_tables(results);
+    const auto tables = tables_named("certification", results);
     REQUIRE(tables.size() == 1);
-    CHECK(entry(tables[0], "good", "SO3xR3") == "4.00 / - / -");
-    CHECK(entry(tables[0], "good", "declared") == "4 / 4 / 3");
-    CHECK(entry(tables[0], "low", "SO3xR3") == "3.00! / - / -");
-    CHECK(entry(tables[0], "bent", "SO3xR3") == "? / - / -");
-    CHECK(entry(tables[0], "flat", "SO3xR3") == "! / - / -");
-    CHECK(entry(tables[0], "silent", "SO3xR3") == "2.00 / - / -");
-    CHECK(entry(tables[0], "silent", "declared") == "-");
-    CHECK(entry(tables[0], "failed", "SO3xR3") == "left_chart");
+    CHECK(entry(tables[0].brief, "good", "SO3xR3") == "4.00 / - / -");
+    CHECK(entry(tables[0].brief, "good", "declared") == "4 / 4 / 3");
+    CHECK(entry(tables[0].brief, "low", "SO3xR3") == "3.00! / - / -");
+    CHECK(entry(tables[0].brief, "bent", "SO3xR3") == "? / - / -");
+    CHECK(entry(tables[0].brief, "flat", "SO3xR3") == "! / - / -");
+    CHECK(entry(tables[0].brief, "silent", "SO3xR3") == "2.00 / - / -");
+    CHECK(entry(tables[0].brief, "silent", "declared") == "-");
+    CHECK(entry(tables[0].brief, "failed", "SO3xR3") == "left_chart");
 }
 
 TEST_CASE("a method of one order for all has one number, and one that declares none a dash") {
@@ -125,7 +123,7 @@ TEST_CASE("a method of one order for all has one number, and one that declares n
                                "even", [](double h) { return h * h; }, same) +
                                lines_of("uneven", [](double h) { return h * h; }) +
                                lines_of("none", [](double h) { return h * h; }, {{"order", nullptr}}));
-    const TextTable brief = orders_in_brief(results);
+    const TextTable brief = tables_named("orders", results).at(0).brief;
     CHECK(entry(brief, "even", "declared") == "2");
     CHECK(entry(brief, "uneven", "declared") == "4, 4, 3");
     CHECK(entry(brief, "none", "declared") == "-");
@@ -137,7 +135,7 @@ TEST_CASE("a reference without bound, scale or error has no digits to show") {
         folder,
         lines_of("m", [](double h) { return h; },
                  {{"reference", {{"error", {{"error.position", 0}, {"error.multipliers", 1e-20}}}, {"horizon", 3}}}}));
-    const TextTable table = references_table(results);
+    const TextTable table = tables_named("references", results).at(0).full;
     REQUIRE(table.rows.size() == 1);
     CHECK(table.rows[0][0] == "heavy_top");
     CHECK(std::count(table.rows[0].begin(), table.rows[0].end(), "exact") == 1);
@@ -177,7 +175,7 @@ TEST_CASE("a drift table gives what was measured, and dashes where there is no g
                                 {"metrics", {{"defect.position", 1e-6}, {"defect.position.final", 1e-7}}},
                                 {"trajectory", "trajectories/ab.csv"}}) +
                     line("ac", {{"method", "c"}, {"status", "skipped"}, {"metrics", {{"defect.velocity", 2}}}}));
-    const TextTable table = drift_table(results, folder.path(), exact_number);
+    const TextTable table = tables_named("drift", results, folder.path()).at(0).full;
     REQUIRE(table.rows.size() == 2);
     const auto tail = [](const std::vector<std::string>& row) { return std::vector(row.end() - 6, row.end()); };
     CHECK(tail(table.rows[0]) == std::vector<std::string>{"velocity", "2", "", "-", "-", "-"});

@@ -3,10 +3,11 @@
 // Time and memory against the number of bodies: tables, fitted exponents, figures.
 #include <catch2/catch.hpp>
 
-#include "plots/figures/kinds/curves.hpp"
-#include "plots/tables/scaling.hpp"
+#include "plots/laws/scaling.hpp"
 #include "records/cell_line.hpp"
+#include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"
+#include "tests/plots/named_tables.hpp"
 
 using namespace kreisel;
 using namespace kreisel::test;
@@ -68,7 +69,8 @@ TEST_CASE("a law needs three numbers of bodies, and what was not measured is abs
 
 TEST_CASE("the tables name series, bodies and exponents") {
     const Results results = scaling_results();
-    const TextTable cells = scaling_table(results, short_number), laws = scaling_laws_table(results);
+    const TextTable cells = tables_named("scaling", results).at(0).brief;
+    const TextTable laws = tables_named("scaling_laws", results).at(0).full;
     CHECK(cells.rows.size() == 10);
     CHECK(cells.rows[2][0] == "chain");
     REQUIRE(laws.rows.size() == 2);
@@ -82,15 +84,14 @@ TEST_CASE("the tables name series, bodies and exponents") {
 }
 
 TEST_CASE("a figure of time and memory: one curve for each formulation, the exponent in its legend") {
-    FigureSpec spec = standard_figure("scaling", "s");
-    const PanelFigure figure = scaling_figure(spec, scaling_results());
+    const PanelFigure figure = panels_of({{"kind", "scaling"}}, scaling_results());
     REQUIRE(figure.panels.size() == 2);
     CHECK(figure.panels[0].log_y);
     REQUIRE(figure.panels[0].curves.size() == 2);
     CHECK(figure.panels[0].curves[0].label == "SE3: ∝ N^{1.250 ± 0.000}");
     CHECK(figure.panels[0].curves[0].points.size() == 5);
-    spec.metrics = {"cost.step_per_body"};
-    const PanelFigure per_body = scaling_figure(spec, scaling_results());
+    const nlohmann::json by_body = {{"kind", "scaling"}, {"metric", "cost.step_per_body"}};
+    const PanelFigure per_body = panels_of(by_body, scaling_results());
     CHECK_FALSE(per_body.panels.at(0).log_y);
     CHECK(per_body.panels[0].from_zero);
     CHECK(per_body.panels[0].guides.empty());  // no line of zeros
@@ -99,14 +100,13 @@ TEST_CASE("a figure of time and memory: one curve for each formulation, the expo
 
     Results untimed = scaling_results();
     for (ResultRow& row : untimed.rows) { row.cost.clear(); }
-    CHECK_THROWS_WITH(scaling_figure(spec, untimed), Catch::Contains("journals"));
+    CHECK_THROWS_WITH(panels_of(by_body, untimed), Catch::Contains("journals"));
 }
 
 TEST_CASE("the axis of a cost per body starts at zero, and nothing is drawn there") {
-    FigureSpec spec = standard_figure("scaling", "s");
-    spec.metrics = {"cost.memory_per_body"};
+    const nlohmann::json by_body = {{"kind", "scaling"}, {"name", "s"}, {"metric", "cost.memory_per_body"}};
     const ResultFolder folder;
-    write_panels(folder.path(), scaling_figure(spec, scaling_results()));
+    write_panels(folder.path(), panels_of(by_body, scaling_results()));
     CHECK(folder.read("s.gp").find("array y_low[1] = [0]\n") != std::string::npos);
     CHECK(folder.read("s.gp").find("array has_guides[1] = [0]\n") != std::string::npos);
 }

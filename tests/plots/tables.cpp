@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "plots/laws/growth.hpp"
 #include "plots/table.hpp"
-#include "plots/tables/drift.hpp"
-#include "plots/tables/orders.hpp"
+#include "plots/tables/names.hpp"
 #include "records/remarks/lost_integrals.hpp"
 #include "records/remarks/past_horizon.hpp"
 #include "support/errors.hpp"

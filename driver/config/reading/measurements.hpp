@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How is read what cells measure and store, and what is drawn of it. Internal to the reader.
+#pragma once
+
+#include "driver/config/config.hpp"
+#include "records/json/node.hpp"
+
+namespace kreisel {
+
+/// The most samples a cell may store.
+inline constexpr long most_samples = 10'000'000;
+
+/// Reads "output", "metrics" and "figure" of the config `root`, whose kind and steps have been read.
+void read_measurements(const Node& root, Config& config);
+
+}  // namespace kreisel

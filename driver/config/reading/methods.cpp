@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/config/reading/methods.hpp"
+
+#include <algorithm>
+
+#include "driver/config/options.hpp"
+#include "driver/config/reading/entries.hpp"
+
+namespace kreisel {
+
+namespace {
+
+template <class Description>
+void add_optioned(const Node& entry, const std::string& what, const Description& description,
+                  std::vector<OptionedEntry>& result) {
+    const auto combinations =
+        entry.is_object() ? read_options(entry, description.options) : default_options(description.options);
+    for (const OptionValues& options : combinations) {
+        const auto twin = std::find_if(result.begin(), result.end(), [&](const OptionedEntry& other) {
+            return other.name == description.name && other.options == options;
+        });
+        if (twin != result.end()) {
+            entry.error("each " + what + " once", "the same as at " + twin->pointer);
+        } else {
+            result.push_back({description.name, options, entry.pointer()});
+        }
+    }
+}
+
+template <class Description>
+std::vector<OptionedEntry> read_optioned(const Node& list, const std::string& what,
+                                         const std::vector<Description>& known) {
+    std::vector<OptionedEntry> result;
+    const auto entries = list.elements("a list of at least one " + what);
+    for (const Node& entry : entries.value_or(std::vector<Node>())) {
+        for (const Description* description : described_by(entry, what, known)) {
+            add_optioned(entry, what, *description, result);
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+void read_methods(const Node& root, const Registry& registry, Config& config) {
+    if (const auto node = root.require("methods", "a list of at least one method")) {
+        config.methods = read_optioned(*node, "method", registry.methods);
+    }
+    if (const auto node = root.find("projections")) {
+        config.projections = read_optioned(*node, "projection", registry.projections);
+    } else if (const auto* none = find_named(registry.projections, "none")) {
+        config.projections = {{none->name, default_options(none->options).front(), ""}};
+    }
+}
+
+}  // namespace kreisel

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/config/reading/problems.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "driver/config/parameters.hpp"
+#include "driver/config/reading/entries.hpp"
+
+namespace kreisel {
+
+namespace {
+
+std::string read_label(const Node& entry, const std::string& standard) {
+    const auto node = entry.is_object() ? entry.find("label") : std::nullopt;
+    const auto label = node ? node->text("a label") : std::nullopt;
+    // Spreadsheets read a cell with such a first character as a formula.
+    if (label && std::string_view("=+-@").find(label->front()) != std::string_view::npos) {
+        node->mismatch("a label that does not begin with '=', '+', '-' or '@'");
+    }
+    return label.value_or(standard);
+}
+
+void add_problem(const Node& entry, ProblemEntry problem, Config& config) {
+    for (const ProblemEntry& other : config.problems) {
+        if (other.label == problem.label) {
+            entry.error("a \"label\" of its own for each problem",
+                        in_quotes(problem.label) + " again, as at " + other.pointer);
+            return;
+        }
+        if (other.name == problem.name && other.parameters == problem.parameters) {
+            entry.error("each problem once", "the same problem as at " + other.pointer);
+            return;
+        }
+    }
+    config.problems.push_back(std::move(problem));
+}
+
+void add_problems(const Node& entry, const ProblemDescription& description, Config& config) {
+    const std::string series = read_label(entry, description.name);
+    std::vector<ParameterPoint> points = {{default_parameters(description), ""}};
+    if (entry.is_object()) { entry.only_keys({"name", "label", "parameters"}); }
+    const auto parameters = entry.is_object() ? entry.find("parameters") : std::nullopt;
+    const std::vector<std::string> required = required_parameters(description);
+    if (parameters) {
+        points = read_parameters(*parameters, description);
+    } else if (!required.empty()) {
+        entry.error(fmt::format("the parameters of {}, at least {} (see kreisel info {})", in_quotes(description.name),
+                                listed(required), description.name),
+                    "none");
+        return;
+    }
+    for (ParameterPoint& point : points) {
+        add_problem(entry, {description.name, series, series + point.listed, std::move(point.values), entry.pointer()},
+                    config);
+    }
+}
+
+}  // namespace
+
+void read_problems(const Node& root, const Registry& registry, Config& config) {
+    const auto node = root.require("problems", "a list of at least one problem");
+    const auto entries = node ? node->elements("a list of at least one problem") : std::nullopt;
+    for (const Node& entry : entries.value_or(std::vector<Node>())) {
+        if (const auto* description = described(entry, "problem", registry.problems)) {
+            add_problems(entry, *description, config);
+        }
+    }
+}
+
+}  // namespace kreisel

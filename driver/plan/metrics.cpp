@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/plan/metrics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "driver/plan/metric_names.hpp"
+#include "engine/metric_table.hpp"
+#include "support/nearest.hpp"
+#include "support/pattern.hpp"
+
+namespace kreisel {
+
+namespace {
+
+// Whether there are rows of the kind that a metric is of.
+bool has_rows_of(const ConstraintSummary& constraints, MetricRows rows) {
+    switch (rows) {
+        case MetricRows::any:
+            return true;
+        case MetricRows::lengths:
+            return constraints.rows > constraints.directions;
+        case MetricRows::directions:
+            return constraints.directions > 0;
+    }
+    return false;
+}
+
+// Whether some cell can measure a metric: metrics of constraints need constraints, and those of multipliers unique
+// ones.
+bool can_be_measured(const Plan& plan, const std::string& name) {
+    const MetricDescription* metric = find_metric(name);
+    return std::any_of(plan.systems.begin(), plan.systems.end(), [&](const auto& entry) {
+        const SystemSummary& system = entry.second;
+        if (!system.skip_reason.empty()) { return false; }
+        if (metric == nullptr) {
+            const auto names = metric_names(names_of(system.integrals));
+            return std::find(names.begin(), names.end(), name) != names.end();
+        }
+        if (metric->level == MetricLevel::multipliers && system.constraints.has_redundant_rows()) { return false; }
+        return has_rows_of(system.constraints, metric->rows);
+    });
+}
+
+}  // namespace
+
+std::vector<std::string> known_metrics(const Plan& plan) {
+    std::set<std::string> integrals;
+    for (const auto& [key, summary] : plan.systems) {
+        for (const IntegralDescription& integral : summary.integrals) { integrals.insert(integral.name); }
+    }
+    return metric_names({integrals.begin(), integrals.end()});
+}
+
+void check_metrics(const Document& document, const std::vector<std::string>& names, Diagnostics& sink, Plan& plan) {
+    if (!plan.config.metrics_given) { return; }
+    std::vector<std::string> suggestions = names;
+    suggestions.insert(suggestions.end(), {"error.*", "defect.*", "invariant.*"});
+    for (std::size_t i = 0; i < plan.config.metrics.size(); ++i) {
+        const std::string& pattern = plan.config.metrics[i];
+        const bool plain = pattern.find('*') == std::string::npos;
+        const std::string pointer = fmt::format("/metrics/{}", i);
+        const auto fits = [&](const std::string& name) { return matches(pattern, name); };
+        if (plain && std::none_of(names.begin(), names.end(), fits)) {
+            sink.mismatch(pointer, document.value["metrics"][i],
+                          "a metric of these problems, or a pattern that fits one (see kreisel list metrics)",
+                          nearest_name(pattern, names));
+        } else if (std::none_of(names.begin(), names.end(),
+                                [&](const auto& name) { return fits(name) && can_be_measured(plan, name); })) {
+            const std::string nearest = plain ? "" : nearest_name(pattern, suggestions);
+            plan.warnings.push_back(fmt::format("{}: {} fits no metric that a cell of this config can measure{}",
+                                                pointer, in_quotes(pattern),
+                                                nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?"));
+        }
+    }
+}
+
+}  // namespace kreisel

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One figure, as a config asks for it under "figure".
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "records/results.hpp"
+
+namespace kreisel {
+
+/// Thrown if a figure cannot be drawn from these results; says why.
+struct FigureError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// What figures of all kinds have in common.
+struct FigureSpec {
+    std::string pointer;  ///< where it stands in the config; empty for a standard figure
+    std::string kind;
+    std::string name;                                        ///< file name without extension
+    std::string title;                                       ///< above the figure; empty: none
+    std::map<std::string, std::vector<std::string>> select;  ///< values by axis, and "steps"; empty: all cells
+};
+
+/// A kind of figure derives from it: its members are the keys of the kind, with their defaults.
+class Figure : public FigureSpec {
+  public:
+    Figure() = default;
+    Figure(const Figure&) = delete;
+    Figure& operator=(const Figure&) = delete;
+    virtual ~Figure() = default;
+
+    /// The metrics that it draws, as asked for; empty for a kind without.
+    virtual std::vector<std::string> drawn_metrics() const { return {}; }
+
+    /// Writes plotdata/<name>.gp, the settings for the script of the kind, and its data files. Throws FigureError,
+    /// FileError.
+    virtual void write(const Results& results, const std::filesystem::path& folder) const = 0;
+};
+
+}  // namespace kreisel

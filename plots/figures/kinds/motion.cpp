@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The motion as a sequence of drawn tops, coloured by time, over the path of the mass centre and its shadow.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "plots/figures/kinds/drawn_top.hpp"
+#include "plots/figures/kinds/space_kind.hpp"
+
+namespace kreisel {
+
+namespace {
+
+// Sample indices of `count` instants, the first and the last sample among them.
+std::vector<std::size_t> sampled_instants(std::size_t samples, long count) {
+    std::vector<std::size_t> indices;
+    const auto last = static_cast<double>(samples - 1);
+    for (long i = 0; i < count; ++i) {
+        const double part = count == 1 ? 0 : static_cast<double>(i) / static_cast<double>(count - 1);
+        indices.push_back(static_cast<std::size_t>(std::lround(part * last)));
+    }
+    return indices;
+}
+
+class MotionFigure final : public SpaceKind {
+  public:
+    long instants = 9;
+    double radius = 0.3;          // m
+    std::optional<Point3> lever;  // from the tip of the drawn top to the mass centre, body axes, m
+
+  private:
+    std::vector<TimedLine> drawn_bodies(const BodyPath& path, const ResultRow& row) const override {
+        const Point3 tip_to_centre = lever_of(row);
+        std::vector<TimedLine> lines;
+        for (const std::size_t k : sampled_instants(path.t.size(), instants)) {
+            for (auto& line : drawn_top(path.x[k], path.R[k], tip_to_centre, radius)) {
+                lines.push_back({path.t[k], std::move(line)});
+            }
+        }
+        return lines;
+    }
+
+    // That of the figure, else that of the problem.
+    Point3 lever_of(const ResultRow& row) const {
+        Point3 found{};
+        if (lever) {
+            found = *lever;
+        } else if (row.parameters.is_object() && row.parameters.contains("lever") &&
+                   row.parameters["lever"].is_array()) {
+            found = row.parameters["lever"].get<Point3>();
+        } else {
+            throw FigureError(
+                fmt::format("{}: problem {} has no lever; give \"lever\" in the figure", name, row.problem));
+        }
+        if (!(std::hypot(found[0], found[1], found[2]) > 0)) { throw FigureError(name + ": the lever is zero"); }
+        return found;
+    }
+};
+
+std::vector<FigureKey> motion_keys() {
+    auto keys = space_keys();
+    keys.push_back(figure_key("instants", &MotionFigure::instants, figure_value::count(1, 100, "instants"),
+                              "how many tops, evenly spaced over time"));
+    keys.push_back(figure_key("radius", &MotionFigure::radius, figure_value::positive("a number greater than 0"),
+                              "of the drawn rim, m"));
+    keys.push_back(figure_key("lever", &MotionFigure::lever, figure_value::numbers<3>("three numbers"),
+                              "from the tip of the drawn top to the mass centre, body axes, m", "the problem's"));
+    return keys;
+}
+
+}  // namespace
+
+KREISEL_FIGURE(MotionFigure, {.name = "motion",
+                              .summary = "the motion of a top as a sequence of pictures",
+                              .draws = FigureData::samples,
+                              .script = "motion",
+                              .keys = motion_keys()});
+
+}  // namespace kreisel

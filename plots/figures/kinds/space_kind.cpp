@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plots/figures/kinds/space_kind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plots/figures/enhanced_text.hpp"
+#include "plots/figures/select.hpp"
+#include "support/files.hpp"
+
+namespace kreisel {
+
+namespace {
+
+BodyPath read_path(const TrajectoryTable& table, const std::string& body) {
+    std::vector<const std::vector<double>*> columns = {table.find("t")};
+    for (int i = 1; i <= 3; ++i) { columns.push_back(table.find(fmt::format("{}.x{}", body, i))); }
+    for (int i = 1; i <= 3; ++i) {
+        for (int j = 1; j <= 3; ++j) { columns.push_back(table.find(fmt::format("{}.R{}{}", body, i, j))); }
+    }
+    for (const auto* column : columns) {
+        if (column == nullptr || column->empty()) { throw FigureError("the trajectory lacks t, x or R of the body"); }
+    }
+    BodyPath path{*columns[0], {}, {}};
+    for (std::size_t k = 0; k < path.t.size(); ++k) {
+        path.x.push_back({(*columns[1])[k], (*columns[2])[k], (*columns[3])[k]});
+        std::array<double, 9> R{};
+        for (std::size_t i = 0; i < 9; ++i) { R[i] = (*columns[4 + i])[k]; }
+        path.R.push_back(R);
+    }
+    return path;
+}
+
+struct SpaceBox {
+    Point3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    void add(const Point3& point) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            low[i] = std::min(low[i], point[i]);
+            high[i] = std::max(high[i], point[i]);
+        }
+    }
+    /// A cube about the same centre, so that all axes have the same scale and the drawing is not distorted.
+    SpaceBox cube() const {
+        double half = 0.05;
+        for (std::size_t i = 0; i < 3; ++i) { half = std::max(half, 0.53 * (high[i] - low[i])); }
+        SpaceBox result;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double middle = (low[i] + high[i]) / 2;
+            result.low[i] = middle - half;
+            result.high[i] = middle + half;
+        }
+        return result;
+    }
+};
+
+// "x y z t" a line, an empty line between polylines.
+std::string polyline_text(const std::vector<Point3>& points, const std::vector<double>& t) {
+    std::string text;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        text += fmt::format("{} {} {} {}\n", points[k][0], points[k][1], points[k][2], t[std::min(k, t.size() - 1)]);
+    }
+    return text + "\n";
+}
+
+std::string settings_text(const SpaceKind& figure, const SpaceBox& box, const BodyPath& path) {
+    std::string text = fmt::format("figure_name = {}\nfigure_title = {}\n", gnuplot_quoted(figure.name),
+                                   gnuplot_quoted(enhanced_escape(figure.title)));
+    for (std::size_t i = 0; i < 3; ++i) {
+        text += fmt::format("low_{0} = {1}\nhigh_{0} = {2}\n", i + 1, box.low[i], box.high[i]);
+    }
+    text += fmt::format("t_first = {}\nt_last = {}\n", path.t.front(), path.t.back());
+    return text + fmt::format("elevation = {}\nazimuth = {}\n", figure.view[0], figure.view[1]);
+}
+
+}  // namespace
+
+void SpaceKind::write(const Results& results, const std::filesystem::path& folder) const {
+    const ResultRow row = selected_trajectory(*this, results);
+    const TrajectoryTable table = samples_until(until, row, folder);
+    const BodyPath path = read_path(table, body_of(*this, body, table));
+    SpaceBox box;
+    for (const Point3& x : path.x) { box.add(x); }
+    std::string lines;
+    for (const TimedLine& line : drawn_bodies(path, row)) {
+        for (const Point3& point : line.points) { box.add(point); }
+        lines += polyline_text(line.points, {line.t});
+    }
+    box = box.cube();
+    std::vector<Point3> shadow = path.x;
+    for (Point3& point : shadow) { point[2] = box.low[2]; }
+    const auto file = [&](const char* ending) { return folder / "plotdata" / (name + ending); };
+    make_folder(folder / "plotdata");
+    write_atomically(file(".path.dat"), polyline_text(path.x, path.t));
+    write_atomically(file(".shadow.dat"), polyline_text(shadow, path.t));
+    write_atomically(file(".ends.dat"), polyline_text({path.x.front()}, {path.t.front()}) + "\n" +
+                                            polyline_text({path.x.back()}, {path.t.back()}));
+    if (!lines.empty()) { write_atomically(file(".tops.dat"), lines); }
+    write_atomically(file(".gp"), settings_text(*this, box, path));
+}
+
+std::vector<FigureKey> space_keys() {
+    return {
+        figure_key("body", &SpaceKind::body, figure_value::text("the name of a body"), "which body", "the first"),
+        figure_key("view", &SpaceKind::view, figure_value::numbers<2>("two angles in degrees, [elevation, azimuth]"),
+                   "from where it is seen"),
+        figure_key("until", &SpaceKind::until, figure_value::positive("a time greater than 0, s"), "up to which time",
+                   "all")};
+}
+
+}  // namespace kreisel

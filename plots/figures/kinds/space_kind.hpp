@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Figures in space: the path of the mass centre of one body, with its shadow on the floor.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "plots/figures/kind.hpp"
+#include "plots/figures/kinds/drawn_top.hpp"
+
+namespace kreisel {
+
+/// The sampled states of one body.
+struct BodyPath {
+    std::vector<double> t;
+    std::vector<Point3> x;
+    std::vector<std::array<double, 9>> R;  ///< row by row
+};
+
+/// A line in space at one instant.
+struct TimedLine {
+    double t;
+    std::vector<Point3> points;
+};
+
+class SpaceKind : public Figure {
+  public:
+    std::string body;
+    std::array<double, 2> view = {65, 35};
+    std::optional<double> until;
+
+    void write(const Results& results, const std::filesystem::path& folder) const final;
+
+  protected:
+    /// What is drawn besides the path.
+    virtual std::vector<TimedLine> drawn_bodies(const BodyPath& /*path*/, const ResultRow& /*row*/) const { return {}; }
+};
+
+/// The keys of such kinds.
+std::vector<FigureKey> space_keys();
+
+}  // namespace kreisel

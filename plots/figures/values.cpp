@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plots/figures/values.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "plots/tables/names.hpp"
+
+namespace kreisel {
+
+namespace figure_value {
+
+namespace {
+
+using Schema = nlohmann::ordered_json;
+
+constexpr std::size_t longest_metric = 100, longest_text = 200;
+
+Schema text_schema() {
+    return {
+        {"type", "string"}, {"minLength", 1}, {"maxLength", longest_text}, {"pattern", "^[^\\u0000-\\u001F\\u007F]*$"}};
+}
+
+Schema one_or_many(const Schema& one) { return {{"anyOf", {one, {{"type", "array"}, {"items", one}}}}}; }
+
+std::optional<std::string> read_metric(const Node& node, const std::string& family, const std::string& expected) {
+    const auto metric = node.text(expected, longest_metric);
+    if (!metric) { return std::nullopt; }
+    const bool plain = metric->starts_with(family) && metric->size() > family.size() &&
+                       metric->find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.") == std::string::npos;
+    if (plain) { return metric; }
+    node.mismatch(expected);
+    return std::nullopt;
+}
+
+std::optional<std::string> read_selected(const Node& node, const std::string& key) {
+    if (key != "steps") { return node.text("a name, or a list of names"); }
+    const auto steps = node.count(1, largest_count, "steps");
+    return steps ? std::optional(fmt::format("{}", *steps)) : std::nullopt;
+}
+
+Names selection_keys() {
+    Names keys = CellNames::axes();
+    keys.emplace_back("steps");
+    return keys;
+}
+
+std::optional<Selection> read_selection(const Node& node) {
+    if (!node.require_object("an object such as {\"formulation\": \"SE3\"}")) { return std::nullopt; }
+    node.only_keys(selection_keys());
+    Selection selection;
+    for (const std::string& key : selection_keys()) {
+        const auto value = node.find(key);
+        if (!value) { continue; }
+        for (const Node& entry : value->elements_or_self()) {
+            if (const auto one = read_selected(entry, key)) { selection[key].push_back(*one); }
+        }
+    }
+    return selection;
+}
+
+}  // namespace
+
+Type<std::string> text(const std::string& expected) {
+    return {expected, text_schema(), [=](const Node& node) { return node.text(expected, longest_text); }};
+}
+
+Type<std::string> file_name() {
+    const std::string expected = "a file name without extension: up to 80 of a-z, 0-9, \"_\", \"-\"";
+    return {expected, {{"type", "string"}, {"pattern", "^[a-z0-9_][a-z0-9_-]{0,79}$"}}, [=](const Node& node) {
+                auto name = node.text(expected);
+                if (!name || is_figure_name(*name)) { return name; }
+                node.mismatch(expected);
+                return std::optional<std::string>();
+            }};
+}
+
+Type<std::string> choice(const std::string& what, const Names& names) {
+    return {"one of " + listed(names), {{"type", "string"}, {"enum", names}}, [=](const Node& node) {
+                return node.name(what, names);
+            }};
+}
+
+Type<std::string> axis() { return choice("facet", CellNames::axes()); }
+
+Type<bool> flag() {
+    return {"true or false", {{"type", "boolean"}}, [](const Node& node) { return node.flag(); }};
+}
+
+Type<long> count(long least, long most, const std::string& what) {
+    return {fmt::format("a whole number from {} to {}", least, most),
+            {{"type", "integer"}, {"minimum", least}, {"maximum", most}},
+            [=](const Node& node) { return node.count(least, most, what); }};
+}
+
+Type<double> positive(const std::string& expected) {
+    return {expected, {{"type", "number"}, {"exclusiveMinimum", 0}}, [=](const Node& node) {
+                return node.positive(expected);
+            }};
+}
+
+template <std::size_t n>
+Type<std::array<double, n>> numbers(const std::string& expected) {
+    const Schema schema = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", n}, {"maxItems", n}};
+    return {expected, schema, [=](const Node& node) -> std::optional<std::array<double, n>> {
+                if (!node.is_array() || node.json().size() != n) {
+                    node.mismatch(expected);
+                    return std::nullopt;
+                }
+                std::array<double, n> result{};
+                const auto entries = node.elements_or_self();
+                for (std::size_t i = 0; i < n; ++i) {
+                    const auto value = entries[i].number();
+                    if (!value) { return std::nullopt; }
+                    result[i] = *value;
+                }
+                return result;
+            }};
+}
+template Type<std::array<double, 2>> numbers(const std::string& expected);
+template Type<std::array<double, 3>> numbers(const std::string& expected);
+
+Type<Names> metrics(const std::string& family) {
+    const bool vowel = std::string_view("aeiou").find(family.front()) != std::string_view::npos;
+    const std::string expected = fmt::format("{} metric {}*, or a list of them", vowel ? "an" : "a", family);
+    std::string pattern = "^" + family.substr(0, family.size() - 1) + "\\.[a-z0-9_.]+$";
+    const Schema one = {{"type", "string"}, {"maxLength", longest_metric}, {"pattern", std::move(pattern)}};
+    return {expected, one_or_many(one), [=](const Node& node) {
+                Names names;
+                for (const Node& entry : node.elements_or_self()) {
+                    if (const auto metric = read_metric(entry, family, expected)) { names.push_back(*metric); }
+                }
+                return std::optional(names);
+            }};
+}
+
+Type<Selection> selection() {
+    const Schema steps = {{"type", "integer"}, {"minimum", 1}, {"maximum", largest_count}};
+    Schema properties = Schema::object();
+    for (const std::string& key : selection_keys()) {
+        properties[key] = one_or_many(key == "steps" ? steps : text_schema());
+    }
+    return {"an object of names or lists of names: keys " + listed(selection_keys()),
+            {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}},
+            read_selection};
+}
+
+}  // namespace figure_value
+
+bool is_figure_name(const std::string& name) {
+    const bool letters = name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-") == std::string::npos;
+    return letters && !name.empty() && name.size() <= 80 && name[0] != '-';
+}
+
+}  // namespace kreisel

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plots/laws/convergence.hpp"
+
+#include <algorithm>
+
+#include "engine/metric_table.hpp"
+
+namespace kreisel {
+
+const ResultRow* finest(const CellGroup& group) {
+    const ResultRow* best = nullptr;
+    for (const ResultRow* row : group.rows) {
+        if (row->ok() && (best == nullptr || row->steps > best->steps)) { best = row; }
+    }
+    return best;
+}
+
+ObservedOrder order_of(const CellGroup& group, const std::string& metric) {
+    std::vector<ErrorPoint> points;
+    OrderLimits limits;
+    limits.epsilon = epsilon_of(group.front().precision);
+    for (const ResultRow* row : group.rows) {
+        const auto error = row->metrics.find(metric);
+        if (!row->ok() || error == row->metrics.end()) { continue; }
+        points.push_back({row->steps, row->h, error->second});
+        const auto bound = row->reference_error.find(metric);
+        if (bound != row->reference_error.end()) {
+            limits.reference_error = std::max(limits.reference_error, bound->second);
+        }
+    }
+    if (const ResultRow* best = finest(group)) {
+        const auto scale = best->scale.find(metric);
+        if (scale != best->scale.end()) { limits.scale = scale->second; }
+    }
+    return observed_order(std::move(points), limits);
+}
+
+std::vector<std::string> error_metrics(const std::vector<ResultRow>& rows) {
+    std::vector<std::string> found;
+    for (const MetricDescription& entry : metric_table) {
+        const std::string metric(entry.name);
+        const bool occurs = is_error(entry) && std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
+                                return row.metrics.contains(metric);
+                            });
+        if (occurs) { found.push_back(metric); }
+    }
+    return found;
+}
+
+}  // namespace kreisel
