@@ -31,10 +31,16 @@ class Registered {
         return sorted;
     }
 
+    /// Null where there is none of that name.
+    static const Entry* find(const std::string& name) {
+        for (const Entry& entry : all())
+            if (name_of(entry) == name) return &entry;
+        return nullptr;
+    }
+
     /// `kind` is for the message. Throws std::out_of_range for an unknown name.
     static const Entry& named(const std::string& name, const char* kind) {
-        for (const Entry& entry : all())
-            if (name_of(entry) == name) return entry;
+        if (const Entry* entry = find(name)) return *entry;
         throw std::out_of_range(std::string("no ") + kind + " \"" + name + "\"");
     }
 

@@ -4,17 +4,9 @@
 #include <algorithm>
 
 #include "plots/laws/convergence.hpp"
+#include "support/registered.hpp"
 
 namespace kreisel {
-
-namespace {
-
-std::vector<ResultTable>& registered_tables() {
-    static std::vector<ResultTable> all;
-    return all;
-}
-
-}  // namespace
 
 TablePair unabridged(const TextTable& table) { return {table, table}; }
 
@@ -30,15 +22,8 @@ bool has_timed_cells(const Results& results) {
     return std::any_of(results.rows.begin(), results.rows.end(), [](const ResultRow& row) { return row.bodies > 0; });
 }
 
-TableRegistration::TableRegistration(ResultTable table) { registered_tables().push_back(std::move(table)); }
+TableRegistration::TableRegistration(ResultTable table) { Registered<ResultTable>::add(std::move(table)); }
 
-const std::vector<ResultTable>& result_tables() {
-    static const std::vector<ResultTable> sorted = [] {
-        auto all = registered_tables();
-        std::sort(all.begin(), all.end(), [](const ResultTable& a, const ResultTable& b) { return a.place < b.place; });
-        return all;
-    }();
-    return sorted;
-}
+const std::vector<ResultTable>& result_tables() { return Registered<ResultTable>::all(); }
 
 }  // namespace kreisel
