@@ -45,7 +45,7 @@ class Power final : public Group {
     }
     void multiply(const Real* a, const Real* b, Real* out) const override {
         for (int i = 0; i < copies_ * K::size; i += K::size)
-            K::save(K::multiply(K::load(a + i), K::load(b + i)), out + i);
+            K::save(K::multiply(load_apart(a + i), load_apart(b + i)), out + i);
     }
     void inverse(const Real* a, Real* out) const override {
         for (int i = 0; i < copies_ * K::size; i += K::size) K::save(K::inverse(K::load(a + i)), out + i);
@@ -95,7 +95,7 @@ class Power final : public Group {
     Real orthogonality_defect(const Real* q) const override {
         Real sum = 0;
         for (int i = 0; i < copies_; ++i) {
-            const Real defect = K::orthogonality_defect(K::load(q + i * K::size));
+            const Real defect = K::orthogonality_defect(load_apart(q + i * K::size));
             sum += defect * defect;
         }
         return sqrt(sum);
@@ -111,6 +111,10 @@ class Power final : public Group {
         for (int i = 0; i < K::dim; ++i) minus_u[i] = -u[i];
         return K::load_algebra(minus_u);
     }
+
+    /// Not merged with the arithmetic: otherwise which products and sums a compiler fuses, and with it the last bits,
+    /// depends on the file that instantiates the group.
+    [[gnu::noinline]] static typename K::Element load_apart(const Real* q) { return K::load(q); }
 
     int copies_;
 };

@@ -18,32 +18,27 @@
 // goes to zero.
 #pragma once
 
-#include <vector>
-
-#include "mechanics/system.hpp"
 #include "methods/implicit/motion_scale.hpp"
 #include "methods/implicit/newton.hpp"
 #include "methods/implicit/position_weights.hpp"
 #include "methods/implicit/predictor.hpp"
+#include "methods/implicit/stabilised_equations.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-class StabilisedStep final : private Equations {
+/// The relations of the method are to be set before `advance`.
+class StabilisedStep final : public StepRelations, private Equations {
   public:
     explicit StabilisedStep(System& system);
-
-    /// a, v^, b and D^ of the method, to be set before `advance`.
-    Real velocity_slope, increment_slope;
-    VecX velocity_offset, increment_offset;
 
     /// Fresh guesses from the index-1 form at (t, y); discards the memory of earlier steps. `rate` becomes h v'.
     Status start(const Real& t, const Real& h, const Real* y);
     /// y(t) -> y(t + h) in place; y is unchanged unless the status is ok.
     Status advance(const Real& t, const Real& h, Real* y);
 
-    const VecX& rate() const { return rate_; }            ///< h v' at the end of the last step, or at the start
-    const VecX& increment() const { return increment_; }  ///< D of the last step
+    const VecX& rate() const { return end_.rate; }              ///< h v' at the end of the last step, or at the start
+    const VecX& increment() const { return end_.increment(); }  ///< D of the last step
     /// lambda at the end of the last step (N), of least norm where rows are redundant.
     const Real* multipliers() const;
 
@@ -52,7 +47,6 @@ class StabilisedStep final : private Equations {
     Real size() const override { return size_; }
     Real round_off() const override { return weights_of_positions_.remoteness() * system_.kkt_round_off(); }
 
-    /// Of the iteration: x, eta.
     void weigh_unknowns();
     void guess();
     Status iterate();
@@ -65,30 +59,21 @@ class StabilisedStep final : private Equations {
 
     /// Unknowns x, eta from those of the iteration.
     void take(const Real* turned);
-    /// q+, v+ and D of a guess.
-    void place(const Real* x);
-    /// M^{-1} C(q)^T eta.
-    void pull_back(const Real* eta);
-    Status solve_dynamics();
-    Status correct_positions(const Real* x, Real* change);
-    bool moves_positions() const { return weights_of_positions_.of_eta(change_) > 64 * epsilon * size_; }
-    Real position_defect();
+    bool moves_positions() const { return weights_of_positions_.of_eta(end_.change) > 64 * epsilon * size_; }
+    Real position_defect() { return weights_of_positions_.of_residual(end_.position_residual()); }
 
     System& system_;
-    Eigen::Index n_, m_, positions_;
+    StabilisedEquations end_;
+    Eigen::Index n_, etas_;
     MotionScale scale_;
     PositionWeights weights_of_positions_;
-    Eigen::Index etas_count_;  // all rows, or none
     Newton newton_;
-    Predictor past_;                                         // of turned_
-    VecX unknowns_, turned_, weights_;                       // x, eta; the same with x weighted and in space axes
-    VecX increment_, velocity_, rate_, force_, gyroscopic_;  // n
-    VecX shift_, shift_force_;                               // n: M^{-1} C^T eta
-    VecX rows_, change_, impulse_;                           // m; impulse: h lambda
+    Predictor past_;                    // of turned_
+    VecX unknowns_, turned_, weights_;  // x, eta; the same with x weighted and in space axes
+    VecX difference_;                   // n
     mutable VecX lambda_;
     mutable bool least_norm_ = true;
-    std::vector<Real> configuration_;
-    Real start_ = 0, end_ = 0, h_ = 0, speed_ = 0, size_ = 0;
+    Real h_ = 0, speed_ = 0, size_ = 0;
     const Real* q_ = nullptr;
 };
 
