@@ -12,6 +12,7 @@ constexpr bool talks = true;
 const std::string interface = "engine/engine.hpp";
 const std::string metrics = "engine/metric_table.hpp";
 const std::string equations = "mechanics/system.hpp";
+const std::string parts = "mechanics/parts";
 const std::string axes = "mechanics/space_axes.hpp";
 
 // From the bottom up; CONTRIBUTING.md draws the same.
@@ -20,8 +21,9 @@ const std::vector<Room>& rooms() {
     static const std::vector<Room> all = {
         {"support", {}, {"fmt/"}, talks},
         {"lie", {}, numbers},
-        {"mechanics/model", {"lie"}, numbers},
-        {"mechanics/joints", {"mechanics/model", "lie"}, numbers},
+        {parts, {"support/registered.hpp", "support/unique_name.hpp"}, {}},
+        {"mechanics/model", {parts, "lie"}, numbers},
+        {"mechanics/joints", {"mechanics/model", parts, "lie"}, numbers},
         {"mechanics/forces", {"mechanics/model", "lie"}, numbers},
         {equations, {"mechanics/model", "mechanics/joints", "mechanics/forces", "lie"}, numbers},
         {axes, {"lie"}, {}},
@@ -44,7 +46,7 @@ const std::vector<Room>& rooms() {
         {"engine", {"engine", "methods", "problems", "mechanics", "lie", "support/pattern.hpp"}, numbers, talks},
         {"records/fits", {"support"}, {"fmt/", "gsl/"}, talks},
         {"records/json",
-         {interface, "mechanics/model/data.hpp", "problems/description.hpp", "support"},
+         {interface, parts, "mechanics/model/data.hpp", "problems/description.hpp", "support"},
          {"fmt/", "nlohmann/"},
          talks},
         {"records/diff", {"records", "support"}, {"fmt/", "nlohmann/"}, talks},
@@ -92,7 +94,7 @@ const Room* room_of(const std::string& path) {
 }
 
 std::size_t capacity_of(const std::string& folder) {
-    const bool registry = folder == "problems" || folder.starts_with("methods/");
+    const bool registry = folder == "problems" || folder == "mechanics/parts/joints" || folder.starts_with("methods/");
     return registry ? 40 : 20;
 }
 
