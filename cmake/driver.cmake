@@ -5,6 +5,7 @@ list(REMOVE_ITEM driver_sources ${CMAKE_SOURCE_DIR}/driver/main.cpp)
 add_library(kreisel_driver OBJECT ${driver_sources})
 kreisel_unite(kreisel_driver)
 kreisel_precompile(kreisel_driver driver)
+target_sources(kreisel_driver INTERFACE $<TARGET_OBJECTS:kreisel_parts>)
 add_dependencies(kreisel_driver kreisel_commit)
 target_sources(kreisel_driver PRIVATE ${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp)
 set_source_files_properties(${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON

@@ -5,6 +5,7 @@
 # kreisel_<layer>_<precision>  the objects of one folder
 # kreisel_<precision>          all of them
 # KREISEL_OBJECTS_<precision>  only the objects, for targets of neither precision
+# kreisel_parts                those of neither precision, part of kreisel_<precision> and of kreisel_driver
 
 function(kreisel_flags precision)
   set(target kreisel_flags_${precision})
@@ -23,6 +24,13 @@ function(kreisel_flags precision)
   endif()
 endfunction()
 
+# What joints are made of: plain data, the same in both precisions, which the driver reads too. Objects again, since its
+# files only register.
+file(GLOB parts_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/mechanics/parts/*.cpp
+     ${CMAKE_SOURCE_DIR}/mechanics/parts/*/*.cpp)
+add_library(kreisel_parts OBJECT ${parts_sources})
+target_include_directories(kreisel_parts PRIVATE ${CMAKE_SOURCE_DIR})
+
 function(kreisel_layer precision layer)
   file(GLOB sources CONFIGURE_DEPENDS ${ARGN})
   add_library(kreisel_${layer}_${precision} OBJECT ${sources})
@@ -39,7 +47,11 @@ macro(kreisel_numerics precision)
   target_link_libraries(kreisel_${precision} INTERFACE kreisel_flags_${precision})
   set(KREISEL_OBJECTS_${precision} "")
   kreisel_layer(${precision} lie ${CMAKE_SOURCE_DIR}/lie/*.cpp)
-  kreisel_layer(${precision} mechanics ${CMAKE_SOURCE_DIR}/mechanics/*.cpp ${CMAKE_SOURCE_DIR}/mechanics/*/*.cpp)
+  file(GLOB mechanics_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/mechanics/*.cpp ${CMAKE_SOURCE_DIR}/mechanics/*/*.cpp)
+  list(FILTER mechanics_sources EXCLUDE REGEX "/mechanics/parts/")
+  kreisel_layer(${precision} mechanics ${mechanics_sources})
+  target_sources(kreisel_mechanics_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_parts>)
+  target_sources(kreisel_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_parts>)
   kreisel_layer(${precision} problems ${CMAKE_SOURCE_DIR}/problems/*.cpp ${CMAKE_SOURCE_DIR}/problems/*/*.cpp)
   kreisel_layer(${precision} methods ${CMAKE_SOURCE_DIR}/methods/*.cpp ${CMAKE_SOURCE_DIR}/methods/*/*.cpp)
   kreisel_layer(${precision} engine ${CMAKE_SOURCE_DIR}/engine/*.cpp ${CMAKE_SOURCE_DIR}/engine/*/*.cpp)

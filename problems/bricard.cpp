@@ -24,7 +24,7 @@ Model bricard(const Parameters& p) {
                                 .start = {.x = (hinges[i] + hinges[i + 1]) / 2, .R = axes_along(along, axes[i])}});
     }
     for (int i = 0; i < 6; ++i)
-        model.join(i == 0 ? ground : i - 1, i == 5 ? ground : i, hinges[i], JointType::revolute, axes[i]);
+        model.join(i == 0 ? ground : i - 1, i == 5 ? ground : i, hinges[i], "revolute", axes[i]);
     model.gravity.g = p.vector("gravity");
     return model;
 }

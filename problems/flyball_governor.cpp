@@ -33,8 +33,8 @@ Model governor(const Parameters& p) {
     model.bodies.push_back({.name = "slider", .mass = box, .J = box_inertia(box, cube, cube, cube)});
     model.bodies[0].start = turning(length / 2 * z, Mat3::Identity(), top, w);
     model.bodies[1].start = turning(slide, Mat3::Identity(), top, w);
-    model.join(ground, 0, Vec3::Zero(), JointType::revolute, z);
-    model.join(0, 1, slide, JointType::prismatic, z);
+    model.join(ground, 0, Vec3::Zero(), "revolute", z);
+    model.join(0, 1, slide, "prismatic", z);
     for (const int side : {1, -1}) {
         Real centre = 0;
         Body rod = loaded_rod(length, width, density, p.mass("ball"), centre);
@@ -45,7 +45,7 @@ Model governor(const Parameters& p) {
         rod.start = turning(top + centre * along, R, top, w);
         model.bodies.push_back(rod);
         const int body = static_cast<int>(model.bodies.size()) - 1;
-        model.join(0, body, top, JointType::revolute, y);
+        model.join(0, body, top, "revolute", y);
         model.springs.push_back({1, body, Vec3::Zero(), (length / 2 - centre) * Vec3::UnitX(), p.scalar("stiffness"),
                                  p.scalar("damping"), length / 2});
     }

@@ -26,13 +26,13 @@ Model four_bar(const Parameters& p) {
     for (int i = 0; i <= windows; ++i) {
         const Vec3 foot = Real(i) * x;
         const int crank = add("crank", i + 1, turning(foot + y / 2, upright, foot, -speed * z));
-        model.join(ground, crank, foot, JointType::revolute, z);
+        model.join(ground, crank, foot, "revolute", z);
     }
     for (int i = 0; i < windows; ++i) {
         const Vec3 left = Real(i) * x + y;
         const int bar = add("bar", i + 1, {.x = left + x / 2, .v = speed * x});
-        model.join(i, bar, left, JointType::revolute, z);
-        model.join(bar, i + 1, left + x, JointType::revolute, z);
+        model.join(i, bar, left, "revolute", z);
+        model.join(bar, i + 1, left + x, "revolute", z);
     }
     model.gravity.g = p.vector("gravity");
     return model;

@@ -52,8 +52,8 @@ std::vector<BodyData> crank_and_rod() {
 
 std::vector<JointData> pivot_and_ball() {
     const Vector3 origin = {0, 0, 0}, end = {0.6, 0, 0}, y = {0, 1, 0};
-    return {{.type = JointType::revolute, .between = {"ground", "crank"}, .points = {origin, origin}, .axes = {y, y}},
-            {.type = JointType::spherical, .between = {"crank", "rod"}, .points = {end, end}}};
+    return {{.type = "revolute", .between = {"ground", "crank"}, .points = {origin, origin}, .axes = {y, y}},
+            {.type = "spherical", .between = {"crank", "rod"}, .points = {end, end}}};
 }
 
 std::vector<ForceData> one_spring() {

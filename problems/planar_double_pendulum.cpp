@@ -20,8 +20,8 @@ Model pendulum(const Parameters& p) {
     model.bodies.push_back({.name = "upper", .mass = mass, .J = J, .start = {.x = length / 2 * x}});
     model.bodies.push_back(
         {.name = "lower", .mass = mass, .J = J, .start = {.x = length * x + length / 2 * bend, .R = tilted}});
-    model.join(ground, 0, Vec3::Zero(), JointType::revolute, y);
-    model.join(0, 1, length * x, JointType::revolute, y);
+    model.join(ground, 0, Vec3::Zero(), "revolute", y);
+    model.join(0, 1, length * x, "revolute", y);
     model.gravity.g = p.vector("gravity");
     return model;
 }

@@ -23,7 +23,7 @@ Model disk(const Parameters& p) {
     const Vec3 omega = p.vector("omega");
     body.start = {-contact[2] * z, R, -(R * omega).cross(contact), omega};
     model.bodies.push_back(body);
-    model.joints.push_back({.type = JointType::rolling, .length = radius});
+    model.joints.push_back({.type = "rolling", .length = radius});
     model.gravity.g = p.scalar("gravity") * -z;
     return model;
 }

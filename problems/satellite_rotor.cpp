@@ -20,7 +20,7 @@ Model satellite(const Parameters& p) {
     rotor.J = p.inertia("rotor_inertia", TriangleInequality::required, model.warnings);
     rotor.start.omega = omega + p.scalar("spin") * Vec3::UnitZ(), rotor.start.v = v;
     model.bodies = {hull, rotor};
-    model.join(0, 1, Vec3::Zero(), JointType::revolute, Vec3::UnitZ());
+    model.join(0, 1, Vec3::Zero(), "revolute", Vec3::UnitZ());
     return model;
 }
 

@@ -36,11 +36,11 @@ Model slider_crank(const Parameters& p) {
     model.bodies[1].start = {(pin + end) / 2, R, (pin_velocity + slide * x) / 2, R.transpose() * omega};
     model.bodies[2].start = {.x = end, .v = slide * x};
 
-    model.join(ground, 0, axle, JointType::revolute, x);
+    model.join(ground, 0, axle, "revolute", x);
     model.join(0, 1, pin);
-    model.join(2, 1, end, JointType::universal, x);
+    model.join(2, 1, end, "universal", x);
     model.joints.back().axes_second = model.axes_of(1, axes_about(across));
-    model.join(ground, 2, end, JointType::prismatic, x);
+    model.join(ground, 2, end, "prismatic", x);
     model.gravity.g = p.vector("gravity");
     return model;
 }

@@ -18,8 +18,7 @@ Model pendulum(const Parameters& p) {
                                 .mass = mass,
                                 .start = {.x = Real(i + 1) * length * Vec3::UnitX()},
                                 .point = true});
-        model.joints.push_back(
-            {.first = i == 0 ? ground : i - 1, .second = i, .type = JointType::distance, .length = length});
+        model.joints.push_back({.first = i == 0 ? ground : i - 1, .second = i, .type = "distance", .length = length});
     }
     model.gravity.g = p.vector("gravity");
     return model;

@@ -118,9 +118,9 @@ BodyData read_body(const Node& node, const ElementType& type, std::size_t) {
     return body;
 }
 
-JointData read_joint(const Node& node, const ElementType& type, std::size_t index) {
+JointData read_joint(const Node& node, const ElementType& type, std::size_t) {
     JointData joint;
-    joint.type = static_cast<JointType>(index);
+    joint.type = type.name;
     if (const auto name = node.find("name")) {
         assign(joint.name, name->text(expectation(ValueKind::label), longest_name));
     }

@@ -26,8 +26,8 @@ std::string why_not_pivoted(const Model& model) {
         if (joints.size() > 1) return "body \"" + body.name + "\" has more than one joint, so SO3 cannot remove them";
         if (joints.size() == 1 && joints[0]->first != ground && joints[0]->second != ground)
             return "body \"" + body.name + "\" is joined to a moving body, so no point of it is fixed";
-        if (joints.size() == 1 && joints[0]->type != JointType::spherical)
-            return "body \"" + body.name + "\" hangs on a " + name(joints[0]->type) +
+        if (joints.size() == 1 && !joints[0]->type->is_ball())
+            return "body \"" + body.name + "\" hangs on a " + joints[0]->type.name() +
                    " joint: SO3 takes spherical ones only";
     }
     return "";

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The rows of a joint. With the points p of the two bodies, d = p_first - p_second, the axes a_k = R axes_k of the
-// first body and b_k of the second (k = 1, 2, 3; a_3, b_3 along the axis of the joint), all in space axes:
+// The rows of a joint: those of the primitives in its recipe (mechanics/parts/joints/), in their order. With the points p
+// of the two bodies, d = p_first - p_second, the axes a_k = R axes_k of the first body and b_k of the second (k = 1, 2, 3;
+// a_3, b_3 along the axis of the joint), all in space axes:
 //
-//   spherical    d = 0                                             3 rows (N), space axes
-//   revolute     d = 0,  a_3.b_1 = 0,  a_3.b_2 = 0                 5 rows (N, then N m)
-//   universal    d = 0,  a_3.b_3 = 0                               4 rows
-//   prismatic    b_1.d = b_2.d = 0,  a_3.b_1 = a_3.b_2 = a_1.b_2 = 0   5 rows
-//   cylindrical  b_1.d = b_2.d = 0,  a_3.b_1 = a_3.b_2 = 0         4 rows
-//   planar       b_3.d = 0,  a_3.b_1 = a_3.b_2 = 0                 3 rows
-//   fixed        d = 0,  a_3.b_1 = a_3.b_2 = a_1.b_2 = 0           6 rows
-//   distance     |d| = L (1 + A sin(W t))                          1 row
-//   rolling      a_3.(P - p - c) = 0,  -a_k.(v_p + omega x c) = 0 (k = 1, 2, no position level)   3 rows
+//   coincidence       d = 0                                3 rows (N), space axes
+//   along(k)          b_k.d = 0                            1 row (N)
+//   orthogonal(i, k)  a_i.b_k = 0                          1 row (N m)
+//   distance          |d| = L (1 + A sin(W t))             1 row (N)
+//   contact           a_3.(P - p - c) = 0,  -a_k.(v_p + omega x c) = 0 (k = 1, 2, no position level)   3 rows (N)
 //
 // Each row is what the first body has minus what the second has, so that lambda of a row along e (a space axis, b_k,
-// a_k of a rolling joint) is the force lambda e on the second body, that of |d| a tension, and that of a_i.b_k the
+// a_k of a contact) is the force lambda e on the second body, that of |d| a tension, and that of a_i.b_k the
 // torque lambda a_i x b_k on the second body. The first gets the opposite.
-// A rolling joint is a disk of radius L, its centre p and its axis b_3 on the second body, on the plane through P with
+// A contact is that of a disk of radius L, its centre p and its axis b_3 on the second body, on the plane through P with
 // normal a_3 that the ground carries; c = -L s/|s| with s = a_3 - (a_3.b_3) b_3 leads from the centre to the contact.
 // The three rows together say that the point of the disk in contact is at rest.
 // Axis rows vanish for opposite axes too; a motion cannot pass from the one to the other.
@@ -34,9 +31,9 @@ inline namespace KREISEL_PRECISION {
 inline constexpr int most_rows = 6;  ///< of one joint
 
 /// Rows of a joint, in its order; the first `position_rows` of them have a position level.
-int rows_of(JointType type);
-int position_rows_of(JointType type);
-/// Whether a model has only spherical joints.
+inline int rows_of(JointType type) { return type->row_count; }
+inline int position_rows_of(JointType type) { return type->position_count; }
+/// Whether all joints of a model only hold two points together.
 bool all_spherical(const Model& model);
 
 using Mat6 = Eigen::Matrix<Real, 6, 6>;
@@ -56,7 +53,7 @@ struct JointRows {
 void write_rows(const Joint& joint, const Real& t, const Motion& first, const Motion& second, JointRows& rows);
 
 /// Rows that compare directions have no unit; their multipliers are torques.
-bool is_direction_row(JointType type, int row);
+inline bool is_direction_row(JointType type, int row) { return row >= type->length_count; }
 inline bool has_direction_rows(JointType type) { return is_direction_row(type, rows_of(type) - 1); }
 
 /// The rows of C of a model: joints in its order, rows without a position level after all others.

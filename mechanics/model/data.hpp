@@ -34,14 +34,12 @@ struct BodyData {
     bool operator==(const BodyData&) const = default;
 };
 
-/// How two bodies are joined; mechanics/joints/joint_rows.hpp has the rows of each.
-enum class JointType { spherical, revolute, universal, prismatic, cylindrical, planar, fixed, distance, rolling };
-
-/// A joint between two named bodies, or a body and "ground". Points (m) and axes in space coordinates of the initial
-/// configuration, one for each body. `length` (m): of a distance joint, by default the initial one; of a rolling joint,
-/// the radius. The length of a distance joint is length (1 + amplitude sin(frequency t)), frequency in rad/s.
+/// A joint between two named bodies, or a body and "ground". `type` is the name of a joint (mechanics/parts/joints/),
+/// such as "revolute". Points (m) and axes in space coordinates of the initial configuration, one for each body.
+/// `length` (m): of a distance joint, by default the initial one; of a rolling joint, the radius. The length of a
+/// distance joint is length (1 + amplitude sin(frequency t)), frequency in rad/s.
 struct JointData {
-    JointType type = JointType::spherical;
+    std::string type = "spherical";
     std::array<std::string, 2> between = {};
     std::array<Vector3, 2> points = {};
     std::array<Vector3, 2> axes = {};

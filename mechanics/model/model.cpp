@@ -53,7 +53,7 @@ std::string Model::name_of(int body) const {
 std::string Model::name_of_joint(std::size_t joint) const {
     const Joint& j = joints[joint];
     return "joint " + std::to_string(joint) + " (" + name_of(j.first) + " - " + name_of(j.second) + ", " +
-           name(j.type) + ")";
+           j.type.name() + ")";
 }
 
 std::vector<std::string> Model::joint_names() const {
@@ -73,30 +73,6 @@ std::vector<std::string> Model::joint_names() const {
 std::string Model::name_of_torsion_spring(std::size_t spring) const {
     const TorsionSpring& s = torsion_springs[spring];
     return "torsion spring " + std::to_string(spring) + " (" + name_of(s.first) + " - " + name_of(s.second) + ")";
-}
-
-const char* name(JointType type) {
-    switch (type) {
-        case JointType::spherical:
-            return "spherical";
-        case JointType::revolute:
-            return "revolute";
-        case JointType::universal:
-            return "universal";
-        case JointType::prismatic:
-            return "prismatic";
-        case JointType::cylindrical:
-            return "cylindrical";
-        case JointType::planar:
-            return "planar";
-        case JointType::fixed:
-            return "fixed";
-        case JointType::distance:
-            return "distance";
-        case JointType::rolling:
-            return "rolling";
-    }
-    return "unknown";
 }
 
 Mat3 axes_about(const Vec3& axis) {

@@ -9,6 +9,7 @@
 
 #include "lie/linear.hpp"
 #include "mechanics/model/data.hpp"
+#include "mechanics/parts/joint_type.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -49,7 +50,7 @@ inline constexpr int ground = -1;
 struct Joint {
     int first = ground, second = 0;
     Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
-    JointType type = JointType::spherical;
+    JointType type = "spherical";
     Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();
     Real length = 0;                    ///< of a distance joint; of a rolling joint the radius (m)
     Real amplitude = 0, frequency = 0;  ///< of a distance joint: length (1 + amplitude sin(frequency t)), rad/s
@@ -123,8 +124,7 @@ struct Model {
     Mat3 axes_of(int body, const Mat3& axes) const;
     /// Joint at a point, about an axis of any length (space coordinates of the initial configuration), the same for
     /// both bodies. Not for universal joints, which have two axes, nor for distance joints, which have two points.
-    void join(int first, int second, const Vec3& point, JointType type = JointType::spherical,
-              const Vec3& axis = Vec3::UnitZ());
+    void join(int first, int second, const Vec3& point, JointType type = "spherical", const Vec3& axis = Vec3::UnitZ());
     std::string name_of(int body) const;
     /// "joint 2 (crank - rod, revolute)".
     std::string name_of_joint(std::size_t joint) const;
@@ -135,7 +135,6 @@ struct Model {
     std::string name_of_torsion_spring(std::size_t spring) const;
 };
 
-const char* name(JointType type);
 /// A rotation whose third column is the direction of `axis`, which is not zero.
 Mat3 axes_about(const Vec3& axis);
 

@@ -36,35 +36,18 @@ std::vector<Anchor> anchors(const Model& model) {
     return all;
 }
 
+/// A rolling disk turns about no axis: the momentum of a symmetry that lets it slip is not constant.
 bool turns_freely(const Anchor& anchor, const Line& axis) {
-    switch (anchor.type) {
-        case JointType::spherical:
-        case JointType::distance:
-            return meets(axis, anchor.point);
-        case JointType::revolute:
-        case JointType::universal:
-        case JointType::cylindrical:
-            return meets(axis, anchor.point) && parallel(anchor.axis, axis.e);
-        case JointType::planar:
-            return parallel(anchor.axis, axis.e);
-        case JointType::prismatic:
-        case JointType::fixed:
-        case JointType::rolling:
-            return false;  // the momentum of a symmetry that lets the disk slip is not constant
-    }
-    return false;
+    if (anchor.type->has(FreeMotion::turn_about_point)) return meets(axis, anchor.point);
+    if (!parallel(anchor.axis, axis.e)) return false;
+    if (anchor.type->has(FreeMotion::turn_about_normal)) return true;
+    return (anchor.type->has(FreeMotion::turn_about_axis) || anchor.type->has(FreeMotion::turn_about_two)) &&
+           meets(axis, anchor.point);
 }
 
 bool shifts_freely(const Anchor& anchor, const Vec3& e) {
-    switch (anchor.type) {
-        case JointType::prismatic:
-        case JointType::cylindrical:
-            return parallel(anchor.axis, e);
-        case JointType::planar:
-            return orthogonal(anchor.axis, e);
-        default:
-            return false;
-    }
+    return (anchor.type->has(FreeMotion::slide_along_axis) && parallel(anchor.axis, e)) ||
+           (anchor.type->has(FreeMotion::slide_across_axis) && orthogonal(anchor.axis, e));
 }
 
 template <class Element>
@@ -105,17 +88,9 @@ bool is_central(const Model& model, const Element& element, int body, const Vec3
 bool leaves_spin(const Model& model, const Joint& joint, int body, const Vec3& e) {
     const bool central = is_central(model, joint, body, e);
     const Mat3& axes = joint.first == body ? joint.axes_first : joint.axes_second;
-    switch (joint.type) {
-        case JointType::spherical:
-        case JointType::distance:
-            return central;
-        // Forces act on the axis, couples turn about normals of it.
-        case JointType::revolute:
-        case JointType::cylindrical:
-            return central && parallel(axes.col(2), e);
-        default:
-            return false;
-    }
+    if (joint.type->has(FreeMotion::turn_about_point)) return central;
+    // Forces act on the axis, couples turn about normals of it.
+    return joint.type->has(FreeMotion::turn_about_axis) && central && parallel(axes.col(2), e);
 }
 
 }  // namespace
@@ -141,7 +116,7 @@ bool is_invariant_under_translation(const Model& model, const Vec3& e) {
 
 Vec3 pivot(const Model& model) {
     for (const Anchor& anchor : anchors(model))
-        if (anchor.type != JointType::planar) return anchor.point;
+        if (!anchor.type->has(FreeMotion::slide_across_axis)) return anchor.point;
     for (const Spring& spring : model.springs)
         if (touches(spring, ground)) return end(spring, ground);
     return Vec3::Zero();
@@ -172,7 +147,7 @@ std::optional<KovalevskayaTop> kovalevskaya_top(const Model& model, int body) {
     const Joint* only = nullptr;
     for (const Joint& joint : model.joints) {
         if (!touches(joint, body)) continue;
-        if (only || joint.type != JointType::spherical || !touches(joint, ground)) return std::nullopt;
+        if (only || !joint.type->is_ball() || !touches(joint, ground)) return std::nullopt;
         only = &joint;
     }
     const auto acts = [&](const auto& element) { return touches(element, body); };

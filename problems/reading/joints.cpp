@@ -27,26 +27,27 @@ class JointReader {
   public:
     JointReader(const Model& model, const JointData& data, std::size_t index, bool projected)
         : model_(model), data_(data), projected_(projected), path_(reading::place("joints", index)) {
-        who_ = "joint " + std::to_string(index) + " (" + data.between[0] + " - " + data.between[1] + ", " +
-               name(data.type) + ")";
+        who_ = "joint " + std::to_string(index) + " (" + data.between[0] + " - " + data.between[1] + ", " + data.type +
+               ")";
+        joint_.type = type();
     }
 
     Joint read() {
         const auto [first, second] = reading::bodies_between(model_, data_.between, path_, who_);
-        joint_.first = first, joint_.second = second, joint_.type = data_.type;
+        joint_.first = first, joint_.second = second;
         if (!data_.name.empty()) joint_.name = to_name(data_.name, path_ + "/name");
         check_point_masses();
         joint_.r_first = point(0, first), joint_.r_second = point(1, second);
-        if (has_axes()) read_axes();
-        if (data_.type == JointType::distance) read_distance();
-        if (data_.type == JointType::rolling) read_rolling();
+        if (joint_.type->axes != JointAxes::none) read_axes();
+        if (joint_.type->has(Primitive::distance)) read_distance();
+        if (joint_.type->has(Primitive::contact)) read_contact();
         return joint_;
     }
 
   private:
-    bool has_axes() const {
-        return data_.type != JointType::spherical && data_.type != JointType::fixed &&
-               data_.type != JointType::distance;
+    JointType type() const {
+        if (const JointKind* kind = find_joint_kind(data_.type)) return JointType(*kind);
+        throw ParameterError(path_ + "/type", who_ + ": there is no joint of this type", data_.type, joint_names());
     }
     /// The place of one body's value: a value for both is written under the singular key.
     std::string at(const char* shared, const char* each, const std::array<Vector3, 2>& values, std::size_t body) const {
@@ -58,14 +59,14 @@ class JointReader {
     Vec3 axis(std::size_t k) const { return reading::axis(data_.axes[k], at("axis", "axes", data_.axes, k), who_); }
 
     void check_point_masses() const {
-        if (data_.type == JointType::spherical || data_.type == JointType::distance) return;
+        if (joint_.type->holds_points) return;
         for (std::size_t k = 0; k < 2; ++k) {
             const int body = k == 0 ? joint_.first : joint_.second;
             if (body == ground || !model_.bodies[static_cast<std::size_t>(body)].point) continue;
-            throw ParameterError(
-                path_ + "/between/" + std::to_string(k),
-                who_ + ": expected a rigid body; \"" + data_.between[k] +
-                    "\" is a point mass, which has no axes: only spherical and distance joints hold it");
+            throw ParameterError(path_ + "/between/" + std::to_string(k),
+                                 who_ + ": expected a rigid body; \"" + data_.between[k] +
+                                     "\" is a point mass, which has no axes: only " + joints_that_hold_points() +
+                                     " joints hold it");
         }
     }
 
@@ -73,8 +74,8 @@ class JointReader {
         const Vec3 a = axis(0), b = axis(1);
         const Mat3 first = axes_about(a);
         const Real cosine = first.col(2).dot(axes_about(b).col(2));
-        if (data_.type == JointType::universal) check_perpendicular(cosine);
-        if (data_.type == JointType::rolling && abs(cosine) > 1 - Real(1) / 1000000000)
+        if (joint_.type->axes == JointAxes::perpendicular) check_perpendicular(cosine);
+        if (joint_.type->axes == JointAxes::not_parallel && abs(cosine) > 1 - Real(1) / 1000000000)
             throw ParameterError(path_ + "/axes", who_ +
                                                       ": expected a disk that does not lie flat on the plane, got axes "
                                                       "that are parallel: the point of contact is not determined");
@@ -104,7 +105,7 @@ class JointReader {
                                      text(joint_.amplitude));
     }
 
-    void read_rolling() {
+    void read_contact() {
         if (joint_.first != ground || joint_.second == ground)
             throw ParameterError(path_ + "/between",
                                  who_ + ": expected \"ground\", which carries the plane, and then the disk");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "records/json/model.hpp"
 
+#include "mechanics/parts/joint_type.hpp"
 #include "records/json/lists.hpp"
 #include "records/json/model_keys.hpp"
 #include "records/json/writer.hpp"
@@ -32,7 +33,7 @@ std::string json_element(const BodyData& body) {
 }
 
 std::string json_element(const JointData& joint) {
-    const ElementType& type = type_of(ParameterKind::joints, joint.type);
+    const ElementType& type = JointType(joint.type)->element;
     ObjectWriter object;
     object.member("type", json_text(type.name));
     if (!joint.name.empty()) { object.member("name", json_text(joint.name)); }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "records/json/model_keys.hpp"
 
-#include <algorithm>
 #include <map>
 #include <stdexcept>
+
+#include "mechanics/parts/joint_type.hpp"
 
 namespace kreisel {
 
@@ -29,48 +30,12 @@ ElementList bodies() {
                v,
                {"omega", Kind::vector, false}},
               {{"R", "quaternion", false}}},
-             {"point", "point mass, held only by spherical and distance joints", {name, mass, x, v}}}};
-}
-
-// A joint at a point of each body, with further keys.
-ElementType at_point(const std::string& name, const std::string& summary) {
-    return {name,
-            summary,
-            {between, {"point", Kind::vector, false}, {"points", Kind::vectors, false}},
-            {{"point", "points", true}}};
-}
-
-ElementType about_axis(const std::string& name, const std::string& summary) {
-    ElementType type = at_point(name, summary);
-    type.keys.push_back({"axis", Kind::vector, false});
-    type.keys.push_back({"axes", Kind::vectors, false});
-    type.alternatives.push_back({"axis", "axes", true});
-    return type;
+             {"point", "point mass, held only by " + joints_that_hold_points() + " joints", {name, mass, x, v}}}};
 }
 
 ElementList joints() {
-    const ElementKey points = {"points", Kind::vectors, true}, axes = {"axes", Kind::vectors, true},
-                     amplitude = {"amplitude", Kind::number, false}, frequency = {"frequency", Kind::number, false};
-    ElementType universal = at_point("universal", "the points coincide, the two axes stay perpendicular");
-    universal.keys.push_back(axes);
-    ElementList list = {
-        "joint",
-        "",
-        {at_point("spherical", "the points coincide"),
-         about_axis("revolute", "turns about the axis"),
-         universal,
-         about_axis("prismatic", "slides along the axis"),
-         about_axis("cylindrical", "turns about the axis and slides along it"),
-         about_axis("planar", "moves in the plane through the points, normal to the axis"),
-         at_point("fixed", "nothing moves"),
-         {"distance",
-          "the points keep a distance of length (1 + amplitude sin(frequency t))",
-          {between, points, {"length", Kind::positive, false}, amplitude, frequency}},
-         {"rolling",
-          "a disk rolls without slip on a plane: between ground and disk, a point of the plane and the disk's centre, "
-          "the normal and the disk's axis",
-          {between, points, axes, {"radius", Kind::positive, true}}}}};
-    for (ElementType& type : list.types) { type.keys.push_back({"name", Kind::label, false}); }
+    ElementList list = {"joint", "", {}};
+    for (const JointKind& kind : joint_kinds()) { list.types.push_back(kind.element); }
     return list;
 }
 
@@ -100,10 +65,6 @@ ElementList forces() {
 }
 
 }  // namespace
-
-bool ElementType::has(const std::string& key) const {
-    return std::any_of(keys.begin(), keys.end(), [&](const ElementKey& one) { return one.name == key; });
-}
 
 bool has_elements(ParameterKind kind) {
     return kind == ParameterKind::bodies || kind == ParameterKind::joints || kind == ParameterKind::forces;

@@ -13,6 +13,7 @@ const std::string names_of_cells = "plots/tables/names.hpp";
 const std::string interface = "engine/engine.hpp";
 const std::string metrics = "engine/metric_table.hpp";
 const std::string equations = "mechanics/system.hpp";
+const std::string parts = "mechanics/parts";
 const std::string axes = "mechanics/space_axes.hpp";
 const std::string formulation = "mechanics/formulation.hpp";
 const std::string registered = "support/registered.hpp";
@@ -24,8 +25,9 @@ const std::vector<Room>& rooms() {
     static const std::vector<Room> all = {
         {"support", {}, {"fmt/"}, talks},
         {"lie", {}, numbers},
-        {"mechanics/model", {"lie"}, numbers},
-        {"mechanics/joints", {"mechanics/model", "lie"}, numbers},
+        {parts, {"support/registered.hpp", "support/unique_name.hpp"}, {}},
+        {"mechanics/model", {parts, "lie"}, numbers},
+        {"mechanics/joints", {"mechanics/model", parts, "lie"}, numbers},
         {"mechanics/forces", {"mechanics/model", "lie"}, numbers},
         {equations, {"mechanics/model", "mechanics/joints", "mechanics/forces", "lie"}, numbers},
         {axes, {"lie"}, {}},
@@ -55,7 +57,7 @@ const std::vector<Room>& rooms() {
         {"engine", {"engine", "methods", "problems", "mechanics", "lie", "support/pattern.hpp"}, numbers, talks},
         {"records/fits", {"support"}, {"fmt/", "gsl/"}, talks},
         {"records/json",
-         {interface, "mechanics/model/data.hpp", "problems/description.hpp", "support"},
+         {interface, parts, "mechanics/model/data.hpp", "problems/description.hpp", "support"},
          {"fmt/", "nlohmann/"},
          talks},
         {"records/kinds", {"support"}, {}},
@@ -109,7 +111,8 @@ const Room* room_of(const std::string& path) {
 }
 
 std::size_t capacity_of(const std::string& folder) {
-    static const Names registries = {"problems", "records/kinds", "plots/figures/kinds", "plots/tables"};
+    static const Names registries = {"problems", "mechanics/parts/joints", "records/kinds", "plots/figures/kinds",
+                                     "plots/tables"};
     const bool registry =
         folder.starts_with("methods/") || std::find(registries.begin(), registries.end(), folder) != registries.end();
     return registry ? 40 : 20;

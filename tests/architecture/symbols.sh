@@ -12,7 +12,8 @@ shared=(
     ReportedState SystemSummary Trajectory
     metric_table                                                # engine/metric_table.hpp
     matches matches_any                                         # support/pattern.hpp: texts
-    BodyData ForceData JointData JointType ParameterError                                                                    # mechanics/model/data.hpp
+    BodyData ForceData JointData ParameterError                 # mechanics/model/data.hpp
+    FreeMotion JointKind JointRecipe JointRow JointType Primitive                  # mechanics/parts/joint_type.hpp
     Elimination eliminate                                       # mechanics/blocks/elimination.hpp: the joint graph, integers
     MethodDescription OptionDescription OptionError Order ProjectionDescription with_defaults # methods/contract/description.hpp
     Coefficient Tableau                                                                           # methods/tableaus/tableau.hpp

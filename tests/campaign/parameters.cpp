@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The parameters of every registered problem survive the round trip through a config: written, read, written again.
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "driver/config/config.hpp"
 #include "engine/engine.hpp"
+#include "mechanics/parts/joint_type.hpp"
 #include "records/json/strict.hpp"
 #include "records/json/writer.hpp"
 
@@ -28,17 +30,16 @@ Matrix3 awkward(const Matrix3& m, ParameterKind kind) {
 
 std::vector<JointData> joints_of_all_types() {
     std::vector<JointData> joints;
-    for (int type = 0; type <= static_cast<int>(JointType::rolling); ++type) {
-        JointData joint{.type = static_cast<JointType>(type), .between = {"ground", "rod"}};
+    for (const JointKind& kind : joint_kinds()) {
+        JointData joint{.type = kind.name, .between = {"ground", "rod"}};
         joint.points = {awkward(Vector3{1, 0, 2}), awkward(Vector3{0, 3, 2})};
-        const bool no_axes =
-            joint.type == JointType::spherical || joint.type == JointType::fixed || joint.type == JointType::distance;
-        if (!no_axes) joint.axes = {awkward(Vector3{1, 1, 0}), awkward(Vector3{0, 1, 1})};
-        if (joint.type == JointType::distance) joint.amplitude = awkward(0.2), joint.frequency = awkward(3);
-        if (joint.type == JointType::rolling) joint.length = awkward(0.7);
+        if (kind.axes != JointAxes::none) joint.axes = {awkward(Vector3{1, 1, 0}), awkward(Vector3{0, 1, 1})};
+        if (kind.has(Primitive::distance)) joint.amplitude = awkward(0.2), joint.frequency = awkward(3);
+        if (kind.has(Primitive::contact)) joint.length = awkward(0.7);
         joints.push_back(joint);
     }
-    joints.push_back(joints[static_cast<std::size_t>(JointType::distance)]);  // that one has the initial length
+    const auto rod = [](const JointData& joint) { return joint.type == "distance"; };
+    joints.push_back(*std::find_if(joints.begin(), joints.end(), rod));  // that one has the initial length
     joints.back().length = awkward(2);
     return joints;
 }

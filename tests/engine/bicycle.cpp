@@ -31,7 +31,7 @@ Vec3 steer_axis() { return {-sin(pi() / 10), 0, cos(pi() / 10)}; }
 Vec3 foot_of_steer_axis() { return {at("1.02") + at("0.08"), 0, 0}; }
 
 Joint rolling(int wheel, const Real& radius) {
-    Joint joint{.second = wheel, .type = JointType::rolling, .length = radius};
+    Joint joint{.second = wheel, .type = "rolling", .length = radius};
     joint.axes_second = axes_about(Vec3::UnitY());
     return joint;
 }
@@ -50,9 +50,9 @@ Model bicycle(const Real& v) {
     model.bodies[rear_wheel].start.omega = v / rear * y;
     model.bodies[front_wheel].start.omega = v / front * y;
     model.joints.push_back(rolling(rear_wheel, rear));
-    model.join(rear_body, rear_wheel, places[rear_wheel], JointType::revolute, y);
-    model.join(rear_body, front_frame, foot_of_steer_axis(), JointType::revolute, steer_axis());
-    model.join(front_frame, front_wheel, places[front_wheel], JointType::revolute, y);
+    model.join(rear_body, rear_wheel, places[rear_wheel], "revolute", y);
+    model.join(rear_body, front_frame, foot_of_steer_axis(), "revolute", steer_axis());
+    model.join(front_frame, front_wheel, places[front_wheel], "revolute", y);
     model.joints.push_back(rolling(front_wheel, front));
     model.gravity.g = -at("9.81") * Vec3::UnitZ();
     return model;

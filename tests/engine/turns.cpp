@@ -11,9 +11,12 @@ using namespace models;
 namespace {
 
 std::vector<Turner> turners() {
-    return {wheel(JointType::revolute, 10),         wheel(JointType::revolute, 0, 20),
-            wheel(JointType::revolute, 0, 0, 3),    crooked(30, 1),
-            crooked(-25, pi() - Real(1) / 1000000), moving_pair(25)};
+    return {wheel("revolute", 10),
+            wheel("revolute", 0, 20),
+            wheel("revolute", 0, 0, 3),
+            crooked(30, 1),
+            crooked(-25, pi() - Real(1) / 1000000),
+            moving_pair(25)};
 }
 
 /// Of states from the closed form, in angles (rad) and rates (rad/s).
@@ -40,7 +43,7 @@ TEST_CASE("two routes agree to 25 digits on springs through several turns, and w
 }
 
 TEST_CASE("the horizon of a spring is not where it has made half a turn") {
-    const Turner turner = wheel(JointType::revolute, 10);
+    const Turner turner = wheel("revolute", 10);
     const ReferenceSolution solution = confirmed_reference(turner.model, 8);
     CHECK(solution.horizon == 8);
     CHECK(solution.stopped.empty());
@@ -49,7 +52,7 @@ TEST_CASE("the horizon of a spring is not where it has made half a turn") {
 }
 
 TEST_CASE("a spring with another number of turns is another motion, by both routes") {
-    Turner turner = wheel(JointType::revolute, 10);
+    Turner turner = wheel("revolute", 10);
     turner.model.torsion_springs[0].turns = 1;
     const ReferenceSolution first = reference_solution(turner.model, 1);
     CHECK(miss(turner, 1, first.states) > 1);
@@ -57,7 +60,7 @@ TEST_CASE("a spring with another number of turns is another motion, by both rout
 }
 
 TEST_CASE("both routes say so where the axes of a spring part") {
-    Turner turner = wheel(JointType::spherical, 0);
+    Turner turner = wheel("spherical", 0);
     turner.model.bodies[0].start.omega = Vec3(0, 2, 0);
     CHECK(reference_solution(turner.model, 1).stopped == "turn_lost");
     TaylorRoute route(turner.model);

@@ -116,7 +116,7 @@ TEST_CASE("Taylor series run backwards, stay where nothing happens, and name wha
         const Distance d = distance(taylor(model, Real(1) / 8).states, once.states);
         CHECK(max(max(d.position, d.rotation), max(d.velocity, d.omega)) < Real("1e-27"));
         model.joints[1] = model.joints[0];
-        model.joints[1].type = JointType::distance;
+        model.joints[1].type = "distance";
         model.joints[1].r_first -= Vec3::UnitX();
         model.joints[1].length = 1, model.joints[1].amplitude = Real(1) / 4, model.joints[1].frequency = 1;
         model.joints.push_back(model.joints[0]);

@@ -130,7 +130,7 @@ TEST_CASE("loops and other joints are not a forest of spherical joints", "[fores
     loop.join(1, ground, Vec3(2, 2, 1));
     CHECK_FALSE(is_forest(loop));
     CHECK_FALSE(takes_recursion(loop));
-    model.joints[1].type = JointType::revolute;
+    model.joints[1].type = "revolute";
     CHECK(is_forest(model));
     CHECK_FALSE(takes_recursion(model));
 }

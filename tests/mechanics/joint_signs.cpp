@@ -3,6 +3,8 @@
 // The signs of NOTATION.md: each row is what the first-named body has minus what the second has, so that a unit
 // multiplier of a row along e is the force e on the second body, that of a_i.b_k the torque a_i x b_k, that of a
 // distance a tension. Derived here independently, for the two bodies in either order and either of them the ground.
+#include <map>
+
 #include "mechanics/joints/joint_rows.hpp"
 #include "tests/mechanics/models/models.hpp"
 
@@ -36,29 +38,33 @@ struct Ends {
     }
 };
 
+/// Those of a joint that NOTATION.md does not list: from its recipe.
+std::vector<SignedRow> rows_of_recipe(const Ends& e) {
+    std::vector<SignedRow> rows;
+    for (const JointRow& row : e.joint.type->rows) {
+        if (row.primitive == Primitive::coincidence)
+            for (int k = 0; k < 3; ++k) rows.push_back(e.coincide(k));
+        if (row.primitive == Primitive::along) rows.push_back(e.along(row.k + 1));
+        if (row.primitive == Primitive::orthogonal) rows.push_back(e.compare(row.i + 1, row.k + 1));
+        if (row.primitive == Primitive::distance) rows.push_back(e.distance());
+    }
+    return rows;
+}
+
 std::vector<SignedRow> rows_of_notation(const Ends& e) {
     const SignedRow x = e.coincide(0), y = e.coincide(1), z = e.coincide(2);
-    switch (e.joint.type) {
-        case JointType::spherical:
-            return {x, y, z};
-        case JointType::revolute:
-            return {x, y, z, e.compare(3, 1), e.compare(3, 2)};
-        case JointType::universal:
-            return {x, y, z, e.compare(3, 3)};
-        case JointType::prismatic:
-            return {e.along(1), e.along(2), e.compare(3, 1), e.compare(3, 2), e.compare(1, 2)};
-        case JointType::cylindrical:
-            return {e.along(1), e.along(2), e.compare(3, 1), e.compare(3, 2)};
-        case JointType::planar:
-            return {e.along(3), e.compare(3, 1), e.compare(3, 2)};
-        case JointType::fixed:
-            return {x, y, z, e.compare(3, 1), e.compare(3, 2), e.compare(1, 2)};
-        case JointType::distance:
-            return {e.distance()};
-        case JointType::rolling:
-            return {e.contact(3), e.contact(1), e.contact(2)};
-    }
-    return {};
+    const std::map<std::string, std::vector<SignedRow>> notation = {
+        {"spherical", {x, y, z}},
+        {"revolute", {x, y, z, e.compare(3, 1), e.compare(3, 2)}},
+        {"universal", {x, y, z, e.compare(3, 3)}},
+        {"prismatic", {e.along(1), e.along(2), e.compare(3, 1), e.compare(3, 2), e.compare(1, 2)}},
+        {"cylindrical", {e.along(1), e.along(2), e.compare(3, 1), e.compare(3, 2)}},
+        {"planar", {e.along(3), e.compare(3, 1), e.compare(3, 2)}},
+        {"fixed", {x, y, z, e.compare(3, 1), e.compare(3, 2), e.compare(1, 2)}},
+        {"distance", {e.distance()}},
+        {"rolling", {e.contact(3), e.contact(1), e.contact(2)}}};
+    const auto found = notation.find(e.joint.type.name());
+    return found == notation.end() ? rows_of_recipe(e) : found->second;
 }
 
 /// The objection to the rows; empty: none.
@@ -86,11 +92,11 @@ Motion displaced(int i) {
 template <class F>
 void for_each_order(F f) {
     std::vector<JointType> types = joint_types();
-    types.push_back(JointType::rolling);
+    types.push_back("rolling");
     for (const JointType type : types)
         for (const auto& [first, second] :
              {std::pair(ground, 1), std::pair(1, ground), std::pair(1, 2), std::pair(2, 1)}) {
-            if (type == JointType::rolling && first != ground) continue;
+            if (type == "rolling" && first != ground) continue;
             const Joint joint{.first = first,
                               .second = second,
                               .r_first = Vec3(1, -1, 2) / 5,
@@ -100,7 +106,7 @@ void for_each_order(F f) {
                               .axes_second = axes_about(Vec3(3, 1, 1)),
                               .length = Real(3) / 4};
             const auto motion = [](int body) { return body == ground ? Motion() : displaced(body); };
-            INFO(name(type) << " between " << first << " and " << second);
+            INFO(type.name() << " between " << first << " and " << second);
             f(Ends{joint, motion(first), motion(second)});
         }
 }
@@ -115,7 +121,7 @@ TEST_CASE("rows of every joint have the signs of the notation, the bodies in eit
         CHECK(fault_of(ends, rows) == "");
         ++judged;
     });
-    CHECK(judged == 33);
+    CHECK(judged == 4 * static_cast<int>(joint_types().size()) + 1);
 }
 
 TEST_CASE("a reversed row of any joint is rejected", "[reactions]") {

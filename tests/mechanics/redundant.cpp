@@ -48,8 +48,7 @@ Model four_bar(const Vec3& axis, const Vec3& along, const Vec3& across) {
         Body& body = model.bodies[static_cast<std::size_t>(i)];
         body.start.x = (corners[i] + corners[i + 1]) / 2, body.start.omega = Vec3::Zero();
     }
-    for (int i = 0; i < 4; ++i)
-        model.join(i == 0 ? ground : i - 1, i == 3 ? ground : i, corners[i], JointType::revolute, axis);
+    for (int i = 0; i < 4; ++i) model.join(i == 0 ? ground : i - 1, i == 3 ? ground : i, corners[i], "revolute", axis);
     model.bodies[0].start.omega = model.bodies[0].start.R.transpose() * axis;
     model.gravity.g = Vec3(1, -2, -9);
     project_start(model);
@@ -61,7 +60,7 @@ Model door() {
     Model model = bodies_in_a_row(1);
     model.join(ground, 0, Vec3(0, 0, 1));
     model.join(ground, 0, Vec3(0, 0, -1));
-    model.join(ground, 0, Vec3::Zero(), JointType::revolute, Vec3::UnitZ());
+    model.join(ground, 0, Vec3::Zero(), "revolute", Vec3::UnitZ());
     model.gravity.g = Vec3(1, -2, -9);
     project_start(model);
     return model;
@@ -73,7 +72,7 @@ Model rods(int n) {
     for (int i = 0; i < n; ++i) {
         const Vec3 foot(i % 3 - 1, Real(i * i % 5) / 2, -1 - i % 2),
             end = foot + Vec3(3 * i % 7 - 3, 5 * i % 11 - 5, 6 + i * i % 5) / 4;
-        Joint joint{.r_first = foot, .r_second = model.point_of(0, end), .type = JointType::distance};
+        Joint joint{.r_first = foot, .r_second = model.point_of(0, end), .type = "distance"};
         joint.length = (end - foot).norm();
         model.joints.push_back(joint);
     }
@@ -89,7 +88,7 @@ std::vector<Redundant> redundant() {
             Model model = doubled(type, grounded);
             const int rank = rows(model) - rows_of(type);
             all.push_back(
-                {std::string("doubled ") + name(type) + (grounded ? " to the ground" : ""), std::move(model), rank});
+                {std::string("doubled ") + type.name() + (grounded ? " to the ground" : ""), std::move(model), rank});
         }
     for (const int n : {2, 3, 4}) {
         all.push_back({std::to_string(n) + " hinges in line", hinges_in_line(ground, n), 5});
@@ -107,7 +106,7 @@ std::vector<Redundant> redundant() {
     for (const int first : {ground, 0}) {
         for (const int more : {2, 3}) {
             Model model = bodies_in_a_row(2);
-            if (first != ground) join(model, ground, 0, JointType::revolute, Vec3(-1, 0, 1));
+            if (first != ground) join(model, ground, 0, "revolute", Vec3(-1, 0, 1));
             for (int i = 0; i < more; ++i) model.join(first, 1, Vec3(i, i * i, 1 - i));
             project_start(model);
             all.push_back({std::to_string(more) + " spherical joints", model,
@@ -115,12 +114,12 @@ std::vector<Redundant> redundant() {
         }
     }
     // A fixed joint beside another joint makes that one redundant.
-    for (const JointType type : {JointType::revolute, JointType::prismatic, JointType::planar, JointType::universal}) {
+    for (const JointType type : {"revolute", "prismatic", "planar", "universal"}) {
         Model model = bodies_in_a_row(1);
-        join(model, ground, 0, JointType::fixed, Vec3(1, 0, 0));
+        join(model, ground, 0, "fixed", Vec3(1, 0, 0));
         join(model, ground, 0, type, Vec3(0, 1, 0));
         project_start(model);
-        all.push_back({std::string("fixed and ") + name(type), model, 6});
+        all.push_back({std::string("fixed and ") + type.name(), model, 6});
     }
     return all;
 }
@@ -240,8 +239,7 @@ TEST_CASE("the condition is the ratio of the extreme pivots", "[redundant]") {
     Model model = bodies_in_a_row(1);
     const Vec3 centre = model.bodies[0].start.x;
     for (const Real& turn : {Real(0), angle})  // rods to the mass centre: columns of length 1 at that angle
-        model.joints.push_back(
-            {.r_first = centre - Vec3(cos(turn), sin(turn), 0), .type = JointType::distance, .length = 1});
+        model.joints.push_back({.r_first = centre - Vec3(cos(turn), sin(turn), 0), .type = "distance", .length = 1});
     const auto condition = [&] { return make_system(model, "SO3xR3")->constraint_rank().condition.value_or(0); };
     CHECK(abs(condition() - 1 / sin(angle)) <= 100 * epsilon);
     model.joints.push_back(model.joints[1]);  // whichever of the three is left out

@@ -39,7 +39,7 @@ Model net(int n) {
             model.bodies.push_back(body);
         }
     const auto rod = [&](int first, int second, const Vec3& foot) {
-        Joint joint{.first = first, .second = second, .type = JointType::distance};
+        Joint joint{.first = first, .second = second, .type = "distance"};
         joint.r_first = first == ground ? foot : Vec3(Vec3(1, 2, -1) / 5);
         const Vec3 a = first == ground ? foot
                                        : Vec3(model.bodies[static_cast<std::size_t>(first)].start.x +

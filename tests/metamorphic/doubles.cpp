@@ -110,7 +110,7 @@ class ReversedRollingRow final : public Forwarding {
         const Status status = inner_->accelerations(t, q, v, dv, lambda);
         std::size_t row = 0;
         for (const Joint& joint : model_.joints) {
-            if (joint.type == JointType::rolling && lambda) lambda[row] = -lambda[row];
+            if (joint.type == "rolling" && lambda) lambda[row] = -lambda[row];
             row += static_cast<std::size_t>(position_rows_of(joint.type));
         }
         return status;

@@ -35,10 +35,10 @@ inline Model planar_four_bar() {
     Model model;
     const int crank = add_bar(model, "crank", 1, a, b), coupler = add_bar(model, "coupler", 2, b, c),
               rocker = add_bar(model, "rocker", Real(3) / 2, c, d);
-    model.join(ground, crank, a, JointType::revolute, z);
-    model.join(crank, coupler, b, JointType::revolute, z);
-    model.join(coupler, rocker, c, JointType::revolute, z);
-    model.join(rocker, ground, d, JointType::revolute, z);
+    model.join(ground, crank, a, "revolute", z);
+    model.join(crank, coupler, b, "revolute", z);
+    model.join(coupler, rocker, c, "revolute", z);
+    model.join(rocker, ground, d, "revolute", z);
     model.bodies[0].start.omega = -model.bodies[0].start.R.transpose() * z;
     model.gravity.g = Vec3(0, -9, 0);
     project_start(model);
@@ -58,13 +58,13 @@ inline Model double_scott_russell() {
         model.bodies.push_back(slider);
     }
     for (const int crank : {first, second}) {
-        model.join(ground, crank, o, JointType::revolute, z);
-        model.join(crank, rod, middle, JointType::revolute, z);
+        model.join(ground, crank, o, "revolute", z);
+        model.join(crank, rod, middle, "revolute", z);
     }
-    model.join(ground, 3, right, JointType::prismatic, x);
-    model.join(3, rod, right, JointType::revolute, z);
-    model.join(ground, 4, top, JointType::prismatic, y);
-    model.join(4, rod, top, JointType::revolute, z);
+    model.join(ground, 3, right, "prismatic", x);
+    model.join(3, rod, right, "revolute", z);
+    model.join(ground, 4, top, "prismatic", y);
+    model.join(4, rod, top, "revolute", z);
     model.bodies[1].start.omega = model.bodies[1].start.R.transpose() * z;
     model.gravity.g = Vec3(1, -9, 0);
     project_start(model);
@@ -78,7 +78,7 @@ inline Model parallel_cardan_branches() {
     Model model;
     const auto shaft = [&](const std::string& name, const Vec3& foot) {
         const int number = add_bar(model, name, 2, foot, foot + z);
-        model.join(ground, number, foot, JointType::revolute, z);
+        model.join(ground, number, foot, "revolute", z);
         return number;
     };
     const int driving = shaft("driving", Vec3(0, 0, 0)), driven = shaft("driven", Vec3(1, 0, 4));
@@ -87,7 +87,7 @@ inline Model parallel_cardan_branches() {
         const Vec3 across = z.cross(along).normalized(), other = along.cross(across);
         const int cardan = add_bar(model, "cardan" + std::to_string(model.bodies.size()), 1, P, Q);
         for (const auto& [body, point] : {std::pair(driving, P), std::pair(driven, Q)}) {
-            model.join(body, cardan, point, JointType::universal, across);
+            model.join(body, cardan, point, "universal", across);
             model.joints.back().axes_second = model.axes_of(cardan, axes_about(other));
         }
     }

@@ -86,9 +86,12 @@ Model with_torque(Model model, const Real& torque) {
 }  // namespace
 
 TEST_CASE("springs through several turns follow their closed forms, by every method in every formulation", "[turns]") {
-    const Turner turners[] = {wheel(JointType::revolute, 10),         wheel(JointType::spherical, 0, 20),
-                              wheel(JointType::revolute, -30, 1),     crooked(30, Real(1)),
-                              crooked(-25, pi() - Real(1) / 1000000), moving_pair(25)};
+    const Turner turners[] = {wheel("revolute", 10),
+                              wheel("spherical", 0, 20),
+                              wheel("revolute", -30, 1),
+                              crooked(30, Real(1)),
+                              crooked(-25, pi() - Real(1) / 1000000),
+                              moving_pair(25)};
     for (const Turner& turner : turners)
         for (const Method& entry : methods())
             for (const std::string& form : formulations_of(entry, turner.model)) {
@@ -105,22 +108,22 @@ TEST_CASE("a spring that loses its turns is rejected", "[turns]") {
         const OptionValues options = default_options(entry.description.options);
         // Without the bracket of begin_step and end_step labels are not updated: it works only up to half a turn.
         const auto forgetful = [&](System& system) { return entry.factory.make(system, options, entry.description); };
-        CHECK(turning_objection(wheel(JointType::revolute, 10), "SO3xR3", entry.description.order, 1, 64, entry,
-                                forgetful) != "");
-        CHECK(turning_objection(wheel(JointType::revolute, 0, 20), "SO3xR3", entry.description.order, 1, 64, entry,
-                                forgetful) != "");
+        CHECK(turning_objection(wheel("revolute", 10), "SO3xR3", entry.description.order, 1, 64, entry, forgetful) !=
+              "");
+        CHECK(turning_objection(wheel("revolute", 0, 20), "SO3xR3", entry.description.order, 1, 64, entry, forgetful) !=
+              "");
     }
 }
 
 TEST_CASE("turns at the start count, and a run goes on from what it reported", "[turns]") {
-    const Turner three = wheel(JointType::revolute, 0, 0, 3);
+    const Turner three = wheel("revolute", 0, 0, 3);
     for (const char* name : {"rkmk/rk4", "multistep/bliedf2"}) {
         Trip trip(three.model, "SE3", method(name));
         CHECK(angle_of(trip).turns == 3);
         CHECK(abs(angle_of(trip).theta - 6 * pi()) <= 16 * epsilon);
         CHECK(miss(three, trip, 1, 1024).theta < Real(1) / 1000);
     }
-    const Turner turner = wheel(JointType::revolute, 10, 20, -2);
+    const Turner turner = wheel("revolute", 10, 20, -2);
     Trip whole(turner.model, "SO3xR3", method("rkmk/rk4"));
     REQUIRE(whole.run(1, 64) == Status::ok);
     Model stopped = turner.model;
@@ -134,7 +137,7 @@ TEST_CASE("turns at the start count, and a run goes on from what it reported", "
 }
 
 TEST_CASE("the angle is continuous where a pose passes half a turn", "[turns]") {
-    Turner turner = wheel(JointType::revolute, 0);
+    Turner turner = wheel("revolute", 0);
     const auto system = make_system(turner.model, "S3xR3");
     std::vector<Real> y = initial_state(*system, turner.model);
     SpringAngle angle;
@@ -167,7 +170,7 @@ TEST_CASE("projections and restarts keep the turns", "[turns]") {
             CHECK(miss(turner, trip, 1, 256).theta < Real(1) / 10000);
         }
     // The seed's projection, for spherical joints only.
-    const Turner ball = wheel(JointType::spherical, 10, 20);
+    const Turner ball = wheel("spherical", 10, 20);
     Trip seed(ball.model, "SO3xR3", method("rkmk/rk4"), "terze");
     CHECK(miss(ball, seed, 1, 256).theta < Real(1) / 10000);
     for (const char* name : {"multistep/bliedf2", "generalized_alpha/index2"}) {
@@ -184,7 +187,7 @@ TEST_CASE("projections and restarts keep the turns", "[turns]") {
 }
 
 TEST_CASE("a wheel may turn by almost half a turn in a step, and not by more", "[turns]") {
-    Turner turner = wheel(JointType::spherical, 10);
+    Turner turner = wheel("spherical", 10);
     turner.model.torsion_springs[0].stiffness = Real(1) / 1000000;
     for (const char* name : {"rkmk/rk4", "rkmk/euler", "crouch_grossman/cg4a", "rkmk/implicit_midpoint"})
         for (const std::string& form : formulations_of(method(name), turner.model)) {
@@ -204,7 +207,7 @@ TEST_CASE("a wheel may turn by almost half a turn in a step, and not by more", "
 
 TEST_CASE("an angle far from where the step began to lead is lost, and the state stays", "[turns]") {
     // 31 rad/s decelerated by about 400 rad/s^2 within 0.1 s: no stage turns by pi, but the end lies 2 rad behind.
-    const Turner turner = wheel(JointType::spherical, 31);
+    const Turner turner = wheel("spherical", 31);
     const Model model = with_torque(turner.model, -400);
     for (const Method& entry : methods())
         for (const std::string& form : formulations_of(entry, model)) {
@@ -225,7 +228,7 @@ TEST_CASE("an angle far from where the step began to lead is lost, and the state
 }
 
 TEST_CASE("axes that part have no turns to count", "[turns]") {
-    Turner turner = wheel(JointType::spherical, 0);
+    Turner turner = wheel("spherical", 0);
     Model& model = turner.model;
     model.torsion_springs[0].stiffness = Real(1) / 1024;
     model.bodies[0].start.omega = Vec3(0, 2, 0);  // tips the first axis out of the plane: 60 degrees at t = pi/6
@@ -243,7 +246,7 @@ TEST_CASE("axes that part have no turns to count", "[turns]") {
 }
 
 TEST_CASE("energy is conserved through many turns", "[turns]") {
-    const Turner turner = wheel(JointType::spherical, 100, 5);
+    const Turner turner = wheel("spherical", 100, 5);
     for (const std::string& form : applicable(turner.model)) {
         INFO(form);
         Trip trip(turner.model, form, method("rkmk/rk4"));
@@ -270,7 +273,7 @@ TEST_CASE("energy is conserved through many turns", "[turns]") {
 }
 
 TEST_CASE("NaN in a state with springs is not accepted", "[turns]") {
-    const Turner turner = wheel(JointType::revolute, 10);
+    const Turner turner = wheel("revolute", 10);
     for (const Method& entry : methods())
         for (const std::string& form : formulations_of(entry, turner.model))
             for (const Real& poison : {std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::infinity()})

@@ -28,8 +28,7 @@ Model parallelogram(const Real& size, const Real& mass, const Real& rate) {
     model.bodies[1].start = {u + x / 2, Mat3::Identity(), omega.cross(u), Vec3::Zero()};
     model.bodies[2].start = {x + u / 2, R, omega.cross(u) / 2, omega};
     const Vec3 corners[] = {Vec3::Zero(), u, x + u, x};
-    for (int i = 0; i < 4; ++i)
-        model.join(i == 0 ? ground : i - 1, i == 3 ? ground : i, corners[i], JointType::revolute, z);
+    for (int i = 0; i < 4; ++i) model.join(i == 0 ? ground : i - 1, i == 3 ? ground : i, corners[i], "revolute", z);
     return model;
 }
 

@@ -107,7 +107,7 @@ class Residual {
         put(F + row, vec(F + row) + sign * acceleration);
     }
 
-    static int rows_of(const Joint& joint) { return joint.type == JointType::revolute ? 5 : 3; }
+    static int rows_of(const Joint& joint) { return joint.type == "revolute" ? 5 : 3; }
     /// A direction fixed in a body, its first and its second rate, in space axes.
     struct Direction {
         Vec at, rate, rate2;
@@ -182,8 +182,8 @@ std::vector<BodyState> by_ida(const Model& model, double t_end, double tolerance
 /// Two bodies without symmetry on hinges that are not parallel.
 Model hinged_pair() {
     Model model = models::bodies_in_a_row(2);
-    models::join(model, ground, 0, JointType::revolute, Vec3(1, -1, 2) / 3);
-    models::join(model, 1, 0, JointType::revolute, Vec3(1, 2, 0) / 3);
+    models::join(model, ground, 0, "revolute", Vec3(1, -1, 2) / 3);
+    models::join(model, 1, 0, "revolute", Vec3(1, 2, 0) / 3);
     model.gravity = {Vec3(1, -2, -9), Real(1) / 2, 3};
     project_start(model);
     return model;

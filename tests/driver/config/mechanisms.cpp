@@ -106,15 +106,15 @@ TEST_CASE("joints of every type are read") {
     ])");
     const Vector3 i = {1, 0, 0}, j = {0, 1, 0}, k = {0, 0, 1}, zero = {0, 0, 0};
     REQUIRE(joints.size() == 9);
-    CHECK(joints[0] == JointData{JointType::spherical, {"ground", "a"}, {{{1, 2, 3}, {1, 2, 3}}}});
-    CHECK(joints[1] == JointData{JointType::revolute, {"a", "b"}, {{i, {2, 0, 0}}}, {{{0, 0, 2}, {0, 0, 2}}}});
-    CHECK(joints[2] == JointData{JointType::universal, {"a", "b"}, {i, i}, {j, k}});
-    CHECK(joints[3] == JointData{JointType::prismatic, {"a", "b"}, {i, i}, {{j, {0, 2, 0}}}});
-    CHECK(joints[4] == JointData{JointType::cylindrical, {"a", "b"}, {i, i}, {j, j}});
-    CHECK(joints[5] == JointData{JointType::planar, {"a", "b"}, {i, i}, {j, j}});
-    CHECK(joints[6] == JointData{JointType::fixed, {"a", "b"}, {i, i}});
-    CHECK(joints[7] == JointData{JointType::distance, {"a", "b"}, {i, zero}, {}, 2, 0.5, 3});
-    CHECK(joints[8] == JointData{JointType::rolling, {"ground", "b"}, {zero, k}, {k, i}, 1});
+    CHECK(joints[0] == JointData{"spherical", {"ground", "a"}, {{{1, 2, 3}, {1, 2, 3}}}});
+    CHECK(joints[1] == JointData{"revolute", {"a", "b"}, {{i, {2, 0, 0}}}, {{{0, 0, 2}, {0, 0, 2}}}});
+    CHECK(joints[2] == JointData{"universal", {"a", "b"}, {i, i}, {j, k}});
+    CHECK(joints[3] == JointData{"prismatic", {"a", "b"}, {i, i}, {{j, {0, 2, 0}}}});
+    CHECK(joints[4] == JointData{"cylindrical", {"a", "b"}, {i, i}, {j, j}});
+    CHECK(joints[5] == JointData{"planar", {"a", "b"}, {i, i}, {j, j}});
+    CHECK(joints[6] == JointData{"fixed", {"a", "b"}, {i, i}});
+    CHECK(joints[7] == JointData{"distance", {"a", "b"}, {i, zero}, {}, 2, 0.5, 3});
+    CHECK(joints[8] == JointData{"rolling", {"ground", "b"}, {zero, k}, {k, i}, 1});
 }
 
 TEST_CASE("forces of every type are read") {

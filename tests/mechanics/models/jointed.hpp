@@ -11,10 +11,14 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 namespace models {
 
+/// Every joint but those that roll.
 inline const std::vector<JointType>& joint_types() {
-    static const std::vector<JointType> all = {JointType::spherical, JointType::revolute,    JointType::universal,
-                                               JointType::prismatic, JointType::cylindrical, JointType::planar,
-                                               JointType::fixed,     JointType::distance};
+    static const std::vector<JointType> all = [] {
+        std::vector<JointType> types;
+        for (const JointKind& kind : joint_kinds())
+            if (!kind.has(Primitive::contact)) types.emplace_back(kind);
+        return types;
+    }();
     return all;
 }
 
@@ -22,11 +26,11 @@ inline const std::vector<JointType>& joint_types() {
 inline void join(Model& model, int first, int second, JointType type, const Vec3& point) {
     model.join(first, second, point, type, Vec3(1, -2, 2 + second));
     Joint& joint = model.joints.back();
-    if (type == JointType::universal) {
+    if (type->axes == JointAxes::perpendicular) {
         const Vec3 other = Vec3(2, 1 + second, -1).cross(Vec3(1, -2, 2 + second));
         joint.axes_second = model.axes_of(second, axes_about(other));
     }
-    if (type == JointType::distance) {
+    if (type->has(Primitive::distance)) {
         joint.r_first += Vec3(1, 2, -1) / 3;
         const auto at = [&](int body, const Vec3& r) -> Vec3 {
             if (body == ground) return r;
@@ -68,8 +72,8 @@ inline Model damped(JointType type) {
 /// A body on a rod whose length is driven, and a second one on it.
 inline Model driven() {
     Model model = bodies_in_a_row(2);
-    join(model, ground, 0, JointType::distance, Vec3(1, -1, 2));
-    join(model, 0, 1, JointType::distance, Vec3(1, 2, 0));
+    join(model, ground, 0, "distance", Vec3(1, -1, 2));
+    join(model, 0, 1, "distance", Vec3(1, 2, 0));
     for (Joint& joint : model.joints) joint.amplitude = Real(1) / 4, joint.frequency = 3;
     project_start(model);
     return model;
@@ -82,11 +86,11 @@ inline Model rolling() {
     model.joints.push_back({.second = 0,
                             .r_first = Vec3(0, 0, -1),
                             .r_second = Vec3(1, 0, 2) / 16,
-                            .type = JointType::rolling,
+                            .type = "rolling",
                             .axes_first = axes_about(Vec3(1, -1, 8)),
                             .axes_second = axes_about(Vec3(1, 4, 1)),
                             .length = Real(3) / 4});
-    model.join(ground, 1, Vec3(1, 1, 1), JointType::revolute, Vec3(1, 2, 3));
+    model.join(ground, 1, Vec3(1, 1, 1), "revolute", Vec3(1, 2, 3));
     model.gravity.g = Vec3(1, -2, -9);
     project_start(model);
     return model;
@@ -96,10 +100,10 @@ inline Model rolling() {
 /// 18.
 inline Model closed_loop() {
     Model model = bodies_in_a_row(3);
-    join(model, ground, 0, JointType::revolute, Vec3(-1, 1, 0));
-    join(model, 0, 1, JointType::spherical, Vec3(1, 1, -1) / 2);
-    join(model, 1, 2, JointType::universal, Vec3(3, 1, -3) / 2);
-    join(model, 2, ground, JointType::cylindrical, Vec3(3, 0, -1));
+    join(model, ground, 0, "revolute", Vec3(-1, 1, 0));
+    join(model, 0, 1, "spherical", Vec3(1, 1, -1) / 2);
+    join(model, 1, 2, "universal", Vec3(3, 1, -3) / 2);
+    join(model, 2, ground, "cylindrical", Vec3(3, 0, -1));
     model.gravity.g = Vec3(1, -2, -9);
     project_start(model);
     return model;
@@ -109,8 +113,8 @@ inline Model closed_loop() {
 inline Model hinges_in_line(int first, int n) {
     Model model = bodies_in_a_row(2);
     const Vec3 axis(1, -2, 4);
-    if (first != ground) join(model, ground, 0, JointType::spherical, Vec3(-1, 0, 1));
-    for (int i = 0; i < n; ++i) model.join(first, 1, Vec3(1, 1, 1) + axis * i / 4, JointType::revolute, axis);
+    if (first != ground) join(model, ground, 0, "spherical", Vec3(-1, 0, 1));
+    for (int i = 0; i < n; ++i) model.join(first, 1, Vec3(1, 1, 1) + axis * i / 4, "revolute", axis);
     model.gravity.g = Vec3(1, -2, -9);
     project_start(model);
     return model;

@@ -84,9 +84,9 @@ inline std::vector<Named> of_tests() {
     models.push_back({"rolling", rolling()});
     models.push_back({"closed loop", closed_loop()});
     for (const JointType type : joint_types()) {
-        models.push_back({std::string(name(type)) + " joints", jointed(type)});
-        models.push_back({std::string(name(type)) + " joints and springs", sprung(type)});
-        models.push_back({std::string(name(type)) + " joints and dampers", damped(type)});
+        models.push_back({std::string(type.name()) + " joints", jointed(type)});
+        models.push_back({std::string(type.name()) + " joints and springs", sprung(type)});
+        models.push_back({std::string(type.name()) + " joints and dampers", damped(type)});
     }
     return models;
 }
@@ -117,7 +117,7 @@ inline std::vector<Named> for_methods() {
     models.push_back({"driven", driven()});
     models.push_back({"rolling", rolling()});
     models.push_back({"closed loop", closed_loop()});
-    models.push_back({"revolute joints and dampers", damped(JointType::revolute)});
+    models.push_back({"revolute joints and dampers", damped("revolute")});
     return models;
 }
 

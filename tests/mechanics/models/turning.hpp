@@ -57,7 +57,7 @@ inline Turner crooked(const Real& rate, const Real& phase) {
     Body& body = turner.model.bodies[0];
     const Vec3 e = turner.axis.normalized(), point(Real(1) / 2, -1, Real(1) / 4);
     body.start.omega = rate * (body.start.R.transpose() * e);
-    turner.model.join(ground, 0, point, JointType::revolute, e);
+    turner.model.join(ground, 0, point, "revolute", e);
     complete_velocities(turner.model, {false});
     const Vec3 mine = body.start.R.transpose() * e;
     const Real J = mine.dot(inertia_about(body, body.start.R.transpose() * (body.start.x - point)) * mine);
@@ -79,7 +79,7 @@ inline Turner moving_pair(const Real& rate) {
         Body& body = model.bodies[static_cast<std::size_t>(i)];
         const Vec3 mine = body.start.R.transpose() * e;
         body.start.omega = (i == 0 ? -rate / 3 : 2 * rate / 3) * mine;
-        model.join(i - 1, i, point, JointType::revolute, e);
+        model.join(i - 1, i, point, "revolute", e);
         J[i] = mine.dot(inertia_about(body, body.start.R.transpose() * (body.start.x - point)) * mine);
     }
     complete_velocities(model, {false, false});

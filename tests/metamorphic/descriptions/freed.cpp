@@ -24,30 +24,25 @@ class Wrenches {
     }
 
     Action on_second() {
-        switch (joint_.type) {
-            case JointType::spherical:
-                return coincidence(), sum_;
-            case JointType::revolute:
-                return coincidence(), turn(2, 0), turn(2, 1), sum_;
-            case JointType::universal:
-                return coincidence(), turn(2, 2), sum_;
-            case JointType::prismatic:
-                return push(0), push(1), turn(2, 0), turn(2, 1), turn(0, 1), sum_;
-            case JointType::cylindrical:
-                return push(0), push(1), turn(2, 0), turn(2, 1), sum_;
-            case JointType::planar:
-                return push(2), turn(2, 0), turn(2, 1), sum_;
-            case JointType::fixed:
-                return coincidence(), turn(2, 0), turn(2, 1), turn(0, 1), sum_;
-            case JointType::distance:
-                return force(d_.normalized() * next(), Vec3::Zero()), sum_;
-            case JointType::rolling:
-                return contact(), sum_;
-        }
+        for (const JointRow& row : joint_.type->rows) add(row);
         return sum_;
     }
 
   private:
+    void add(const JointRow& row) {
+        switch (row.primitive) {
+            case Primitive::coincidence:
+                return coincidence();
+            case Primitive::along:
+                return push(row.k);
+            case Primitive::orthogonal:
+                return turn(row.i, row.k);
+            case Primitive::distance:
+                return force(d_.normalized() * next(), Vec3::Zero());
+            case Primitive::contact:
+                return contact();
+        }
+    }
     const Real& next() { return *lambda_++; }
     Vec3 a(int k) const { return first_.direction(joint_.axes_first.col(k)); }
     Vec3 b(int k) const { return second_.direction(joint_.axes_second.col(k)); }

@@ -53,7 +53,7 @@ Model divided(Model model, const Parts& parts) {
                             .second = static_cast<int>(model.bodies.size()) - 1,
                             .r_first = -parts.first,
                             .r_second = -parts.second,
-                            .type = JointType::fixed});
+                            .type = "fixed"});
     return model;
 }
 

@@ -99,9 +99,9 @@ Made reordered(const Model& model) {
     return with(model, {.bodies = backwards(model.bodies.size()), .joints = backwards(model.joints.size())});
 }
 
-bool reversible(const Joint& joint) { return joint.type != JointType::rolling; }
+bool reversible(const Joint& joint) { return joint.type != "rolling"; }
 /// Those whose rows only change their sign.
-bool symmetric(const Joint& joint) { return joint.type == JointType::spherical || joint.type == JointType::distance; }
+bool symmetric(const Joint& joint) { return joint.type == "spherical" || joint.type == "distance"; }
 
 template <class Choice>
 Made reversed(const Model& model, Choice choice) {

@@ -38,7 +38,7 @@ class Writer {
                 .point = it.point};
     }
     JointData joint(const Joint& it) const {
-        JointData written{.type = it.type, .between = between(it.first, it.second)};
+        JointData written{.type = it.type.name(), .between = between(it.first, it.second)};
         written.points = {place(it.first, it.r_first), place(it.second, it.r_second)};
         written.axes = {axis(it.first, it.axes_first), axis(it.second, it.axes_second)};
         if (it.length > 0) written.length = to_double(it.length);

@@ -25,7 +25,7 @@ Model winding() {
         wheel.start.x = Vec3(i, 1 - i, 2 * i) / 2;
         wheel.start.omega = Real(5 - 2 * i) * axis;
         model.bodies.push_back(wheel);
-        model.join(ground, i, wheel.start.x, JointType::revolute, axis);
+        model.join(ground, i, wheel.start.x, "revolute", axis);
         model.torsion_springs.push_back({.second = i,
                                          .axes_first = axes_about(axis) * SO3::exp(Real(-5) / 2 * Vec3::UnitZ()),
                                          .axes_second = axes_about(axis),

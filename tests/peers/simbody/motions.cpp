@@ -47,7 +47,7 @@ TEST_CASE("closed loops move as in Simbody, which closes them by constraints") {
 
 TEST_CASE("joints of every kind but rolling move as in Simbody") {
     for (const JointType type : models::joint_types()) {
-        CAPTURE(name(type));
+        CAPTURE(type.name());
         Model model = models::sprung(type);
         model.torsion_springs.clear();
         moves_alike(model, Real(1) / 2);

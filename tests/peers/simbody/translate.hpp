@@ -16,7 +16,7 @@ using namespace kreisel;
 /// Why a model is not compared with Simbody; empty if it is.
 inline std::string why_not(const Model& model) {
     for (const Joint& joint : model.joints) {
-        if (joint.type == JointType::rolling) return "rolling joints";
+        if (joint.type == "rolling") return "rolling joints";
         if (joint.amplitude != 0) return "driven lengths";
     }
     if (!model.warnings.empty()) return "inertias that no body has";
@@ -35,7 +35,7 @@ inline Mechanism translate(const Model& model) {
     for (const Body& b : model.bodies) result.bodies.push_back({b.mass, b.J});
     for (const Joint& j : model.joints)
         result.links.push_back(
-            {j.first, j.second, name(j.type), j.r_first, j.r_second, j.axes_first, j.axes_second, j.length});
+            {j.first, j.second, j.type.name(), j.r_first, j.r_second, j.axes_first, j.axes_second, j.length});
     for (const Spring& s : model.springs)
         result.springs.push_back({s.first, s.second, s.r_first, s.r_second, s.stiffness, s.damping, s.length});
     for (const Load& l : model.loads) result.loads.push_back({l.body, l.force, l.torque, l.point});

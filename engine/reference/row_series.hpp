@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The primitive rows of joints (mechanics/parts/joint_type.hpp) as power series in time, a class each, derived here a
+// second time. The multiplier lambda of a row exerts on the first body
+//   -lambda n at the joint's point and the couple -lambda t,
+// the opposite on the second, where n and t are the gradients of the row's residual. Accelerations enter through
+// coefficients of x and R only: nothing is differentiated by hand.
+#pragma once
+
+#include <memory>
+
+#include "engine/reference/taylor_bodies.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// The points of a joint on its bodies, and d from the second to the first.
+struct JointEnds {
+    JointEnds(const Joint& joint, BodySeries& first_body, BodySeries& second_body);
+    /// Coefficient i, once those of x and R are known.
+    void follow(std::size_t i);
+
+    BodySeries &first, &second;
+    Attached arm_first, arm_second;
+    Vectors d;
+};
+
+/// The rows of a joint on its points, all of one primitive.
+class PointRows {
+  public:
+    virtual ~PointRows() = default;
+    int rows() const { return static_cast<int>(n_.size()); }
+    const Vectors& n(int row) const { return n_[static_cast<std::size_t>(row)]; }
+    /// From the second mass centre to where the force acts.
+    const Vectors& lever() const { return lever_; }
+    /// Whether n depends on time.
+    virtual bool turns() const { return false; }
+    /// Whether the residual of a row is a velocity.
+    virtual bool is_velocity(int /*row*/) const { return false; }
+    /// At the expansion point, at time t.
+    virtual void start(const Real& /*t*/) {}
+    /// Coefficient i of what depends on x and R.
+    virtual void follow(const JointEnds& ends, std::size_t i) = 0;
+    /// Coefficient k of an n that does not follow from R.
+    virtual void direct(const JointEnds& /*ends*/, std::size_t /*k*/) {}
+    /// Coefficient k of the second derivative of a row's residual, or of the first one where that is a velocity.
+    virtual Real acceleration(const JointEnds& ends, int row, std::size_t k) const = 0;
+
+  protected:
+    explicit PointRows(const JointEnds& ends) : lever_(ends.d) {}
+    std::vector<Vectors> n_;
+    Vectors lever_;
+};
+
+/// Those of a joint; null if it has none.
+std::unique_ptr<PointRows> point_rows(const Joint& joint, const JointEnds& ends);
+
+/// orthogonal: a . b = 0, t = a x b.
+class TurnRow {
+  public:
+    TurnRow(const Joint& joint, const JointRow& row, const JointEnds& ends);
+    void follow(std::size_t i) { a_.update(i), b_.update(i); }
+    void direct(std::size_t k) { t_[k] = cross(a_.series(), b_.series(), k); }
+    const Vectors& t() const { return t_; }
+    Real acceleration(std::size_t k) const { return real(k + 1) * real(k + 2) * dot(a_.series(), b_.series(), k + 2); }
+
+  private:
+    Attached a_, b_;
+    Vectors t_;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
