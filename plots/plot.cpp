@@ -16,10 +16,11 @@ namespace kreisel {
 namespace {
 
 std::vector<FigureSpec> figures_of(const Results& results) {
-    const auto& config = results.config;
-    if (!config.is_object()) { throw FileError("manifest.json: no config in it; figures need one"); }
-    if (!config.contains("figure")) { return {standard_figure(config.value("kind", "trajectory"), results.name)}; }
-    const Document document = parse_document("manifest.json (config)", config.dump(2));
+    if (results.config.empty()) { throw FileError("manifest.json: no config in it; figures need one"); }
+    const Document document = parse_document("manifest.json (config)", results.config);
+    if (!document.value.contains("figure")) {
+        return {standard_figure(results.kind.empty() ? "trajectory" : results.kind, results.name)};
+    }
     Diagnostics diagnostics(document);
     const auto specs = read_figures(Node(document.value.at("figure"), "/figure", diagnostics), results.name);
     diagnostics.raise();

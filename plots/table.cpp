@@ -71,7 +71,7 @@ Exit table_command(const std::filesystem::path& folder) {
         writer.write(orders_in_full(results), orders_in_brief(results), true);
         writer.write(errors_in_full(results), errors_in_brief(results), true);
     }
-    const bool scaling = results.config.is_object() && results.config.value("kind", "") == "scaling";
+    const bool scaling = results.kind == "scaling";
     if (scaling) {
         writer.write(scaling_table(results, exact_number), scaling_table(results, short_number), true);
         writer.write(scaling_laws_table(results), true);

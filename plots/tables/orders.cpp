@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "engine/metric_table.hpp"
+#include "records/metrics/catalogue.hpp"
 
 namespace kreisel {
 
@@ -99,17 +99,19 @@ std::vector<std::string> marked(std::vector<std::string> cells, const ResultRow&
     return cells;
 }
 
-std::vector<std::string> with_units(const std::vector<std::string>& metrics) {
+std::vector<std::string> with_units(const std::vector<std::string>& metrics, const Units& units) {
     std::vector<std::string> titles;
     titles.reserve(metrics.size());
-    for (const std::string& metric : metrics) { titles.push_back(fmt::format("{} [{}]", metric, metric_unit(metric))); }
+    for (const std::string& metric : metrics) {
+        titles.push_back(fmt::format("{} [{}]", metric, metric_unit(metric, units)));
+    }
     return titles;
 }
 
 // "4", or "2, 2, 1": configuration, velocity, multipliers.
 std::string declared_cell(const ResultRow& row) {
     if (row.declared_order.empty()) { return "-"; }
-    const auto of = [&](MetricLevel level) { return row.declared_order.at(std::string(metric_of(level))); };
+    const auto of = [&](MetricLevel level) { return row.declared_order.at(metric_of(level)); };
     const int q = of(MetricLevel::configuration), v = of(MetricLevel::velocity), lambda = of(MetricLevel::multipliers);
     return q == v && v == lambda ? fmt::format("{}", q) : fmt::format("{}, {}, {}", q, v, lambda);
 }
@@ -145,8 +147,8 @@ ObservedOrder order_of(const CellGroup& group, const std::string& metric) {
 
 std::vector<std::string> error_metrics(const std::vector<ResultRow>& rows) {
     std::vector<std::string> found;
-    for (const MetricDescription& entry : metric_table) {
-        const std::string metric(entry.name);
+    for (const MetricDescription& entry : metric_catalogue()) {
+        const std::string& metric = entry.name;
         const bool occurs = is_error(entry) && std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
                                 return row.metrics.contains(metric);
                             });
@@ -195,7 +197,8 @@ TextTable errors_in_full(const Results& results) {
     const CellNames names(results.rows);
     const auto metrics = error_metrics(results.rows);
     TextTable table{"errors", "Errors of the final state: " + results.name, {}, {}};
-    table.columns = with(with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics)), {"past_horizon"});
+    table.columns =
+        with(with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics, results.units)), {"past_horizon"});
     for (const CellGroup& group : group_by_method(results.rows)) {
         for (const ResultRow* row : group.rows) {
             if (!row->ok()) { continue; }
@@ -211,7 +214,7 @@ TextTable errors_in_brief(const Results& results) {
     const auto metrics = error_metrics(results.rows);
     TextTable table{"errors", "Errors of the final state, finest step: " + results.name, {}, {}};
     bool past = false;
-    table.columns = with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics));
+    table.columns = with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics, results.units));
     for (const CellGroup& group : group_by_method(results.rows)) {
         const ResultRow* best = finest(group);
         if (best == nullptr) { continue; }

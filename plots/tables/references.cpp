@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "engine/metric_table.hpp"
+#include "records/metrics/catalogue.hpp"
 
 namespace kreisel {
 
@@ -20,8 +20,8 @@ std::vector<std::string> metrics_of(const Results& results) {
                            [&](const ResultRow& row) { return row.reference_error.contains(metric); });
     };
     std::vector<std::string> metrics;
-    for (const MetricDescription& entry : metric_table) {
-        const std::string metric(entry.name);
+    for (const MetricDescription& entry : metric_catalogue()) {
+        const std::string& metric = entry.name;
         if (is_error(entry) && (entry.rows != MetricRows::directions || occurs(metric))) { metrics.push_back(metric); }
     }
     return metrics;

@@ -10,7 +10,7 @@ namespace {
 constexpr bool talks = true;
 
 const std::string interface = "engine/engine.hpp";
-const std::string metrics = "engine/metric_table.hpp";
+const std::string metrics = "engine/metrics/description.hpp";
 const std::string equations = "mechanics/system.hpp";
 const std::string axes = "mechanics/space_axes.hpp";
 
@@ -37,22 +37,33 @@ const std::vector<Room>& rooms() {
         {"methods/implicit", {"mechanics", "lie"}, numbers},
         {"methods", {"methods/contract", "methods/tableaus", "methods/implicit", "mechanics", "lie"}, numbers},
         {metrics, {}, {}},
-        {interface, {"mechanics/model/data.hpp", "methods/contract/description.hpp", "problems/description.hpp"}, {}},
+        {interface,
+         {metrics, "mechanics/model/data.hpp", "methods/contract/description.hpp", "problems/description.hpp"},
+         {}},
         {"engine/report", {interface, "mechanics", "lie"}, numbers},
-        {"engine/metrics", {interface, metrics, "engine/report", "mechanics", "lie", "support/pattern.hpp"}, numbers},
+        {"engine/metrics", {interface, metrics, "engine/report", "mechanics", "lie"}, numbers},
         {"engine/reference", {interface, "engine/report", "mechanics", "lie"}, numbers},
-        {"engine", {"engine", "methods", "problems", "mechanics", "lie", "support/pattern.hpp"}, numbers, talks},
+        {"engine/observers",
+         {interface, "engine/metrics", "engine/report", "mechanics", "lie", "support/pattern.hpp"},
+         numbers,
+         talks},
+        {"engine",
+         {"engine", "methods", "problems", "mechanics", "lie", "support/pattern.hpp", "support/number_text.hpp"},
+         numbers,
+         talks},
         {"records/fits", {"support"}, {"fmt/", "gsl/"}, talks},
         {"records/json",
          {interface, "mechanics/model/data.hpp", "problems/description.hpp", "support"},
          {"fmt/", "nlohmann/"},
          talks},
-        {"records/diff", {"records", "support"}, {"fmt/", "nlohmann/"}, talks},
-        {"records/remarks", {"records", metrics, "support"}, {"fmt/"}, talks},
-        {"records", {"records", interface, metrics, "support"}, {"fmt/", "nlohmann/"}, talks},
-        {"plots/tables", {"records", metrics, "support"}, {"fmt/"}, talks},
+        {"records/metrics", {interface, "support"}, {}, talks},
+        {"records/cell", {"records/json", "records/metrics", interface, "support"}, {"fmt/"}, talks},
+        {"records/diff", {"records", interface, "support"}, {"fmt/"}, talks},
+        {"records/remarks", {"records", "support"}, {"fmt/"}, talks},
+        {"records", {"records", interface, "support"}, {"fmt/", "nlohmann/"}, talks},
+        {"plots/tables", {"records", "support"}, {"fmt/"}, talks},
         {"plots/diff", {"plots/tables", "records", "support"}, {"fmt/"}, talks},
-        {"plots/figures/kinds", {"plots/figures", "plots/tables", "records", metrics, "support"}, {"fmt/"}, talks},
+        {"plots/figures/kinds", {"plots/figures", "plots/tables", "records", "support"}, {"fmt/"}, talks},
         {"plots/figures", {"plots/tables", "records", "support"}, {"fmt/"}, talks},
         {"plots", {"plots", "records", "support"}, {"fmt/"}, talks},
         {"driver/config",
@@ -60,18 +71,12 @@ const std::vector<Room>& rooms() {
           "problems/description.hpp", "support"},
          {"fmt/", "nlohmann/"},
          talks},
-        {"driver/plan",
-         {"driver/config", "plots", "records", interface, metrics, "support"},
-         {"fmt/", "nlohmann/"},
-         talks},
+        {"driver/plan", {"driver/config", "plots", "records", interface, "support"}, {"fmt/", "nlohmann/"}, talks},
         {"driver/campaign",
          {"driver/plan", "driver/config", "records", interface, "support"},
          {"fmt/", "nlohmann/"},
          talks},
-        {"driver/cli",
-         {"driver", "plots", "records", interface, metrics, "support"},
-         {"CLI/", "fmt/", "nlohmann/"},
-         talks},
+        {"driver/cli", {"driver", "plots", "records", interface, "support"}, {"CLI/", "fmt/", "nlohmann/"}, talks},
         {"driver", {"driver", interface}, {}, talks},
     };
     return all;
@@ -92,7 +97,7 @@ const Room* room_of(const std::string& path) {
 }
 
 std::size_t capacity_of(const std::string& folder) {
-    const bool registry = folder == "problems" || folder.starts_with("methods/");
+    const bool registry = folder == "problems" || folder == "engine/metrics" || folder.starts_with("methods/");
     return registry ? 40 : 20;
 }
 

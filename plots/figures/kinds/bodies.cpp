@@ -73,10 +73,11 @@ BodyPath read_path(const TrajectoryTable& table, const std::string& body) {
 
 Point3 lever_of(const FigureSpec& spec, const ResultRow& row) {
     Point3 lever{};
+    const JsonValue* parameter = row.parameters.find("lever");
     if (spec.lever) {
         lever = *spec.lever;
-    } else if (row.parameters.is_object() && row.parameters.contains("lever") && row.parameters["lever"].is_array()) {
-        lever = row.parameters["lever"].get<Point3>();
+    } else if (parameter != nullptr && parameter->elements.size() == lever.size()) {
+        for (std::size_t i = 0; i < lever.size(); ++i) { lever[i] = parameter->elements[i].number(); }
     } else {
         throw FigureError(
             fmt::format("{}: problem {} has no lever; give \"lever\" in the figure", spec.name, row.problem));

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <map>
 
-#include "engine/metric_table.hpp"
 #include "plots/tables/drift.hpp"
 #include "plots/tables/orders.hpp"
 #include "plots/tables/scaling.hpp"
+#include "records/metrics/catalogue.hpp"
 
 namespace kreisel {
 
@@ -174,15 +174,15 @@ SlopeTriangle slope_triangle(const std::vector<Point>& window, int order) {
     return triangle;
 }
 
-std::string metric_label(const std::string& metric) {
+std::string metric_label(const std::string& metric, const Units& units) {
     static const std::map<std::string, std::string> integrals = {
-        {"invariant.energy", "max |E − E_0| [J]"},
-        {"invariant.angular_momentum_vertical", "max |L_z − L_{z,0}| [N m s]"}};
-    if (const auto known = integrals.find(metric); known != integrals.end()) { return known->second; }
+        {"invariant.energy", "max |E − E_0|"}, {"invariant.angular_momentum_vertical", "max |L_z − L_{z,0}|"}};
+    const auto integral = integrals.find(metric);
     const MetricDescription* entry = find_metric(metric);
-    const std::string symbol =
-        entry != nullptr && entry->name == metric ? std::string(entry->symbol) : enhanced_escape(metric);
-    const std::string unit = metric_unit(metric);
+    const std::string symbol = integral != integrals.end()                 ? integral->second
+                               : entry != nullptr && entry->name == metric ? entry->symbol
+                                                                           : enhanced_escape(metric);
+    const std::string unit = metric_unit(metric, units);
     return symbol + (unit.empty() || unit == "1" ? "" : " [" + enhanced_escape(unit) + "]");
 }
 
@@ -193,7 +193,7 @@ PanelFigure convergence_figure(const FigureSpec& spec, const Results& results) {
     Styles styles;
     PanelFigure figure = empty_figure(spec);
     for (const PanelKey& key : panel_keys(spec, names, rows)) {
-        Panel panel{facet_title(spec, key), "h [s]", metric_label(key.metric), true, true, {}, {}, {}};
+        Panel panel{facet_title(spec, key), "h [s]", metric_label(key.metric, results.units), true, true, {}, {}, {}};
         std::vector<ObservedOrder> orders;
         for (const CellGroup& group : group_by_method(rows)) {
             if (!in_panel(spec, names, group.front(), key)) { continue; }
@@ -227,7 +227,7 @@ PanelFigure drift_figure(const FigureSpec& spec, const Results& results, const s
     Styles styles;
     PanelFigure figure = empty_figure(spec);
     for (const PanelKey& key : panel_keys(spec, names, rows)) {
-        Panel panel{facet_title(spec, key), "t [s]", metric_label(key.metric), true, true, {}, {}, {}};
+        Panel panel{facet_title(spec, key), "t [s]", metric_label(key.metric, results.units), true, true, {}, {}, {}};
         for (const ResultRow& row : rows) {
             if (!in_panel(spec, names, row, key)) { continue; }
             const TrajectoryTable trajectory = read_trajectory(folder, row);
@@ -258,7 +258,7 @@ PanelFigure invariants_figure(const FigureSpec& spec, const Results& results, co
     PanelFigure figure = empty_figure(spec);
     for (const PanelKey& key : panel_keys(spec, names, rows)) {
         const std::string label_y = spec.relative ? enhanced_escape(key.metric.substr(10)) + ": max |I − I_0| / |I_0|"
-                                                  : metric_label(key.metric);
+                                                  : metric_label(key.metric, results.units);
         Panel panel{facet_title(spec, key), "t [s]", label_y, false, true, {}, {}, {}};
         for (const ResultRow& row : rows) {
             const auto largest = row.metrics.find(key.metric), relative = row.metrics.find(key.metric + ".relative");

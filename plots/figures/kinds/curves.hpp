@@ -22,7 +22,7 @@ PanelFigure scaling_figure(const FigureSpec& spec, const Results& results);
 PanelFigure components_figure(const FigureSpec& spec, const Results& results, const std::filesystem::path& folder);
 
 /// Axis label of a metric in enhanced text, with its unit.
-std::string metric_label(const std::string& metric);
+std::string metric_label(const std::string& metric, const Units& units);
 
 /// The triangle of slope `order` below the lowest curve of that slope, from the data of the curves' windows.
 struct SlopeTriangle {
