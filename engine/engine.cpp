@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/engine.hpp"
 
+#include "engine/metrics/metric.hpp"
 #include "engine/reference/reference.hpp"
 #include "engine/reference/taylor_route.hpp"
-#include "engine/report/joint_forces.hpp"
 #include "engine/report/report.hpp"
 #include "engine/run.hpp"
+#include "engine/skip.hpp"
 #include "mechanics/formulation.hpp"
 #include "mechanics/joints/joint_rows.hpp"
 #include "mechanics/start.hpp"
@@ -37,6 +38,8 @@ class RealEngine final : public Engine {
         for (const Formulation& entry : kreisel::formulations()) all.push_back({entry.name, entry.summary});
         return all;
     }
+
+    std::vector<MetricDescription> metrics() const override { return descriptions(kreisel::metrics()); }
 
     SystemSummary summary(const std::string& name, const ParameterValues& values,
                           const std::string& formulation_name) const override {
@@ -80,18 +83,15 @@ class RealEngine final : public Engine {
             allow_for(solution, distance(solution.states, entry.closed_form(Parameters(values), decimal(t_end))));
             solution.route += "; closed form";
         }
-        std::vector<std::string> bodies;
-        for (const Body& body : model.bodies) bodies.push_back(body.name);
         Reference reference;
-        reference.state = to_report(decimal(t_end), solution.states, bodies, solution.multipliers, solution.angles);
+        reference.state = to_report(decimal(t_end), solution.states, model, solution.multipliers, solution.angles);
         if (solution.compared) {
-            reference.error = {{"error.position", to_number(solution.position_error)},
-                               {"error.rotation", to_number(solution.rotation_error)},
-                               {"error.velocity", to_number(solution.velocity_error)},
-                               {"error.omega", to_number(solution.omega_error)}};
-            // Past the horizon, their difference at the end by itself means nothing.
-            if (!solution.multipliers.empty() && abs(solution.horizon) >= abs(decimal(t_end)))
-                add_multiplier_errors(constraint_rows(model), solution.multiplier_error, reference.error);
+            // Past the horizon, the multipliers' difference at the end by itself means nothing.
+            const bool agreed = !solution.multipliers.empty() && abs(solution.horizon) >= abs(decimal(t_end));
+            reference.error = errors_of(
+                {{solution.position_error, solution.rotation_error, solution.velocity_error, solution.omega_error},
+                 agreed ? solution.multiplier_error : Separation::unknown_multipliers()},
+                constraint_rows(model));
         }
         reference.horizon = to_double(solution.horizon);
         reference.route = solution.route;
@@ -111,17 +111,11 @@ class RealEngine final : public Engine {
         if (status != Status::ok)
             return {.difference = {}, .failure = std::string("Taylor series: ") + kreisel::name(status)};
         for (const Number& row : reference.state.multipliers) exact.push_back(from_number(row));
-        const Distance d = distance(route.states(), from_report(reference.state));
-        ReferenceCheck check;
-        const auto add = [&](const char* metric, const Real& value) {
-            if (isfinite(value)) check.difference[metric] = to_number(value);
-        };
-        add("error.position", d.position), add("error.rotation", d.rotation);
-        add("error.velocity", d.velocity), add("error.omega", d.omega);
+        Separation apart{distance(route.states(), from_report(reference.state))};
         const auto rows = constraint_rows(model);
         if (exact.size() == rows.size() && lambda.size() == rows.size())
-            add_multiplier_errors(rows, multiplier_distance(rows, lambda, exact), check.difference);
-        return check;
+            apart.multipliers = multiplier_distance(rows, lambda, exact);
+        return {.difference = errors_of(apart, rows), .failure = ""};
     }
 
     std::string reference_digest() const override { return KREISEL_REFERENCE_DIGEST; }

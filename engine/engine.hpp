@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/metrics/description.hpp"
 #include "mechanics/model/data.hpp"
 #include "methods/contract/description.hpp"
 #include "problems/description.hpp"
@@ -163,6 +164,8 @@ class Engine {
     virtual std::vector<MethodDescription> methods() const = 0;
     virtual std::vector<ProjectionDescription> projections() const = 0;
     virtual std::vector<FormulationDescription> formulations() const = 0;
+    /// In the order in which results hold them.
+    virtual std::vector<MetricDescription> metrics() const = 0;
 
     /// Builds the system. Throws ParameterError if the parameters do not describe a system.
     virtual SystemSummary summary(const std::string& problem, const ParameterValues&,

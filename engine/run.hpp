@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One cell: a problem, a formulation, a method and a projection, run and measured.
+// Runs one cell.
 #pragma once
 
 #include <stop_token>
@@ -11,7 +11,6 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-std::string why_skipped(const Cell& cell);
 /// `reference` and `samples` may be null: no errors are measured, samples are dropped.
 Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop,
                  SampleSink* samples = nullptr);

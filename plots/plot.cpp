@@ -31,10 +31,9 @@ Figures figure_of_kind(const std::string& kind, const std::string& experiment) {
 }
 
 Figures figures_of(const Results& results) {
-    const auto& config = results.config;
-    if (!config.is_object()) { throw FileError("manifest.json: no config in it; figures need one"); }
-    if (!config.contains("figure")) { return figure_of_kind(config.value("kind", ""), results.name); }
-    const Document document = parse_document("manifest.json (config)", config.dump(2));
+    if (results.config.empty()) { throw FileError("manifest.json: no config in it; figures need one"); }
+    const Document document = parse_document("manifest.json (config)", results.config);
+    if (!document.value.contains("figure")) { return figure_of_kind(results.kind, results.name); }
     Diagnostics diagnostics(document);
     Figures figures = read_figures(Node(document.value.at("figure"), "/figure", diagnostics), results.name);
     diagnostics.raise();

@@ -37,7 +37,7 @@ void read_journal(const std::filesystem::path& file, const std::string& build, J
         const std::string line = text.substr(start, end - start);
         start = end + 1;
         if (auto cell = read_journal_line(line, build)) {
-            contents.cells.insert_or_assign(cell->hash, std::move(*cell));
+            contents.cells.insert_or_assign(cell->identity.cell, std::move(*cell));
         } else if (auto foreign = journalled_cell(line)) {
             contents.foreign.insert(std::move(*foreign));
         } else {

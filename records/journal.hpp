@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "records/cell_line.hpp"
+#include "records/cell/line.hpp"
 
 namespace kreisel {
 
 struct JournalContents {
-    std::map<std::string, FinishedCell> cells;  ///< by hash; of several lines of one cell the last
-    std::set<std::string> foreign;              ///< hashes of cells that have only lines of other builds
-    std::vector<std::string> complaints;        ///< torn and damaged lines
+    std::map<std::string, CellRecord> cells;  ///< by hash; of several lines of one cell the last
+    std::set<std::string> foreign;            ///< hashes of cells that have only lines of other builds
+    std::vector<std::string> complaints;      ///< torn and damaged lines
 };
 
 /// `journal.jsonl`, or `journal.<shard>.jsonl`.

@@ -37,6 +37,12 @@ std::string program_text(const std::string& build) {
         .text();
 }
 
+std::string units_text(const Units& units) {
+    ObjectWriter object;
+    for (const auto& [metric, unit] : units) { object.member(metric, json_text(unit)); }
+    return object.text();
+}
+
 std::string machine_text() {
     return ObjectWriter()
         .member("cpu", json_text(cpu_model()))
@@ -54,7 +60,7 @@ void write_manifest(const std::filesystem::path& file, const ManifestSubject& su
                     const ManifestTimes& times, const CellCounts& counts) {
     std::string warnings = json_value(subject.warnings);
     const std::string text = ObjectWriter()
-                                 .member("format", "1")
+                                 .member("format", "2")
                                  .member("name", json_text(subject.name))
                                  .member("started", json_text(times.started))
                                  .member("ended", times.ended.empty() ? "null" : json_text(times.ended))
@@ -62,6 +68,7 @@ void write_manifest(const std::filesystem::path& file, const ManifestSubject& su
                                  .member("program", program_text(build))
                                  .member("machine", machine_text())
                                  .member("warnings", warnings)
+                                 .member("units", units_text(subject.units))
                                  .member("config", subject.config)
                                  .text();
     write_atomically(file, nlohmann::ordered_json::parse(text).dump(2) + "\n");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "records/json/diagnostics.hpp"
+#include "records/metrics/units.hpp"
 
 namespace kreisel {
 
@@ -28,6 +29,7 @@ struct ManifestSubject {
     std::string name;
     std::vector<std::string> warnings;
     std::string config;  ///< as resolved, JSON
+    Units units;         ///< of the metrics
 };
 
 /// Throws FileError.

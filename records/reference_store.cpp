@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "kreisel_build.hpp"
+#include "records/cell/codec.hpp"
 #include "records/json/writer.hpp"
 #include "records/provenance.hpp"
 #include "support/errors.hpp"
@@ -19,47 +20,12 @@ namespace {
 
 constexpr std::string_view sum_member = ",\"sum\":\"";
 
-Number read_number(const nlohmann::json& json) {
-    const auto& text = json.get_ref<const std::string&>();
-    return {nlohmann::json::parse(text).get<double>(), text};
-}
-
-template <std::size_t n>
-std::array<Number, n> read_numbers(const nlohmann::json& json) {
-    std::array<Number, n> numbers;
-    for (std::size_t i = 0; i < n; ++i) { numbers[i] = read_number(json.at(i)); }
-    return numbers;
-}
-
-ReportedBody read_body(const nlohmann::json& json) {
-    ReportedBody body;
-    body.name = json.at("name");
-    body.x = read_numbers<3>(json.at("x"));
-    body.v = read_numbers<3>(json.at("v"));
-    body.omega = read_numbers<3>(json.at("omega"));
-    for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t column = 0; column < 3; ++column) {
-            body.R[3 * row + column] = read_number(json.at("R").at(row).at(column));
-        }
-    }
-    return body;
-}
-
-Reference reference_of(const nlohmann::json& json) {
+Reference reference_of(const JsonValue& json) {
     Reference reference;
-    const auto& state = json.at("state");
-    reference.state.t = read_number(state.at("t"));
-    for (const auto& body : state.at("bodies")) { reference.state.bodies.push_back(read_body(body)); }
-    for (const auto& multiplier : state.value("multipliers", nlohmann::json::array())) {
-        reference.state.multipliers.push_back(read_number(multiplier));
-    }
-    for (const auto& angle : state.value("theta", nlohmann::json::array())) {
-        reference.state.theta.push_back(read_number(angle));
-    }
-    reference.state.turns = state.value("turns", std::vector<long>());
-    for (const auto& [name, error] : json.at("error").items()) { reference.error[name] = read_number(error); }
-    reference.horizon = json.at("horizon");
-    reference.route = json.at("route");
+    decode(json.at("state"), reference.state);
+    for (const JsonMember& bound : json.at("error").members) { decode(bound.value, reference.error[bound.name]); }
+    reference.horizon = json.at("horizon").number();
+    reference.route = json.at("route").string();
     return reference;
 }
 
@@ -104,11 +70,11 @@ std::optional<StoredReference> read_reference(const std::string& text, const Pla
     const auto whole = checked(text);
     if (!whole) { return std::nullopt; }
     try {
-        const auto json = nlohmann::json::parse(std::string(*whole) + "}");
-        const bool same_code = digest.empty() || json.at("by") == digest;
-        if (!same_code || json.at("of") != nlohmann::json::parse(planned.content)) { return std::nullopt; }
+        const JsonValue json = parse_exactly(std::string(*whole) + "}");
+        const bool same_code = digest.empty() || json.at("by").string() == digest;
+        if (!same_code || json.at("of") != parse_exactly(planned.content)) { return std::nullopt; }
         return StoredReference{reference_of(json), text};
-    } catch (const nlohmann::json::exception&) { return std::nullopt; }  // intact, but of another format
+    } catch (const std::invalid_argument&) { return std::nullopt; }  // intact, but of another format
 }
 
 std::optional<StoredReference> load_reference(const std::filesystem::path& file, const PlannedReference& planned,

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "records/planned.hpp"
+#include "records/cell/planned.hpp"
 
 namespace kreisel {
 

@@ -7,12 +7,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
-#include "engine/metric_table.hpp"
+#include "records/cell/line.hpp"
 #include "records/journal.hpp"
 #include "records/json/strict.hpp"
+#include "records/json/writer.hpp"
 #include "records/manifest.hpp"
+#include "records/metrics/catalogue.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
 
@@ -20,76 +23,61 @@ namespace kreisel {
 
 namespace {
 
-using nlohmann::json;
-
-// A number, or a decimal string (quad).
-double number(const json& value) {
-    if (value.is_number()) { return value.get<double>(); }
-    const auto& text = value.get_ref<const std::string&>();
-    char* end = nullptr;
-    const double result = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(result)) { throw std::invalid_argument("not a number"); }
-    return result;
-}
-
-std::map<std::string, double> numbers(const json& line, const char* key) {
-    std::map<std::string, double> result;
-    if (!line.contains(key)) { return result; }
-    for (const auto& [name, value] : line.at(key).items()) { result[name] = number(value); }
-    return result;
-}
-
-std::map<std::string, std::string> texts(const json& line, const char* key) {
-    std::map<std::string, std::string> result;
-    if (!line.contains(key)) { return result; }
-    for (const auto& [name, value] : line.at(key).items()) {
-        result[name] = value.is_string() ? value.get<std::string>() : value.dump();
-    }
-    return result;
-}
-
-double norm(const json& list) {
+template <class Numbers>
+double norm(const Numbers& numbers) {
     double sum = 0;
-    for (const json& entry : list) { sum += number(entry) * number(entry); }
+    for (const Number& number : numbers) { sum += number.value * number.value; }
     return std::sqrt(sum);
 }
 
-double norm_over_bodies(const json& final, const char* key) {
+double norm_over_bodies(const ReportedState& final, std::array<Number, 3> ReportedBody::*part) {
     double sum = 0;
-    for (const json& body : final.at("bodies")) { sum += std::pow(norm(body.at(key)), 2); }
+    for (const ReportedBody& body : final.bodies) { sum += std::pow(norm(body.*part), 2); }
     return std::sqrt(sum);
 }
 
 // A final size of zero says nothing about the size on the way: one unit is used.
-std::map<std::string, double> scales(const json& final) {
+std::map<std::string, double> scales(const ReportedState& final) {
     const auto or_one = [](double size) { return size > 0 ? size : 1; };
-    std::map<std::string, double> scale = {{"error.position", or_one(norm_over_bodies(final, "x"))},
-                                           {"error.rotation", 1},
-                                           {"error.velocity", or_one(norm_over_bodies(final, "v"))},
-                                           {"error.omega", or_one(norm_over_bodies(final, "omega"))}};
-    if (!final.contains("multipliers")) { return scale; }
-    const json names = final.value("multiplier_names", json::array());
-    json forces = json::array(), torques = json::array();
-    for (std::size_t i = 0; i < final.at("multipliers").size(); ++i) {
-        const bool torque = i < names.size() && names[i].get<std::string>().ends_with("[N m]");
-        (torque ? torques : forces).push_back(final.at("multipliers")[i]);
+    std::vector<Number> forces, torques;
+    for (std::size_t i = 0; i < final.multipliers.size(); ++i) {
+        const bool torque = i < final.multiplier_names.size() && final.multiplier_names[i].ends_with("[N m]");
+        (torque ? torques : forces).push_back(final.multipliers[i]);
     }
-    if (!forces.empty()) { scale["error.multipliers"] = or_one(norm(forces)); }
-    if (!torques.empty()) { scale["error.multipliers.torque"] = or_one(norm(torques)); }
+    std::map<MetricScale, double> sizes = {{MetricScale::one, 1},
+                                           {MetricScale::position, or_one(norm_over_bodies(final, &ReportedBody::x))},
+                                           {MetricScale::velocity, or_one(norm_over_bodies(final, &ReportedBody::v))},
+                                           {MetricScale::omega, or_one(norm_over_bodies(final, &ReportedBody::omega))}};
+    if (!forces.empty()) { sizes[MetricScale::force] = or_one(norm(forces)); }
+    if (!torques.empty()) { sizes[MetricScale::torque] = or_one(norm(torques)); }
+    std::map<std::string, double> scale;
+    for (const MetricDescription& metric : metric_catalogue()) {
+        const auto size = sizes.find(metric.scale);
+        if (is_error(metric) && size != sizes.end()) { scale[metric.name] = size->second; }
+    }
     return scale;
 }
 
-std::map<std::string, int> declared_orders(const json& order) {
-    const std::map<MetricLevel, int> levels = {{MetricLevel::configuration, order.at("configuration")},
-                                               {MetricLevel::velocity, order.at("velocity")},
-                                               {MetricLevel::multipliers, order.at("multipliers")}};
+std::map<std::string, int> declared_orders(const Order& order) {
+    const std::map<MetricLevel, int> levels = {{MetricLevel::configuration, order.configuration},
+                                               {MetricLevel::velocity, order.velocity},
+                                               {MetricLevel::multipliers, order.multipliers}};
     std::map<std::string, int> orders;
-    for (const MetricDescription& metric : metric_table) {
+    for (const MetricDescription& metric : metric_catalogue()) {
         if (const auto level = levels.find(metric.level); level != levels.end()) {
             orders.emplace(metric.name, level->second);
         }
     }
     return orders;
+}
+
+std::map<std::string, std::string> texts(const OptionValues& options) {
+    std::map<std::string, std::string> result;
+    for (const auto& [name, value] : options) {
+        const auto* word = std::get_if<std::string>(&value);
+        result[name] = word != nullptr ? *word : json_value(value);
+    }
+    return result;
 }
 
 bool is_hash(const std::string& text) {
@@ -111,15 +99,15 @@ std::vector<std::string> split(const std::string& text, char separator) {
 void add_times(const std::filesystem::path& folder, Results& results) {
     const auto is_timed = [](const ResultRow& row) { return row.bodies > 0; };
     const bool timed = std::any_of(results.rows.begin(), results.rows.end(), is_timed);
-    if (!results.config.is_object() || !timed) { return; }
+    if (results.config.empty() || !timed) { return; }
     const JournalContents journals = read_journals(folder, read_manifest(folder / "manifest.json").build);
     results.damage.insert(results.damage.end(), journals.complaints.begin(), journals.complaints.end());
     for (ResultRow& row : results.rows) {
         const auto found = journals.cells.find(row.cell);
         if (found == journals.cells.end()) { continue; }
-        const Cost& cost = found->second.cost;
-        if (cost.step_s) { row.cost["step_s"] = *cost.step_s; }
-        if (cost.memory) { row.cost["memory"] = *cost.memory; }
+        const CellTimes& times = found->second.times;
+        if (times.step_s) { row.cost["step_s"] = *times.step_s; }
+        if (times.memory) { row.cost["memory"] = *times.memory; }
     }
 }
 
@@ -127,11 +115,26 @@ void read_manifest_into(const std::filesystem::path& folder, Results& results) {
     const auto file = folder / "manifest.json";
     results.name = folder.filename().string();
     if (!std::filesystem::exists(file)) { return; }
-    const json manifest = read_document(file).value;
-    if (manifest.is_object() && manifest.contains("config")) { results.config = manifest["config"]; }
-    if (results.config.is_object() && results.config.contains("name") && results.config["name"].is_string()) {
-        results.name = results.config["name"];
+    const nlohmann::json manifest = read_document(file).value;
+    if (!manifest.is_object()) { return; }
+    if (const auto units = manifest.find("units"); units != manifest.end()) { results.units = *units; }
+    const auto config = manifest.find("config");
+    if (config == manifest.end() || !config->is_object()) { return; }
+    results.config = config->dump(2);
+    const auto text = [&](const char* key, const std::string& absent) {
+        const auto found = config->find(key);
+        return found != config->end() && found->is_string() ? found->get<std::string>() : absent;
+    };
+    results.kind = text("kind", "");
+    results.name = text("name", results.name);
+}
+
+std::vector<std::string> measured_metrics(const std::vector<ResultRow>& rows) {
+    std::set<std::string> names;
+    for (const ResultRow& row : rows) {
+        for (const auto& [name, value] : row.metrics) { names.insert(name); }
     }
+    return {names.begin(), names.end()};
 }
 
 double field(const std::string& text) {
@@ -156,43 +159,47 @@ void read_header(const std::string& line, TrajectoryTable& table) {
 
 }  // namespace
 
-ResultRow read_result_line(const std::string& text) {
-    const json line = json::parse(text);
-    ResultRow row;
-    row.cell = line.at("cell");
+ResultRow result_row(const CellRecord& record) {
+    const CellIdentity& identity = record.identity;
+    const CellOutcome& outcome = record.outcome;
+    ResultRow row{.cell = identity.cell,
+                  .problem = identity.problem,
+                  .series = identity.series,
+                  .label = identity.label,
+                  .formulation = identity.formulation,
+                  .method = identity.method,
+                  .projection = identity.projection,
+                  .precision = identity.precision,
+                  .status = outcome.status,
+                  .detail = outcome.detail,
+                  .options = texts(identity.options),
+                  .projection_options = texts(identity.projection_options),
+                  .parameters = identity.parameters,
+                  .steps = identity.steps,
+                  .bodies = outcome.bodies,
+                  .h = identity.h,
+                  .t_end = identity.t_end,
+                  .t_reached = outcome.t_reached,
+                  .has_trajectory = !outcome.trajectory.empty()};
+    for (const auto& [name, number] : outcome.metrics) { row.metrics[name] = number.value; }
+    for (const auto& [name, count] : outcome.counts) { row.cost[name] = count.value; }
+    if (outcome.final) { row.scale = scales(*outcome.final); }
+    if (identity.order) { row.declared_order = declared_orders(*identity.order); }
+    if (outcome.lost) { row.lost_integral = outcome.lost->name, row.lost_share = outcome.lost->share; }
+    if (!outcome.reference) { return row; }
+    row.reference_error = outcome.reference->error;
+    row.reference_horizon = outcome.reference->horizon;
+    row.past_horizon = outcome.reference->past_horizon;
+    return row;
+}
+
+ResultRow read_result_line(const std::string& line) {
+    ResultRow row = result_row(read_record(line));
     if (!is_hash(row.cell)) { throw std::invalid_argument("the cell's name is not a hash"); }
-    row.problem = line.at("problem");
-    row.label = line.value("label", row.problem);
-    if (row.label.empty()) { row.label = row.problem; }
-    row.series = line.value("series", row.label);
-    row.parameters = line.value("parameters", json::object());
-    row.formulation = line.at("formulation");
-    row.method = line.at("method");
-    row.options = texts(line, "options");
-    row.projection = line.at("projection");
-    row.projection_options = texts(line, "projection_options");
-    row.precision = line.at("precision");
-    row.steps = line.at("steps");
-    row.bodies = line.value("bodies", 0L);
-    row.h = number(line.at("h"));
-    row.t_end = number(line.at("t_end"));
-    row.status = line.at("status");
-    row.detail = line.value("detail", "");
-    row.t_reached = line.contains("t_reached") ? number(line.at("t_reached")) : 0;
-    row.metrics = numbers(line, "metrics");
-    row.cost = numbers(line, "cost");
-    if (line.contains("reference")) {
-        row.reference_error = numbers(line.at("reference"), "error");
-        row.reference_horizon = number(line.at("reference").at("horizon"));
-        row.past_horizon = line.at("reference").value("past_horizon", false);
+    for (const std::string* told : {&row.formulation, &row.method, &row.projection, &row.precision}) {
+        if (told->empty()) { throw std::invalid_argument("it does not say all of what was run"); }
     }
-    if (line.contains("lost")) {
-        row.lost_integral = line.at("lost").at("integral");
-        row.lost_share = number(line.at("lost").at("share"));
-    }
-    if (line.contains("final")) { row.scale = scales(line.at("final")); }
-    if (line.contains("order")) { row.declared_order = declared_orders(line.at("order")); }
-    row.has_trajectory = line.contains("trajectory");
+    if (!(row.steps > 0 && row.h != 0 && row.t_end != 0)) { throw std::invalid_argument("it does not tell its steps"); }
     return row;
 }
 
@@ -209,6 +216,7 @@ Results read_results(const std::filesystem::path& folder) {
         }
     }
     add_times(folder, results);
+    if (results.units.empty()) { results.units = units_before_format_2(measured_metrics(results.rows)); }
     return results;
 }
 

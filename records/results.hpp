@@ -5,10 +5,12 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "records/cell/record.hpp"
+#include "records/metrics/units.hpp"
 
 namespace kreisel {
 
@@ -16,7 +18,7 @@ namespace kreisel {
 struct ResultRow {
     std::string cell, problem, series, label, formulation, method, projection, precision, status, detail;
     std::map<std::string, std::string> options, projection_options;
-    nlohmann::json parameters;
+    JsonValue parameters;
     long steps = 0;
     long bodies = 0;  ///< 0 if the line does not have it
     double h = 0, t_end = 0;
@@ -38,13 +40,18 @@ struct ResultRow {
 struct Results {
     std::vector<ResultRow> rows;
     std::vector<std::string> damage;  ///< one text per line that could not be read
-    nlohmann::json config;            ///< as resolved; null where there is no manifest
+    std::string config;               ///< as resolved, JSON; empty where there is no manifest
+    std::string kind;                 ///< of the experiment; empty where there is no manifest
     std::string name;                 ///< of the experiment
+    Units units;                      ///< of the metrics, as far as the manifest or older names tell
 };
 
 /// Reads DIR/results.jsonl and DIR/manifest.json, and for timed cells the times in DIR/journal*.jsonl. A
 /// damaged line is skipped and named in `damage`. Throws FileError where results.jsonl cannot be read.
 Results read_results(const std::filesystem::path& folder);
+
+/// A record with its numbers rounded.
+ResultRow result_row(const CellRecord& record);
 
 /// One line of results.jsonl. Throws std::exception on a line that is not one.
 ResultRow read_result_line(const std::string& line);

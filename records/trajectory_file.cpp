@@ -15,8 +15,6 @@ constexpr std::size_t write_at_once = 1U << 20U;  // bytes that are written with
 
 }  // namespace
 
-std::string trajectory_file(const std::string& hash) { return "trajectories/" + hash + ".csv"; }
-
 std::vector<std::filesystem::path> trajectory_parts(const std::filesystem::path& folder) {
     return files_like(folder / "trajectories", "", ".csv.part");
 }

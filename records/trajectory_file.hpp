@@ -13,13 +13,11 @@
 #include <vector>
 
 #include "engine/engine.hpp"
+#include "records/cell/record.hpp"
 #include "support/files.hpp"
 #include "support/hash.hpp"
 
 namespace kreisel {
-
-/// Path of a cell's trajectory below the output folder.
-std::string trajectory_file(const std::string& hash);
 
 /// The trajectories below an output folder that are not complete, by name.
 std::vector<std::filesystem::path> trajectory_parts(const std::filesystem::path& folder);

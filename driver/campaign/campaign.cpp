@@ -91,15 +91,15 @@ JournalContents earlier_results(const Plan& plan, const std::filesystem::path& f
 void list_failures(const Plan& plan, const Finished& finished, CampaignReport& report) {
     for (const PlannedCell& planned : plan.cells) {
         const auto found = finished.find(planned.hash);
-        if (found != finished.end() && found->second.failed()) {
-            report.failures.emplace_back(failure_text(planned, found->second), found->second.status);
+        if (found != finished.end() && found->second.outcome.failed()) {
+            report.failures.emplace_back(failure_text(planned, found->second.outcome), found->second.outcome.status);
         }
     }
 }
 
 std::vector<ResultRow> rows_of(const Finished& finished) {
     std::vector<ResultRow> rows;
-    for (const auto& [hash, cell] : finished) { rows.push_back(read_result_line(cell.line)); }
+    for (const auto& [hash, cell] : finished) { rows.push_back(result_row(cell)); }
     return rows;
 }
 
@@ -150,7 +150,7 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
         messages << "note: references are kept in the results only: " << complaint << "\n";
     }
     const Finished finished = campaign->finished();
-    if (shard.empty()) { write_results(plan, finished, folder); }
+    if (shard.empty()) { write_results(plan, finished, table_units(plan, engines.binary64), folder); }
     times.ended = utc_now();
     report.counts = count_cells(plan, finished, settings);
     report.interrupted = InterruptGuard::requested() && report.counts.missing > 0;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "driver/plan/plan.hpp"
-#include "records/cell_line.hpp"
+#include "records/cell/line.hpp"
 #include "records/manifest.hpp"
 
 namespace kreisel {

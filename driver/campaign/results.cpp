@@ -5,31 +5,55 @@
 
 #include "driver/config/resolved.hpp"
 #include "driver/plan/text.hpp"
-#include "records/csv.hpp"
+#include "records/cell/table.hpp"
 #include "support/files.hpp"
+#include "support/number_text.hpp"
 
 namespace kreisel {
 
-void write_results(const Plan& plan, const std::map<std::string, FinishedCell>& finished,
+namespace {
+
+/// Of the metrics.
+Units units_of(const Plan& plan) {
+    std::vector<IntegralDescription> integrals;
+    for (const auto& [key, system] : plan.systems) {
+        integrals.insert(integrals.end(), system.integrals.begin(), system.integrals.end());
+    }
+    return units_of_metrics(integrals);
+}
+
+}  // namespace
+
+void write_results(const Plan& plan, const std::map<std::string, CellRecord>& finished, const TableUnits& units,
                    const std::filesystem::path& folder) {
-    std::vector<std::string> lines;
+    std::vector<CellRecord> records;
     std::string text;
     for (const PlannedCell& planned : plan.cells) {
         const auto found = finished.find(planned.hash);
-        if (found != finished.end()) {
-            lines.push_back(relabelled(found->second.line, planned));
-            text += lines.back() + "\n";
-        }
+        if (found == finished.end()) { continue; }
+        records.push_back(found->second);
+        records.back().identity = planned.identity;  // its label may have changed since
+        text += result_text(records.back()) + "\n";
     }
     write_atomically(folder / "results.jsonl", text);
-    write_atomically(folder / "results.csv", results_table(lines));
+    write_atomically(folder / "results.csv", results_table(records, units));
 }
 
 ManifestSubject manifest_subject(const Plan& plan) {
-    return {plan.config.name, plan.warnings, resolved_config(plan.config)};
+    return {plan.config.name, plan.warnings, resolved_config(plan.config), units_of(plan)};
 }
 
-CellCounts count_cells(const Plan& plan, const std::map<std::string, FinishedCell>& finished,
+TableUnits table_units(const Plan& plan, const Engine& engine) {
+    TableUnits units{units_of(plan), {}};
+    for (const ProblemDescription& problem : engine.problems()) {
+        for (const ParameterDescription& parameter : problem.parameters) {
+            units.parameters[problem.name][parameter.name] = parameter.unit;
+        }
+    }
+    return units;
+}
+
+CellCounts count_cells(const Plan& plan, const std::map<std::string, CellRecord>& finished,
                        const RunSettings& settings) {
     CellCounts counts;
     for (std::size_t i = settings.shard - 1; i < plan.cells.size(); i += settings.shards) {
@@ -37,24 +61,24 @@ CellCounts count_cells(const Plan& plan, const std::map<std::string, FinishedCel
         ++counts.total;
         if (found == finished.end()) {
             ++counts.missing;
-        } else if (found->second.failed()) {
+        } else if (found->second.outcome.failed()) {
             ++counts.failed;
         } else {
-            ++(found->second.status == "ok" ? counts.ok : counts.skipped);
+            ++(found->second.outcome.status == "ok" ? counts.ok : counts.skipped);
         }
     }
     return counts;
 }
 
-std::string failure_text(const PlannedCell& planned, const FinishedCell& finished) {
+std::string failure_text(const PlannedCell& planned, const CellOutcome& outcome) {
     const Cell& cell = planned.cell;
     const auto with_options = [](const std::string& name, const OptionValues& options) {
         return options.empty() ? name : name + " " + options_text(options);
     };
-    return fmt::format("{} at t = {:.10g}: {} on {} {}, projection {}, {}, {} steps: {}", finished.status,
-                       finished.t_reached, with_options(cell.method, cell.options), planned.label, cell.formulation,
-                       with_options(cell.projection, cell.projection_options), planned.precision, cell.steps,
-                       finished.detail.empty() ? "no details" : finished.detail);
+    return fmt::format("{} at t = {}: {} on {} {}, projection {}, {}, {} steps: {}", outcome.status,
+                       brief_text(outcome.t_reached), with_options(cell.method, cell.options), planned.label,
+                       cell.formulation, with_options(cell.projection, cell.projection_options), planned.precision,
+                       cell.steps, outcome.detail.empty() ? "no details" : outcome.detail);
 }
 
 }  // namespace kreisel

@@ -12,8 +12,9 @@ namespace kreisel {
 namespace {
 
 // Outcomes that are not due to the numerics only are tried again.
-bool is_repeatable(const FinishedCell& cell) {
-    return cell.status != "exception" && cell.status != "reference_failed" && cell.status != "interrupted";
+bool is_repeatable(const CellRecord& cell) {
+    const std::string& status = cell.outcome.status;
+    return status != "exception" && status != "reference_failed" && status != "interrupted";
 }
 
 Outcome thrown(const std::string& what) {
@@ -34,11 +35,11 @@ Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Referen
     } catch (...) { return thrown("something other than a std::exception was thrown"); }
 }
 
-bool Campaign::trajectory_is_whole(const FinishedCell& cell) const {
+bool Campaign::trajectory_is_whole(const CellRecord& cell) const {
     std::error_code error;
-    const auto file = folder_ / trajectory_file(cell.hash);
-    return cell.trajectory_sum.empty() ||
-           (std::filesystem::is_regular_file(file, error) && hash_text(read_text(file)) == cell.trajectory_sum);
+    const auto file = folder_ / trajectory_file(cell.identity.cell);
+    const std::string& sum = cell.outcome.trajectory_sum;
+    return sum.empty() || (std::filesystem::is_regular_file(file, error) && hash_text(read_text(file)) == sum);
 }
 
 std::size_t Campaign::reuse(const JournalContents& earlier, const RunSettings& settings) {
@@ -131,22 +132,21 @@ void Campaign::compute_cell(const PlannedCell& planned, const std::stop_token& t
 
 void Campaign::record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
                       TrajectoryFile& samples) {
-    FinishedCell cell;
+    CellRecord cell = record_of(planned, outcome, reference, outcome.status == "exception" ? "" : samples.sum());
+    std::string line;
     try {
-        cell = finished_cell(planned, outcome, reference, outcome.status == "exception" ? "" : samples.sum());
-    } catch (const std::logic_error& error) {
-        Outcome broken;
-        broken.status = "exception";
-        broken.detail = error.what();
-        cell = finished_cell(planned, broken, reference);
+        line = journal_line(cell, build_);
+    } catch (const std::logic_error& error) {  // a number that is not finite
+        cell = record_of(planned, thrown(error.what()), reference);
+        line = journal_line(cell, build_);
     }
     samples.flush();
     const std::lock_guard lock(mutex_);
     if (closed_) { return; }
-    cell.trajectory_sum.empty() ? samples.discard() : samples.keep();
-    journal_.append(journal_line(cell, build_));
+    cell.outcome.trajectory_sum.empty() ? samples.discard() : samples.keep();
+    journal_.append(line);
     weight_done_ += planned.weight;
-    finished_.insert_or_assign(cell.hash, std::move(cell));
+    finished_.insert_or_assign(planned.hash, std::move(cell));
 }
 
 void Campaign::fail(const std::exception_ptr& error) {
@@ -160,7 +160,7 @@ void Campaign::fail(const std::exception_ptr& error) {
 ProgressState Campaign::progress() const {
     const std::lock_guard lock(mutex_);
     const auto failed =
-        std::count_if(finished_.begin(), finished_.end(), [](const auto& one) { return one.second.failed(); });
+        std::count_if(finished_.begin(), finished_.end(), [](const auto& one) { return one.second.outcome.failed(); });
     return {finished_.size(),
             total_,
             static_cast<std::size_t>(failed),

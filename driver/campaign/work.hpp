@@ -21,7 +21,7 @@
 
 namespace kreisel {
 
-using Finished = std::map<std::string, FinishedCell>;
+using Finished = std::map<std::string, CellRecord>;
 
 /// Runs one cell; an exception becomes its status, except a FileError of `samples`, which may be null.
 Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Reference* reference,
@@ -72,7 +72,7 @@ class Campaign {
     void compute_cell(const PlannedCell& planned, const std::stop_token& token);
     void record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
                 TrajectoryFile& samples);
-    bool trajectory_is_whole(const FinishedCell& cell) const;
+    bool trajectory_is_whole(const CellRecord& cell) const;
 
     const Plan plan_;
     const Engines engines_;

@@ -13,9 +13,9 @@
 #include "driver/config/options.hpp"
 #include "driver/config/values.hpp"
 #include "driver/plan/metric_names.hpp"
-#include "engine/metric_table.hpp"
 #include "records/json/model_keys.hpp"
 #include "records/json/writer.hpp"
+#include "records/metrics/catalogue.hpp"
 #include "support/errors.hpp"
 #include "support/nearest.hpp"
 
@@ -40,8 +40,8 @@ std::vector<NamedText> method_rows(const std::vector<MethodDescription>& methods
 
 std::vector<NamedText> metric_rows() {
     std::vector<NamedText> rows;
-    for (const MetricDescription& metric : metric_table) {
-        rows.emplace_back(std::string(metric.name), fmt::format("{} [{}]", metric.summary, metric.unit));
+    for (const MetricDescription& metric : metric_catalogue()) {
+        rows.emplace_back(metric.name, fmt::format("{} [{}]", metric.summary, metric.unit));
     }
     rows.emplace_back("defect.<name>.final", "the defect at the end");
     for (const InvariantSuffix& suffix : invariant_suffixes()) {

@@ -42,10 +42,11 @@ Document common_config(const Paths& folders, const std::string& build) {
     return first->config;
 }
 
-void copy_trajectory(const FinishedCell& cell, const std::filesystem::path& from, const std::filesystem::path& to) {
-    if (cell.trajectory_sum.empty() || from == to) { return; }
+void copy_trajectory(const CellRecord& cell, const std::filesystem::path& from, const std::filesystem::path& to) {
+    if (cell.outcome.trajectory_sum.empty() || from == to) { return; }
+    const std::string file = trajectory_file(cell.identity.cell);
     make_folder(to / "trajectories");
-    write_atomically(to / trajectory_file(cell.hash), read_text(from / trajectory_file(cell.hash)));
+    write_atomically(to / file, read_text(from / file));
 }
 
 void copy_references(const std::filesystem::path& from, const std::filesystem::path& to) {
@@ -57,7 +58,7 @@ void copy_references(const std::filesystem::path& from, const std::filesystem::p
 }
 
 // Lets the merged folder be resumed, and merged again, like any other.
-void write_journal(const std::filesystem::path& folder, const std::map<std::string, FinishedCell>& finished,
+void write_journal(const std::filesystem::path& folder, const std::map<std::string, CellRecord>& finished,
                    const std::string& build) {
     std::string text;
     for (const auto& [hash, cell] : finished) { text += journal_line(cell, build) + "\n"; }
@@ -73,7 +74,7 @@ Exit merge_command(const Paths& folders, const std::filesystem::path& output, co
     make_folder(target);
     const FolderLock lock(target, "");
     ManifestTimes times{utc_now(), ""};
-    std::map<std::string, FinishedCell> finished;
+    std::map<std::string, CellRecord> finished;
     for (const auto& folder : folders) {
         JournalContents journals = read_journals(folder, build);
         for (const std::string& complaint : journals.complaints) { fmt::print(terminal.messages, "{}\n", complaint); }
@@ -86,7 +87,7 @@ Exit merge_command(const Paths& folders, const std::filesystem::path& output, co
         finished.merge(journals.cells);
     }
     write_journal(target, finished, build);
-    write_results(plan, finished, target);
+    write_results(plan, finished, table_units(plan, engines.binary64), target);
     const CellCounts counts = count_cells(plan, finished, {});
     times.ended = utc_now();
     write_manifest(manifest_file(target, ""), manifest_subject(plan), build, times, counts);

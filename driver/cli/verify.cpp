@@ -13,6 +13,7 @@
 #include "records/reference_store.hpp"
 #include "records/trajectory_file.hpp"
 #include "support/files.hpp"
+#include "support/number_text.hpp"
 
 namespace kreisel {
 
@@ -22,8 +23,9 @@ std::map<std::string, std::string> stored_lines(const std::filesystem::path& fol
     std::map<std::string, std::string> lines;
     std::istringstream stream(read_text(folder / "results.jsonl"));
     for (std::string line; std::getline(stream, line);) {
-        const auto value = nlohmann::json::parse(line, nullptr, false);
-        if (value.is_object() && value.contains("cell") && value["cell"].is_string()) { lines[value["cell"]] = line; }
+        try {
+            lines[read_record(line).identity.cell] = line;
+        } catch (const std::invalid_argument&) { continue; }  // its cell then counts as missing
     }
     return lines;
 }
@@ -52,7 +54,7 @@ std::string recomputed(const PlannedCell& planned, const Plan& plan, const std::
     const Reference* known = reference ? &*reference : nullptr;
     TrajectorySum samples;
     const Outcome outcome = run_cell(planned, engines.of(planned.precision), known, {}, &samples);
-    return finished_cell(planned, outcome, known, outcome.status == "exception" ? "" : samples.sum()).line;
+    return result_text(record_of(planned, outcome, known, outcome.status == "exception" ? "" : samples.sum()));
 }
 
 /// What is wrong with a reference: the first quantity that differs from the second route by more than its bound. Other
@@ -63,7 +65,8 @@ std::string fault(const Reference& reference, const ReferenceCheck& check) {
         const auto found = check.difference.find(metric);
         if (found == check.difference.end()) { return fmt::format("{} cannot be compared", metric); }
         if (!(found->second.value <= slack * bound.value)) {
-            return fmt::format("{} is off by {:.1e}, its bound is {:.1e}", metric, found->second.value, bound.value);
+            return fmt::format("{} is off by {}, its bound is {}", metric, rounded_text(found->second.value, 1),
+                               rounded_text(bound.value, 1));
         }
     }
     return "";

@@ -49,28 +49,23 @@ std::string content_of(const PlannedCell& planned) {
     return object.text();
 }
 
-std::string json_order(const Order& order) {
-    return ObjectWriter()
-        .member("configuration", fmt::format("{}", order.configuration))
-        .member("velocity", fmt::format("{}", order.velocity))
-        .member("multipliers", fmt::format("{}", order.multipliers))
-        .text();
-}
-
-std::string identity_of(const PlannedCell& planned, const Order& order) {
+CellIdentity identity_of(const PlannedCell& planned, const Order& order) {
     const Cell& cell = planned.cell;
-    ObjectWriter object;
-    object.member("cell", json_text(planned.hash)).member("problem", json_text(cell.problem));
-    object.member("label", json_text(planned.label));
-    if (planned.series != planned.label) { object.member("series", json_text(planned.series)); }
-    object.member("parameters", json_value(cell.parameters));
-    object.member("formulation", json_text(cell.formulation)).member("method", json_text(cell.method));
-    object.member("options", json_value(cell.options)).member("order", json_order(order));
-    object.member("projection", json_text(cell.projection));
-    object.member("projection_options", json_value(cell.projection_options));
-    object.member("precision", json_text(planned.precision)).member("steps", fmt::format("{}", cell.steps));
-    object.member("h", json_number(cell.t_end / static_cast<double>(cell.steps)));
-    return object.member("t_end", json_number(cell.t_end)).open_text();
+    return {planned.hash,
+            cell.problem,
+            planned.label,
+            planned.series,
+            parse_exactly(json_value(cell.parameters)),
+            cell.formulation,
+            cell.method,
+            cell.options,
+            order,
+            cell.projection,
+            cell.projection_options,
+            planned.precision,
+            cell.steps,
+            cell.t_end / static_cast<double>(cell.steps),
+            cell.t_end};
 }
 
 class Crossing {

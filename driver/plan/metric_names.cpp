@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/metric_table.hpp"
+#include "records/metrics/catalogue.hpp"
 #include "support/pattern.hpp"
 
 namespace kreisel {
@@ -21,7 +21,7 @@ const std::vector<InvariantSuffix>& invariant_suffixes() {
 
 std::vector<std::string> metric_names(const std::vector<std::string>& integrals) {
     std::vector<std::string> names;
-    for (const MetricDescription& metric : metric_table) {
+    for (const MetricDescription& metric : metric_catalogue()) {
         names.emplace_back(metric.name);
         if (is_defect(metric)) { names.push_back(names.back() + ".final"); }
     }
@@ -34,8 +34,9 @@ std::vector<std::string> metric_names(const std::vector<std::string>& integrals)
 }
 
 bool asks_for_errors(const std::vector<std::string>& patterns) {
-    return std::any_of(metric_table.begin(), metric_table.end(), [&](const MetricDescription& metric) {
-        return is_error(metric) && matches_any(patterns, std::string(metric.name));
+    const auto& all = metric_catalogue();
+    return std::any_of(all.begin(), all.end(), [&](const MetricDescription& metric) {
+        return is_error(metric) && matches_any(patterns, metric.name);
     });
 }
 

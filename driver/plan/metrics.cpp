@@ -7,7 +7,7 @@
 #include <set>
 
 #include "driver/plan/metric_names.hpp"
-#include "engine/metric_table.hpp"
+#include "records/metrics/catalogue.hpp"
 #include "support/nearest.hpp"
 #include "support/pattern.hpp"
 

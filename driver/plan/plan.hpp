@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "driver/config/config.hpp"
-#include "records/planned.hpp"
+#include "records/cell/planned.hpp"
 
 namespace kreisel {
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "records/cell/line.hpp"
 #include "records/json/writer.hpp"
 
 namespace kreisel {
@@ -66,10 +67,11 @@ void print_plan(const Plan& plan, std::ostream& out) {
 void print_plan_json(const Plan& plan, std::ostream& out) {
     std::string cells;
     for (const PlannedCell& planned : plan.cells) {
-        std::string cell = planned.identity;
-        if (!planned.skip_reason.empty()) { cell += ",\"skip_reason\":" + json_text(planned.skip_reason); }
-        if (!planned.reference.empty()) { cell += ",\"reference\":" + json_text(planned.reference); }
-        cells += (cells.empty() ? "\n" : ",\n") + cell + "}";
+        ObjectWriter cell;
+        add_identity(planned.identity, cell);
+        if (!planned.skip_reason.empty()) { cell.member("skip_reason", json_text(planned.skip_reason)); }
+        if (!planned.reference.empty()) { cell.member("reference", json_text(planned.reference)); }
+        cells += (cells.empty() ? "\n" : ",\n") + cell.text();
     }
     fmt::print(out, "{{\"name\":{},\"warnings\":{},\"cells\":[{}\n]}}\n", json_text(plan.config.name),
                json_value(plan.warnings), cells);

@@ -91,14 +91,5 @@ MultiplierDistance multiplier_distance(const std::vector<ConstraintRow>& rows, c
     return {sqrt(squares.force), sqrt(squares.torque)};
 }
 
-void add_multiplier_errors(const std::vector<ConstraintRow>& rows, const MultiplierDistance& distance,
-                           std::map<std::string, Number>& errors) {
-    const auto any = [&](bool direction) {
-        return std::any_of(rows.begin(), rows.end(), [=](const auto& row) { return row.direction == direction; });
-    };
-    if (any(false)) errors["error.multipliers"] = to_number(distance.force);
-    if (any(true)) errors["error.multipliers.torque"] = to_number(distance.torque);
-}
-
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

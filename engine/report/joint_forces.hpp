@@ -48,9 +48,6 @@ struct MultiplierDistance {
 };
 MultiplierDistance multiplier_distance(const std::vector<ConstraintRow>& rows, const std::vector<Real>& a,
                                        const std::vector<Real>& b);
-/// Names the distances as metrics; a kind without rows has none.
-void add_multiplier_errors(const std::vector<ConstraintRow>& rows, const MultiplierDistance& distance,
-                           std::map<std::string, Number>& errors);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -29,12 +29,12 @@ ConstraintSummary to_summary(const ConstraintRank& rank) {
     return summary;
 }
 
-ReportedState to_report(const Real& t, const std::vector<BodyState>& states, const std::vector<std::string>& names,
+ReportedState to_report(const Real& t, const std::vector<BodyState>& states, const Model& model,
                         const std::vector<Real>& multipliers, const std::vector<SpringAngle>& springs) {
     ReportedState report{to_number(t), {}, {}, {}, {}};
     for (std::size_t i = 0; i < states.size(); ++i) {
         const BodyState& s = states[i];
-        ReportedBody body{names[i], numbers(s.x), numbers(s.v), numbers(s.omega), {}};
+        ReportedBody body{model.bodies[i].name, numbers(s.x), numbers(s.v), numbers(s.omega), {}};
         for (int j = 0; j < 3; ++j)
             for (int k = 0; k < 3; ++k) body.R[static_cast<std::size_t>(3 * j + k)] = to_number(s.R(j, k));
         report.bodies.push_back(body);

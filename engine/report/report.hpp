@@ -15,7 +15,7 @@ Number to_number(const Real& x);
 ConstraintSummary to_summary(const ConstraintRank& rank);
 Real from_number(const Number& x);
 
-ReportedState to_report(const Real& t, const std::vector<BodyState>& states, const std::vector<std::string>& names,
+ReportedState to_report(const Real& t, const std::vector<BodyState>& states, const Model& model,
                         const std::vector<Real>& multipliers, const std::vector<SpringAngle>& springs);
 /// "ground-wheel" of a spring between ground and wheel; where several are between the same bodies, "ground-wheel-2" of
 /// the second, and so on.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/metric_table.hpp"
+#include "records/metrics/catalogue.hpp"
 
 namespace kreisel {
 
@@ -37,8 +37,8 @@ ObservedOrder order_of(const CellGroup& group, const std::string& metric) {
 
 std::vector<std::string> error_metrics(const std::vector<ResultRow>& rows) {
     std::vector<std::string> found;
-    for (const MetricDescription& entry : metric_table) {
-        const std::string metric(entry.name);
+    for (const MetricDescription& entry : metric_catalogue()) {
+        const std::string& metric = entry.name;
         const bool occurs = is_error(entry) && std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
                                 return row.metrics.contains(metric);
                             });

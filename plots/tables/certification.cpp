@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "engine/metric_table.hpp"
+#include "records/metrics/catalogue.hpp"
 #include "plots/laws/convergence.hpp"
 #include "plots/tables/table.hpp"
 
@@ -35,8 +35,8 @@ bool falls_short(const ObservedOrder& order, int declared) {
 std::string level_text(const CellGroup& group, MetricLevel level) {
     std::optional<double> least;
     bool low = false, settled = true;
-    for (const MetricDescription& entry : metric_table) {
-        const std::string metric(entry.name);
+    for (const MetricDescription& entry : metric_catalogue()) {
+        const std::string& metric = entry.name;
         const ObservedOrder order = entry.level == level ? order_of(group, metric) : ObservedOrder{};
         if (order.points.empty()) { continue; }
         if (order.order) { least = least ? std::min(*least, *order.order) : *order.order; }
@@ -69,7 +69,7 @@ std::string declared_text(const ResultRow& row) {
     if (row.declared_order.empty()) { return "-"; }
     std::string text;
     for (const MetricLevel level : levels) {
-        text += fmt::format("{}{}", text.empty() ? "" : " / ", row.declared_order.at(std::string(metric_of(level))));
+        text += fmt::format("{}{}", text.empty() ? "" : " / ", row.declared_order.at(metric_of(level)));
     }
     return text;
 }

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/metric_table.hpp"
-
 namespace kreisel {
 
 namespace {
@@ -111,16 +109,6 @@ std::vector<CellGroup> group_by_method(const std::vector<ResultRow>& rows) {
     return grouped(rows, [](const ResultRow& a, const ResultRow& b) {
         return same_but_for_size(a, b) && a.parameters == b.parameters && a.t_end == b.t_end;
     });
-}
-
-std::string metric_unit(const std::string& metric) {
-    if (const MetricDescription* known = find_metric(metric)) { return std::string(known->unit); }
-    const std::string& base = metric;
-    if (base.ends_with(".relative")) { return "1"; }
-    const std::string per = base.ends_with(".slope") || base.ends_with(".slope_error") ? "/s" : "";
-    if (base.starts_with("invariant.energy")) { return per.empty() ? "J" : "W"; }
-    if (base.starts_with("invariant.momentum")) { return per.empty() ? "N s" : "N"; }
-    return base.find("momentum") != std::string::npos ? (per.empty() ? "N m s" : "N m") : "";
 }
 
 }  // namespace kreisel

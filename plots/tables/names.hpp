@@ -42,7 +42,4 @@ std::vector<CellGroup> grouped(const std::vector<ResultRow>& rows, bool (*same)(
 /// Whether two rows agree in all but parameters, steps and end time.
 bool same_but_for_size(const ResultRow& a, const ResultRow& b);
 
-/// Unit of a metric such as "error.position" or "invariant.energy.slope"; empty where it is not known.
-std::string metric_unit(const std::string& metric);
-
 }  // namespace kreisel

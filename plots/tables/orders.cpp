@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "engine/metric_table.hpp"
+#include "records/metrics/catalogue.hpp"
 #include "plots/laws/convergence.hpp"
 #include "plots/tables/cells.hpp"
 #include "plots/tables/table.hpp"
@@ -69,7 +69,7 @@ std::vector<std::string> full_row(const ObservedOrder& order) {
 // "4", or "2, 2, 1": configuration, velocity, multipliers.
 std::string declared_cell(const ResultRow& row) {
     if (row.declared_order.empty()) { return "-"; }
-    const auto of = [&](MetricLevel level) { return row.declared_order.at(std::string(metric_of(level))); };
+    const auto of = [&](MetricLevel level) { return row.declared_order.at(metric_of(level)); };
     const int q = of(MetricLevel::configuration), v = of(MetricLevel::velocity), lambda = of(MetricLevel::multipliers);
     return q == v && v == lambda ? fmt::format("{}", q) : fmt::format("{}, {}, {}", q, v, lambda);
 }

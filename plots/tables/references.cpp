@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-#include "engine/metric_table.hpp"
+#include "records/metrics/catalogue.hpp"
 #include "plots/tables/table.hpp"
 
 namespace kreisel {
@@ -23,8 +23,8 @@ std::vector<std::string> metrics_of(const Results& results) {
                            [&](const ResultRow& row) { return row.reference_error.contains(metric); });
     };
     std::vector<std::string> metrics;
-    for (const MetricDescription& entry : metric_table) {
-        const std::string metric(entry.name);
+    for (const MetricDescription& entry : metric_catalogue()) {
+        const std::string& metric = entry.name;
         if (is_error(entry) && (entry.rows != MetricRows::directions || occurs(metric))) { metrics.push_back(metric); }
     }
     return metrics;

@@ -7,8 +7,9 @@
 #include <cmath>
 #include <regex>
 
-#include "records/csv.hpp"
+#include "support/csv.hpp"
 #include "support/files.hpp"
+#include "support/number_text.hpp"
 
 namespace kreisel {
 
@@ -75,10 +76,10 @@ std::vector<std::string> mapped(const std::vector<std::string>& cells, const Esc
 
 std::string short_number(double value) {
     if (std::isnan(value)) { return "-"; }
-    return value == 0 ? "0" : fmt::format("{:.2e}", value);
+    return value == 0 ? "0" : rounded_text(value, 2);
 }
 
-std::string exact_number(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+std::string exact_number(double value) { return std::isnan(value) ? "" : exact_text(value); }
 
 TextTable without_constant_columns(const TextTable& table, const std::vector<std::string>& candidates) {
     TextTable brief{table.name, table.title, {}, std::vector<std::vector<std::string>>(table.rows.size()), table.notes};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "records/metrics/catalogue.hpp"
+
 namespace kreisel {
 
 namespace {
@@ -57,26 +59,35 @@ double QuantityScales::of_invariant(const std::string& name) const {
     return name.ends_with(".slope") || name.ends_with(".slope_error") ? found->second * rate_ : found->second;
 }
 
+double QuantityScales::of(MetricScale scale) const {
+    const double x = of_state("final.x"), v = of_state("final.v"), w = of_state("final.omega");
+    switch (scale) {
+        case MetricScale::own:
+            return 0;
+        case MetricScale::one:
+            return 1;
+        case MetricScale::position:
+            return x;
+        case MetricScale::velocity:
+            return v;
+        case MetricScale::omega:
+            return w;
+        case MetricScale::force:
+            return of_state("final.multipliers [N]");
+        case MetricScale::torque:
+            return of_state("final.multipliers [N m]");
+        case MetricScale::acceleration:
+            return v * (w + rate_);
+        case MetricScale::angular_acceleration:
+            return w * (w + rate_);
+    }
+    return 0;
+}
+
 double QuantityScales::of_metric(const std::string& name, double own) const {
     if (name.starts_with(invariant)) { return std::max(own, of_invariant(name)); }
-    const double x = of_state("final.x"), v = of_state("final.v"), w = of_state("final.omega");
-    const std::map<std::string, double> scales = {
-        {"error.position", x},
-        {"error.velocity", v},
-        {"error.omega", w},
-        {"error.rotation", 1},
-        {"error.multipliers", of_state("final.multipliers [N]")},
-        {"error.multipliers.torque", of_state("final.multipliers [N m]")},
-        {"defect.position", x},
-        {"defect.velocity", v},
-        {"defect.acceleration", v * (w + rate_)},
-        {"defect.direction", 1},
-        {"defect.direction.velocity", w},
-        {"defect.direction.acceleration", w * (w + rate_)},
-        {"defect.orthogonality", 1},
-    };
-    const auto found = scales.find(without(name, ".final"));
-    return found == scales.end() ? own : std::max(own, found->second);
+    const MetricDescription* metric = find_metric(name);
+    return metric == nullptr ? own : std::max(own, of(metric->scale));
 }
 
 }  // namespace kreisel

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "engine/engine.hpp"
 #include "records/diff/recorded_cell.hpp"
 
 namespace kreisel {
@@ -16,13 +17,10 @@ namespace kreisel {
 /// velocities, of all multipliers that are forces, and so on.
 ///
 /// A metric is a difference with the round-off of the numbers subtracted: near round-off its own size is meaningless.
-/// It therefore has the scale of these numbers, or its own size where that is larger. With x, v, w the scales of
-/// positions, velocities and omega, and T = t_end:
-///   error.*                   the scale of that part of the state; 1 rad for rotations
-///   defect.position, .velocity, .acceleration              x, v, v (w + 1/T)
-///   defect.direction, .velocity, .acceleration of it       1, w, w (w + 1/T)
-///   defect.orthogonality, invariant.NAME.relative          1
-///   invariant.NAME, .final, .slope, .slope_error           |I0|, over T for slopes; known by .relative
+/// It therefore has the scale of these numbers, or its own size where that is larger: that of its description
+/// (MetricScale), and of first integrals
+///   invariant.NAME.relative                                1
+///   invariant.NAME, .final, .slope, .slope_error           |I0|, over T = t_end for slopes; known by .relative
 /// Any other metric, and one whose scale is not recorded, has its own size.
 class QuantityScales {
   public:
@@ -35,6 +33,7 @@ class QuantityScales {
 
   private:
     void add(const RecordedCell& cell);
+    double of(MetricScale scale) const;
     double of_invariant(const std::string& name) const;
 
     std::map<std::string, double> of_family_;  ///< largest component of the final state

@@ -3,141 +3,110 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "records/cell/line.hpp"
+#include "records/cell/state_entries.hpp"
+#include "records/json/writer.hpp"
+#include "support/number_text.hpp"
 
 namespace kreisel {
 
 namespace {
 
-using nlohmann::json;
-
-RecordedNumber recorded_number(const json& value) {
-    if (value.is_string()) { return quad_number(value.get_ref<const std::string&>()); }
-    if (!value.is_number()) { throw std::invalid_argument("expected a number, got " + value.dump()); }
-    return {value.get<double>()};
-}
-
-/// Names the numbers of one part of a line.
-class QuantityReader {
+/// A part of the numbers of a cell.
+class QuantityList {
   public:
-    explicit QuantityReader(RecordedQuantities& quantities) : quantities_(quantities) {}
+    QuantityList(RecordedQuantities& quantities, bool quad) : quantities_(quantities), quad_(quad) {}
 
-    /// A number, or lists of numbers, which are counted from 1: "x.3", "R.2.3".
-    void add(const std::string& name, const std::string& family, const json& value) {
-        if (!value.is_array()) {
-            if (!quantities_.insert({name, {family, recorded_number(value)}}).second) {
-                throw std::invalid_argument(name + " stands twice");
-            }
-            return;
-        }
-        for (std::size_t i = 0; i < value.size(); ++i) { add(fmt::format("{}.{}", name, i + 1), family, value[i]); }
+    void add(const std::string& name, const std::string& family, const Number& number) {
+        add(name, family, quad_ ? quad_number(number.text) : RecordedNumber{number.value, ""});
     }
-    /// The members of `object` among `names`, each its own family.
-    void add_members(const json& object, const std::string& prefix, const std::vector<std::string>& names) {
-        for (const std::string& name : names) {
-            if (object.contains(name)) { add(prefix + name, prefix + name, object[name]); }
-        }
-    }
-    void add_all_members(const json& object, const std::string& prefix, const std::vector<std::string>& but = {}) {
-        for (const auto& [name, value] : object.items()) {
-            if (std::find(but.begin(), but.end(), name) == but.end()) { add(prefix + name, prefix + name, value); }
-        }
-    }
+    void add(const std::string& name, double value) { add(name, name, RecordedNumber{value, ""}); }
 
   private:
+    void add(const std::string& name, const std::string& family, const RecordedNumber& number) {
+        if (!quantities_.insert({name, {family, number}}).second) {
+            throw std::invalid_argument(name + " stands twice");
+        }
+    }
+
     RecordedQuantities& quantities_;
+    bool quad_;
 };
 
-/// The part of `line` under `key`; an empty object where it is absent.
-const json& part(const json& line, const char* key) {
-    static const json nothing = json::object();
-    const auto found = line.find(key);
-    return found == line.end() ? nothing : *found;
-}
-
-/// "lambda.pin.2 [N]" is the quantity final.lambda.pin.2 of the family "final.multipliers [N]".
-void add_multipliers(QuantityReader& reader, const json& state) {
-    const json& multipliers = part(state, "multipliers");
-    const json& names = part(state, "multiplier_names");
-    for (std::size_t i = 0; i < multipliers.size(); ++i) {
-        const std::string title = i < names.size() ? names[i].get<std::string>() : fmt::format("lambda.{}", i + 1);
-        const auto unit = std::min(title.rfind(" ["), title.size());
-        reader.add("final." + title.substr(0, unit), "final.multipliers" + title.substr(unit), multipliers[i]);
+void add_constraints(QuantityList& list, const ConstraintSummary& constraints) {
+    if (constraints.rows == 0) { return; }
+    list.add("constraints.rows", constraints.rows);
+    list.add("constraints.rank", constraints.rank);
+    if (constraints.condition) { list.add("constraints.condition", *constraints.condition); }
+    for (std::size_t i = 0; i < constraints.least_norm.size(); ++i) {
+        const std::string family = "constraints.least_norm_multipliers";
+        list.add(fmt::format("{}.{}", family, i + 1), family, constraints.least_norm[i]);
     }
 }
 
-void add_state(QuantityReader& reader, const json& state) {
-    reader.add_members(state, "final.", {"t", "theta", "turns"});
-    const json& bodies = part(state, "bodies");
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const std::string name = bodies[i].value("name", fmt::format("body{}", i + 1));
-        for (const char* key : {"x", "R", "v", "omega"}) {
-            const std::string family = fmt::format("final.{}", key);
-            if (bodies[i].contains(key)) { reader.add(fmt::format("final.{}.{}", name, key), family, bodies[i][key]); }
-        }
+void add_others(QuantityList& list, const CellOutcome& outcome) {
+    if (outcome.bodies > 0) { list.add("bodies", outcome.bodies); }
+    if (outcome.failed()) {
+        list.add("steps_done", static_cast<double>(outcome.steps_done));
+        list.add("t_reached", outcome.t_reached);
     }
-    add_multipliers(reader, state);
-    for (const json& reaction : part(state, "reactions")) {
-        const std::string name = "final.reaction." + reaction.at("joint").get<std::string>();
-        reader.add(name + ".force", "final.reaction.force", reaction.at("force"));
-        reader.add(name + ".torque", "final.reaction.torque", reaction.at("torque"));
+    add_constraints(list, outcome.constraints);
+    if (outcome.reference) {
+        list.add("reference.horizon", outcome.reference->horizon);
+        for (const auto& [metric, bound] : outcome.reference->error) { list.add("reference." + metric, bound); }
     }
+    for (const auto& [name, count] : outcome.counts) { list.add("cost." + name, count.value); }
 }
 
-void add_others(QuantityReader& reader, const json& line) {
-    reader.add_members(line, "", {"bodies", "steps_done", "t_reached"});
-    reader.add_members(part(line, "constraints"), "constraints.",
-                       {"rows", "rank", "condition", "least_norm_multipliers"});
-    reader.add_members(part(line, "reference"), "reference.", {"horizon"});
-    reader.add_all_members(part(part(line, "reference"), "error"), "reference.");
-    reader.add_all_members(part(line, "cost"), "cost.", {"cpu_s", "step_s", "memory"});  // these differ from run to run
+std::string canonical(const JsonValue& value) {
+    if (value.is_scalar() && value.kind == JsonValue::Kind::number) { return exact_text(value.number()); }
+    return value.is_text() ? value.text : canonical_json(value);
 }
 
-/// Every number as a double: 1 and 1.0 are the same.
-json with_doubles(json value) {
-    if (value.is_number()) { return value.get<double>(); }
-    if (value.is_structured()) {
-        for (json& entry : value) { entry = with_doubles(std::move(entry)); }
-    }
-    return value;
+void add_options(std::map<std::string, std::string>& identity, const std::string& prefix, const OptionValues& options) {
+    for (const auto& [name, value] : options) { identity[prefix + name] = canonical(parse_exactly(json_value(value))); }
 }
 
-std::string identity_text(const json& value) {
-    if (value.is_string()) { return value.get<std::string>(); }
-    return value.is_number() ? fmt::format("{}", value.get<double>()) : with_doubles(value).dump();
-}
-
-std::map<std::string, std::string> identity_of_line(const json& line) {
-    std::map<std::string, std::string> identity;
-    for (const char* key :
-         {"problem", "formulation", "method", "projection", "precision", "steps", "t_end", "tolerance"}) {
-        if (line.contains(key)) { identity[key] = identity_text(line[key]); }
+std::map<std::string, std::string> identity_of_record(const CellIdentity& cell) {
+    std::map<std::string, std::string> identity = {{"problem", cell.problem},
+                                                   {"formulation", cell.formulation},
+                                                   {"method", cell.method},
+                                                   {"projection", cell.projection},
+                                                   {"precision", cell.precision}};
+    std::erase_if(identity, [](const auto& one) { return one.second.empty(); });  // not told
+    if (cell.steps > 0) { identity["steps"] = fmt::format("{}", cell.steps); }
+    if (cell.t_end != 0) { identity["t_end"] = exact_text(cell.t_end); }
+    for (const JsonMember& parameter : cell.parameters.members) {
+        identity["parameters." + parameter.name] = canonical(parameter.value);
     }
-    for (const char* key : {"parameters", "options", "projection_options"}) {
-        for (const auto& [name, value] : part(line, key).items()) {
-            identity[fmt::format("{}.{}", key, name)] = identity_text(value);
-        }
-    }
+    add_options(identity, "options.", cell.options);
+    add_options(identity, "projection_options.", cell.projection_options);
     return identity;
 }
 
 }  // namespace
 
-RecordedCell read_recorded_cell(const std::string& text) {
-    const json line = json::parse(text);
+RecordedCell read_recorded_cell(const std::string& line) {
+    const CellRecord record = read_record(line);
+    const CellOutcome& outcome = record.outcome;
+    const bool quad = record.identity.quad();
     RecordedCell cell;
-    cell.cell = line.at("cell");
-    cell.identity = identity_of_line(line);
-    cell.label = line.value("label", line.at("problem").get<std::string>());
-    cell.status = line.at("status");
-    cell.t_end = line.contains("t_end") ? recorded_number(line["t_end"]).value : 0;
-    QuantityReader state(cell.final_state), metrics(cell.metrics), others(cell.others);
-    add_state(state, part(line, "final"));
-    metrics.add_all_members(part(line, "metrics"), "");
-    add_others(others, line);
-    cell.trajectory_sum = line.value("trajectory_sum", "");
+    cell.cell = record.identity.cell;
+    cell.identity = identity_of_record(record.identity);
+    cell.label = record.identity.label;
+    cell.status = outcome.status;
+    cell.t_end = record.identity.t_end;
+    QuantityList state(cell.final_state, quad), metrics(cell.metrics, quad), others(cell.others, quad);
+    if (outcome.final) {
+        for (const StateEntry& entry : state_entries(*outcome.final)) {
+            state.add("final." + entry.name, "final." + entry.family, entry.number);
+        }
+    }
+    for (const auto& [name, number] : outcome.metrics) { metrics.add(name, name, number); }
+    add_others(others, outcome);
+    cell.trajectory_sum = outcome.trajectory_sum;
     return cell;
 }
 

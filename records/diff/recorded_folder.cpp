@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "records/cell_line.hpp"
+#include "records/cell/line.hpp"
 #include "records/journal.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"

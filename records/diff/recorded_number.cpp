@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "records/diff/recorded_number.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+
+#include "support/number_text.hpp"
 
 // 113 bits without the quad library: the C library converts and finds neighbours, the compiler subtracts and divides.
 // The headers of the C library hide both functions from compilers other than GCC (clang-tidy).
@@ -42,7 +42,7 @@ NumberDistance distance_of(Float a, Float b) {
 
 }  // namespace
 
-std::string RecordedNumber::text() const { return quad.empty() ? fmt::format("{}", value) : quad; }
+std::string RecordedNumber::text() const { return quad.empty() ? exact_text(value) : quad; }
 
 RecordedNumber quad_number(const std::string& decimal) {
     char* end = nullptr;

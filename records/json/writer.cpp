@@ -9,6 +9,7 @@
 
 #include "records/json/lists.hpp"
 #include "records/json/model.hpp"
+#include "support/number_text.hpp"
 
 namespace kreisel {
 
@@ -29,7 +30,7 @@ std::string json_text(std::string_view text) {
 
 std::string json_number(double value) {
     if (!std::isfinite(value)) { throw std::logic_error("a number to be written is not finite"); }
-    return fmt::format("{}", value);
+    return exact_text(value);
 }
 
 std::string json_value(const OptionValue& value) {

@@ -5,7 +5,8 @@
 
 #include <map>
 
-#include "engine/metric_table.hpp"
+#include "records/metrics/catalogue.hpp"
+#include "support/number_text.hpp"
 
 namespace kreisel {
 
@@ -14,10 +15,10 @@ namespace {
 // Of positions and rotations, if measured: the other quantities are their rates.
 std::string uncertainties(const std::map<std::string, double>& errors) {
     std::string text;
-    for (const MetricDescription& metric : metric_table) {
-        const auto found = errors.find(std::string(metric.name));
+    for (const MetricDescription& metric : metric_catalogue()) {
+        const auto found = errors.find(metric.name);
         if (metric.level != MetricLevel::configuration || found == errors.end() || found->second == 0) { continue; }
-        text += fmt::format("{}{:.1e} {}", text.empty() ? "" : ", ", found->second, metric.unit);
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", rounded_text(found->second, 1), metric.unit);
     }
     return text;
 }

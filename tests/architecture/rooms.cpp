@@ -11,7 +11,7 @@ constexpr bool talks = true;
 
 const std::string names_of_cells = "plots/tables/names.hpp";
 const std::string interface = "engine/engine.hpp";
-const std::string metrics = "engine/metric_table.hpp";
+const std::string metrics = "engine/metrics/description.hpp";
 const std::string equations = "mechanics/system.hpp";
 const std::string parts = "mechanics/parts";
 const std::string axes = "mechanics/space_axes.hpp";
@@ -50,28 +50,36 @@ const std::vector<Room>& rooms() {
         {"methods/implicit", {"mechanics", "lie"}, numbers},
         {"methods", {"methods/contract", "methods/tableaus", "methods/implicit", "mechanics", "lie"}, numbers},
         {metrics, {}, {}},
-        {interface, {"mechanics/model/data.hpp", "methods/contract/description.hpp", "problems/description.hpp"}, {}},
+        {interface,
+         {metrics, "mechanics/model/data.hpp", "methods/contract/description.hpp", "problems/description.hpp"},
+         {}},
         {"engine/report", {interface, "mechanics", "lie"}, numbers},
-        {"engine/metrics", {interface, metrics, "engine/report", "mechanics", "lie", "support/pattern.hpp"}, numbers},
+        {"engine/metrics", {interface, metrics, "engine/report", "mechanics", "lie"}, numbers},
         {"engine/reference", {interface, "engine/report", "mechanics", "lie"}, numbers},
-        {"engine", {"engine", "methods", "problems", "mechanics", "lie", "support/pattern.hpp"}, numbers, talks},
+        {"engine/observers",
+         {interface, "engine/metrics", "engine/report", "mechanics", "lie", "support/pattern.hpp"},
+         numbers,
+         talks},
+        {"engine",
+         {"engine", "methods", "problems", "mechanics", "lie", "support/pattern.hpp", "support/number_text.hpp"},
+         numbers,
+         talks},
         {"records/fits", {"support"}, {"fmt/", "gsl/"}, talks},
         {"records/json",
          {interface, parts, "mechanics/model/data.hpp", "problems/description.hpp", "support"},
          {"fmt/", "nlohmann/"},
          talks},
         {"records/kinds", {"support"}, {}},
-        {"records/diff", {"records", "support"}, {"fmt/", "nlohmann/"}, talks},
-        {"records/remarks", {"records", metrics, "support"}, {"fmt/"}, talks},
-        {"records", {"records", interface, metrics, "support"}, {"fmt/", "nlohmann/"}, talks},
-        {names_of_cells, {"records", metrics, "support"}, {"fmt/"}, talks},
-        {"plots/laws", {names_of_cells, "records", metrics, "support"}, {"fmt/"}, talks},
-        {"plots/tables", {"plots/laws", names_of_cells, "records", metrics, "support"}, {"fmt/"}, talks},
+        {"records/metrics", {interface, "support"}, {}, talks},
+        {"records/cell", {"records/json", "records/metrics", interface, "support"}, {"fmt/"}, talks},
+        {"records/diff", {"records", interface, "support"}, {"fmt/"}, talks},
+        {"records/remarks", {"records", "support"}, {"fmt/"}, talks},
+        {"records", {"records", interface, "support"}, {"fmt/", "nlohmann/"}, talks},
+        {names_of_cells, {"records", "support"}, {"fmt/"}, talks},
+        {"plots/laws", {names_of_cells, "records", "support"}, {"fmt/"}, talks},
+        {"plots/tables", {"plots/laws", names_of_cells, "records", "support"}, {"fmt/"}, talks},
         {"plots/diff", {"plots/tables", "records", "support"}, {"fmt/"}, talks},
-        {"plots/figures/kinds",
-         {"plots/figures", "plots/laws", names_of_cells, "records", metrics, "support"},
-         {"fmt/"},
-         talks},
+        {"plots/figures/kinds", {"plots/figures", "plots/laws", names_of_cells, "records", "support"}, {"fmt/"}, talks},
         {"plots/figures", {names_of_cells, "records", "support"}, {"fmt/", "nlohmann/"}, talks},
         {"plots", {"plots", "records", "support"}, {"fmt/"}, talks},
         {"driver/config",
@@ -79,18 +87,12 @@ const std::vector<Room>& rooms() {
           "methods/contract/description.hpp", "problems/description.hpp", "support"},
          {"fmt/", "nlohmann/"},
          talks},
-        {"driver/plan",
-         {"driver/config", "plots", "records", interface, metrics, "support"},
-         {"fmt/", "nlohmann/"},
-         talks},
+        {"driver/plan", {"driver/config", "plots", "records", interface, "support"}, {"fmt/", "nlohmann/"}, talks},
         {"driver/campaign",
          {"driver/plan", "driver/config", "records", interface, "support"},
          {"fmt/", "nlohmann/"},
          talks},
-        {"driver/cli",
-         {"driver", "plots", "records", interface, metrics, "support"},
-         {"CLI/", "fmt/", "nlohmann/"},
-         talks},
+        {"driver/cli", {"driver", "plots", "records", interface, "support"}, {"CLI/", "fmt/", "nlohmann/"}, talks},
         {"driver", {"driver", interface}, {}, talks},
     };
     return all;
@@ -111,8 +113,8 @@ const Room* room_of(const std::string& path) {
 }
 
 std::size_t capacity_of(const std::string& folder) {
-    static const Names registries = {"problems", "mechanics/parts/joints", "records/kinds", "plots/figures/kinds",
-                                     "plots/tables"};
+    static const Names registries = {"problems",      "engine/metrics",      "mechanics/parts/joints",
+                                     "records/kinds", "plots/figures/kinds", "plots/tables"};
     const bool registry =
         folder.starts_with("methods/") || std::find(registries.begin(), registries.end(), folder) != registries.end();
     return registry ? 40 : 20;

@@ -10,8 +10,8 @@ set -euo pipefail
 shared=(
     Cell Column ConstraintSummary Cost Engine Number Outcome Reference ReferenceCheck ReportedBody ReportedReaction        # engine.hpp
     ReportedState SystemSummary Trajectory
-    metric_table                                                # engine/metric_table.hpp
-    matches matches_any                                         # support/pattern.hpp: texts
+    MetricDescription                                           # engine/metrics/description.hpp
+    matches matches_any brief_text                              # support/pattern.hpp, support/number_text.hpp: texts
     BodyData ForceData JointData ParameterError                 # mechanics/model/data.hpp
     FreeMotion JointKind JointRecipe JointRow JointType Primitive                  # mechanics/parts/joint_type.hpp
     Elimination eliminate                                       # mechanics/blocks/elimination.hpp: the joint graph, integers

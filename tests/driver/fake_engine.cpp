@@ -138,6 +138,8 @@ std::vector<FormulationDescription> FakeEngine::formulations() const {
     return {{"SO3xR3", "direct product"}, {"SE3", "semidirect product"}, {"SO3", "fixed pivot"}};
 }
 
+std::vector<MetricDescription> FakeEngine::metrics() const { return engine_binary64().metrics(); }
+
 SystemSummary FakeEngine::summary(const std::string& problem, const ParameterValues& parameters,
                                   const std::string& formulation) const {
     if (const auto inertia = parameters.find("inertia"); inertia != parameters.end()) {

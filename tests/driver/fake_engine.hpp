@@ -20,6 +20,7 @@ class FakeEngine final : public Engine {
     std::vector<MethodDescription> methods() const override;
     std::vector<ProjectionDescription> projections() const override;
     std::vector<FormulationDescription> formulations() const override;
+    std::vector<MetricDescription> metrics() const override;
     SystemSummary summary(const std::string& problem, const ParameterValues&,
                           const std::string& formulation) const override;
     Order declared_order(const std::string& method, const OptionValues&) const override;

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "records/cell_line.hpp"
+#include "records/cell/line.hpp"
 #include "records/journal.hpp"
 #include "records/manifest.hpp"
 #include "records/provenance.hpp"

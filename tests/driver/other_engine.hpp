@@ -13,6 +13,7 @@ class OtherEngine : public Engine {
     std::vector<MethodDescription> methods() const override { return fake_.methods(); }
     std::vector<ProjectionDescription> projections() const override { return fake_.projections(); }
     std::vector<FormulationDescription> formulations() const override { return fake_.formulations(); }
+    std::vector<MetricDescription> metrics() const override { return fake_.metrics(); }
     SystemSummary summary(const std::string& problem, const ParameterValues& values,
                           const std::string& formulation) const override {
         return fake_.summary(problem, values, formulation);

@@ -4,10 +4,12 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "driver/plan/plan.hpp"
-#include "records/cell_line.hpp"
-#include "records/csv.hpp"
+#include "records/cell/line.hpp"
+#include "records/cell/read_table.hpp"
+#include "records/cell/table.hpp"
 #include "records/journal.hpp"
 #include "records/json/strict.hpp"
 #include "records/reference_store.hpp"
@@ -27,17 +29,17 @@ Plan small_plan(const std::string& precision) {
                    one_engine);
 }
 
-FinishedCell finished(const PlannedCell& planned) {
+CellRecord finished(const PlannedCell& planned) {
     const Reference reference =
         plain_engine.reference(planned.cell.problem, planned.cell.parameters, planned.cell.t_end, {});
-    return finished_cell(planned, plain_engine.run(planned.cell, &reference, {}), &reference);
+    return record_of(planned, plain_engine.run(planned.cell, &reference, {}), &reference);
 }
 
 }  // namespace
 
 TEST_CASE("a result line holds what the contract says") {
     const Plan plan = small_plan("double");
-    const auto line = nlohmann::json::parse(finished(plan.cells[0]).line);
+    const auto line = nlohmann::json::parse(result_text(finished(plan.cells[0])));
     for (const char* key : {"cell", "problem", "label", "parameters", "formulation", "method", "options", "projection",
                             "precision", "steps", "h", "t_end", "status", "final", "metrics", "reference", "cost"}) {
         INFO(key);
@@ -55,7 +57,7 @@ TEST_CASE("a result line holds what the contract says") {
 }
 
 TEST_CASE("quad numbers are written as decimal strings") {
-    const auto line = nlohmann::json::parse(finished(small_plan("quad").cells[0]).line);
+    const auto line = nlohmann::json::parse(result_text(finished(small_plan("quad").cells[0])));
     CHECK(line["final"]["multipliers"][1] == "-1e-30");
     CHECK(line["metrics"]["error.position"].is_string());
 }
@@ -64,19 +66,48 @@ TEST_CASE("a number that is not finite is never written") {
     const PlannedCell planned = small_plan("double").cells[0];
     Outcome outcome = plain_engine.run(planned.cell, nullptr, {});
     outcome.metrics.emplace_back("defect.position", Number{std::numeric_limits<double>::quiet_NaN(), "nan"});
-    CHECK_THROWS_AS(finished_cell(planned, outcome, nullptr), std::logic_error);
+    CHECK_THROWS_AS(result_text(record_of(planned, outcome, nullptr)), std::logic_error);
 }
 
-TEST_CASE("a journal line comes back as the result line it was made from") {
-    const PlannedCell planned = small_plan("double").cells[0];
-    const FinishedCell cell = finished(planned);
-    const auto again = read_journal_line(journal_line(cell, "build"), "build");
-    REQUIRE(again);
-    CHECK(again->line == cell.line);
-    CHECK(again->hash == cell.hash);
-    CHECK(relabelled(again->line, planned) == cell.line);
-    CHECK_FALSE(read_journal_line(journal_line(cell, "build"), "another build"));
-    CHECK(journalled_cell(journal_line(cell, "another build")) == cell.hash);
+TEST_CASE("a journal line comes back as the record it was made from") {
+    for (const char* precision : {"double", "quad"}) {
+        const CellRecord cell = finished(small_plan(precision).cells[0]);
+        const auto again = read_journal_line(journal_line(cell, "build"), "build");
+        REQUIRE(again);
+        CHECK(again->identity == cell.identity);
+        CHECK(again->times.cpu_s == cell.times.cpu_s);
+        CHECK(result_text(*again) == result_text(cell));
+        CHECK(journal_line(*again, "build") == journal_line(cell, "build"));
+        CHECK_FALSE(read_journal_line(journal_line(cell, "build"), "another build"));
+        CHECK(journalled_cell(journal_line(cell, "another build")) == cell.identity.cell);
+    }
+}
+
+TEST_CASE("every member of a line comes back with its bytes") {
+    const std::string line =
+        R"({"cell":"1f","problem":"p","label":"a \"b\"","series":"s","parameters":{"mass":15,"lever":[-0,1e-05,0],)"
+        R"("J":[[1,0,0],[0,2,0],[0,0,3]],"flag":true,"bodies":[{"name":"rod"}]},"formulation":"SE3","method":"m",)"
+        R"("options":{"coordinates":"exp","q":2,"rho":0.5,"yes":false},)"
+        R"("order":{"configuration":4,"velocity":3,"multipliers":2},"projection":"none","projection_options":{},)"
+        R"("precision":"quad","steps":4,"h":0.25,"t_end":1,"status":"left_chart","detail":"why","steps_done":2,)"
+        R"("t_reached":0.5,"bodies":3,"final":{"t":"1","bodies":[{"name":"rod","x":["-0","1e-05","3"],)"
+        R"("R":[["1","0","0"],["0","1","0"],["0","0","1"]],"v":["1","2","3"],"omega":["4","5","6"]}],)"
+        R"("multipliers":["7"],"multiplier_names":["lambda.pin.1 [N]"],)"
+        R"("reactions":[{"joint":"pin","force":["1","2","3"],"torque":["4","5","6"],"unique":false}],)"
+        R"("theta":["8"],"turns":[-2]},)"
+        R"("constraints":{"rows":3,"rank":2,"condition":1.5,"redundant":["pin.2"],"least_norm_multipliers":["1"]},)"
+        R"("metrics":{"error.position":"1.5e-20"},"lost":{"integral":"energy","share":0.25},)"
+        R"("reference":{"error":{"error.position":1e-25},"horizon":10,"past_horizon":true},)"
+        R"("trajectory":"trajectories/1f.csv","trajectory_sum":"2e",)"
+        R"("cost":{"evaluations":1,"projection_iterations":2,"output_evaluations":3}})";
+    const CellRecord record = read_record(line);
+    CHECK(result_text(record) == line);
+    CHECK(record.identity.parameters.find("lever")->elements[0].text == "-0");
+    CHECK(record.outcome.final->turns == std::vector<long>{-2});
+    for (const std::string& damaged : {line.substr(0, line.size() - 1), line + "}", std::string("{}"),
+                                       std::string(R"({"cell":"1","problem":"p","status":7})")}) {
+        CHECK_THROWS_AS(read_record(damaged), std::invalid_argument);
+    }
 }
 
 TEST_CASE("a journal line that is cut or changed anywhere is not believed") {
@@ -109,25 +140,80 @@ TEST_CASE("a torn journal keeps its good lines and says what it left out") {
 TEST_CASE("cells of other builds are distinguished from damage, and removed when a journal is pruned") {
     const ScratchFolder scratch;
     const Plan plan = small_plan("double");
-    const FinishedCell first = finished(plan.cells[0]), second = finished(plan.cells[1]);
+    const CellRecord first = finished(plan.cells[0]), second = finished(plan.cells[1]);
     const std::string mine = journal_line(first, "b") + "\n";
     scratch.file("journal.jsonl",
                  journal_line(first, "a") + "\n" + mine + "rubbish\n" + journal_line(second, "a") + "\n");
     const JournalContents contents_read = read_journals(scratch / "", "b");
     CHECK(contents_read.cells.size() == 1);
-    CHECK(contents_read.foreign == std::set<std::string>{second.hash});
+    CHECK(contents_read.foreign == std::set<std::string>{second.identity.cell});
     CHECK(contents_read.complaints.size() == 1);
     prune_journal(scratch / "journal.jsonl", "b");
     CHECK(contents(scratch / "journal.jsonl") == mine);
 }
 
-TEST_CASE("the table has one column for each option and metric, and quotes what it must") {
-    const std::string table = results_table(
-        {R"({"cell":"1","label":"a,\"b\"","options":{"q":2},"status":"ok","metrics":{"m":1e-05},"final":{"t":1}})",
-         R"({"cell":"2","label":"c","options":{"w":"x"},"status":"ok","metrics":{"n":"0.30000000000000000000001"}})"});
-    CHECK(table ==
-          "cell,label,status,options.q,options.w,m,n\n1,\"a,\"\"b\"\"\",ok,2,,1e-05,\n2,c,ok,,x,,0."
-          "30000000000000000000001\n");
+TEST_CASE("the table has one column for each parameter, option and number, with units, and quotes what it must") {
+    const auto record = [](const std::string& members) {
+        return read_record(R"({"cell":"1","problem":"top","status":"ok")" + members + "}");
+    };
+    const std::string table =
+        results_table({record(R"(,"label":"a,\"b\"","options":{"q":2},"parameters":{"mass":15,"lever":[0,1]},"h":0.5,
+                "metrics":{"error.position":1e-05},
+                "final":{"t":1,"multipliers":[3],"multiplier_names":["lambda.pin.1 [N]"]})"),
+                       record(R"(,"label":"c","options":{"w":"x"},"precision":"quad",
+                "metrics":{"invariant.area.slope":"0.30000000000000000000001"})")},
+                      {{{"invariant.area", "m^2"}}, {{"top", {{"mass", "kg"}, {"lever", "m"}}}}});
+    std::istringstream lines(table);
+    std::string header, first, second;
+    std::getline(lines, header), std::getline(lines, first), std::getline(lines, second);
+    CHECK(header ==
+          "cell,problem,label,parameter.mass [kg],parameter.lever.1 [m],parameter.lever.2 [m],formulation,method,"
+          "option.q,option.w,projection,precision,steps,h [s],t_end [s],status,error.position [m],"
+          "invariant.area.slope [m^2/s],final.t [s],final.lambda.pin.1 [N]");
+    CHECK(first == "1,top,\"a,\"\"b\"\"\",15,0,1,,,2,,,,0,0.5,0,ok,1e-05,,1,3");
+    CHECK(second == "1,top,c,,,,,,,x,,quad,0,0,0,ok,,0.30000000000000000000001,,");
+}
+
+TEST_CASE("a table comes back as the records it was made from, as far as it holds them") {
+    for (const char* precision : {"double", "quad"}) {
+        std::vector<CellRecord> records;
+        for (const PlannedCell& planned : small_plan(precision).cells) { records.push_back(finished(planned)); }
+        records[1].outcome = {};
+        records[1].outcome.status = "left_chart";
+        records[1].identity.label = "12";
+        records[1].outcome.detail = "a, \"b\"\nc";
+        records[0].outcome.final->reactions = {{"pin", {}, {}}};
+        records[0].outcome.final->turns = {-1};
+        records[0].outcome.final->theta = {{0.5, "0.5"}};
+        const TableUnits units{{}, {{"heavy_top", {{"mass", "kg"}, {"inertia", "kg m^2"}}}}};
+        const auto again = read_results_table(results_table(records, units));
+        REQUIRE(again.size() == 2);
+        CHECK(results_table(again, units) == results_table(records, units));
+        for (std::size_t i = 0; i < 2; ++i) {
+            CellIdentity identity = records[i].identity;
+            identity.order.reset();  // in JSON lines only
+            CHECK(again[i].identity == identity);
+            CHECK(again[i].outcome.detail == records[i].outcome.detail);
+        }
+        CHECK(again[0].outcome.final->bodies[0].R[8].text == "1");
+        CHECK(again[0].outcome.final->turns == std::vector<long>{-1});
+    }
+}
+
+TEST_CASE("a damaged table is refused with its row and title") {
+    const std::string table = results_table({finished(small_plan("double").cells[0])}, {});
+    CHECK_THROWS_WITH(read_results_table(table + "1,2\n"), Catch::Contains("row 2") && Catch::Contains("fields"));
+    CHECK_THROWS_WITH(read_results_table("cell,problem,status,steps\n1,p,ok,some\n"), Catch::Contains("whole number"));
+    CHECK_THROWS_WITH(read_results_table("cell,problem,status,final.top.y.1 [m]\n1,p,ok,2\n"),
+                      Catch::Contains("top.y.1"));
+    CHECK_THROWS_AS(read_results_table("cell\n\"1"), std::invalid_argument);
+}
+
+TEST_CASE("the table leaves out final states of more than 16 bodies") {
+    CellRecord record = finished(small_plan("double").cells[0]);
+    CHECK(results_table({record}, {}).find("final.top.R.1.1 [1]") != std::string::npos);
+    record.outcome.final->bodies.resize(most_bodies_in_table + 1, record.outcome.final->bodies.front());
+    CHECK(results_table({record}, {}).find("final.") == std::string::npos);
 }
 
 TEST_CASE("references are read back as they were stored, and only for the same content and code") {

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "driver/cli/cli.hpp"
-#include "records/cell_line.hpp"
+#include "records/cell/line.hpp"
 #include "records/provenance.hpp"
 #include "support/files.hpp"
 #include "tests/driver/command_line.hpp"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "records/cell_line.hpp"
+#include "records/cell/line.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;
@@ -28,6 +28,6 @@ TEST_CASE("times of a scaling experiment are in the journal, its results are the
         const auto cost = nlohmann::json::parse(line).at("cost");
         CHECK(cost.at("step_s").get<double>() > 1e-6);
         CHECK(cost.at("memory") == 1000);
-        CHECK(read_journal_line(line, nlohmann::json::parse(line).at("build"))->cost.step_s == cost.at("step_s"));
+        CHECK(read_journal_line(line, nlohmann::json::parse(line).at("build"))->times.step_s == cost.at("step_s"));
     }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/run.hpp"
+#include "engine/skip.hpp"
 #include "mechanics/space_axes.hpp"
 #include "tests/methods/poisoned.hpp"
 #include "tests/methods/stepping.hpp"

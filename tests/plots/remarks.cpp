@@ -143,7 +143,13 @@ TEST_CASE("a reference without bound, scale or error has no digits to show") {
     CHECK(std::count(table.rows[0].begin(), table.rows[0].end(), "-") == 3);
 }
 
-TEST_CASE("the unit of a metric follows from its family and suffix") {
+TEST_CASE("the unit of a metric is that of its description or integral, and follows its suffix") {
+    const Units units = units_of_metrics({{"energy", "J", ""},
+                                          {"momentum_x", "N s", ""},
+                                          {"angular_momentum_vertical", "N m s", ""},
+                                          {"area", "m^2", ""},
+                                          {"spin", "1/s", ""},
+                                          {"spin", "rad/s", ""}});
     const std::pair<const char*, const char*> cases[] = {{"error.rotation", "rad"},
                                                          {"defect.velocity.final", "m/s"},
                                                          {"defect.position.max", "m"},
@@ -156,10 +162,12 @@ TEST_CASE("the unit of a metric follows from its family and suffix") {
                                                          {"invariant.momentum_x.slope", "N"},
                                                          {"invariant.angular_momentum_vertical", "N m s"},
                                                          {"invariant.angular_momentum_vertical.slope", "N m"},
-                                                         {"invariant.spin", ""}};
+                                                         {"invariant.area.slope", "m^2/s"},
+                                                         {"invariant.spin", ""},
+                                                         {"invariant.unheard_of", ""}};
     for (const auto& [metric, unit] : cases) {
         INFO(metric);
-        CHECK(metric_unit(metric) == unit);
+        CHECK(metric_unit(metric, units) == unit);
     }
 }
 

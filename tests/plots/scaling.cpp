@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "plots/laws/scaling.hpp"
-#include "records/cell_line.hpp"
+#include "records/cell/line.hpp"
 #include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"
 #include "tests/plots/named_tables.hpp"
@@ -28,7 +28,7 @@ ResultRow timed_row(long bodies, double power, const std::string& formulation = 
 Results scaling_results() {
     Results results;
     results.name = "s";
-    results.config = {{"kind", "scaling"}};
+    results.kind = "scaling";
     for (const long bodies : {512L, 2L, 8L, 64L, 4096L}) {
         results.rows.push_back(timed_row(bodies, bodies < 8 ? 3 : 1.25));  // below 8 another law, which must not enter
         results.rows.push_back(timed_row(bodies, 2, "SO3xR3"));
@@ -113,13 +113,10 @@ TEST_CASE("the axis of a cost per body starts at zero, and nothing is drawn ther
 
 TEST_CASE("times are read from the journals of the build that made the results") {
     const ResultFolder folder;
-    nlohmann::json members = result_line("a1b2", 20, 0, {{"bodies", 4}, {"series", "chain"}, {"final", nullptr}});
-    members.erase("cost");  // which comes last in a line
-    const std::string text = members.dump();
-    FinishedCell cell{"a1b2", "ok", "", 1, text.substr(0, text.size() - 1) + R"(,"cost":{"evaluations":80}})", {}, ""};
-    cell.cost.step_s = 2e-6;
-    cell.cost.memory = 4096;
-    folder.write("results.jsonl", cell.line + "\n");
+    const auto members = result_line("a1b2", 20, 0, {{"bodies", 4}, {"series", "chain"}, {"final", nullptr}});
+    CellRecord cell = read_record(members.dump());
+    cell.times = {.cpu_s = 1, .step_s = 2e-6, .memory = 4096};
+    folder.write("results.jsonl", result_text(cell) + "\n");
     folder.write("journal.jsonl", journal_line(cell, "b") + "\n");
     folder.write(
         "manifest.json",

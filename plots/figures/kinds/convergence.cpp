@@ -68,8 +68,8 @@ class ConvergenceFigure final : public CurveKind {
     std::vector<CellGroup> groups_of(const std::vector<ResultRow>& rows) const override {
         return group_by_method(rows);
     }
-    std::optional<Panel> empty_panel(const std::string& metric) const override {
-        return Panel{"", "h [s]", metric_label(metric), true, true, {}, {}, {}};
+    std::optional<Panel> empty_panel(const std::string& metric, const Units& units) const override {
+        return Panel{"", "h [s]", metric_label(metric, units), true, true, {}, {}, {}};
     }
     std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
                                     const std::filesystem::path& /*folder*/) const override {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "engine/metric_table.hpp"
+#include "records/metrics/catalogue.hpp"
 #include "plots/figures/enhanced_text.hpp"
 
 namespace kreisel {
@@ -63,7 +63,7 @@ PanelFigure CurveKind::panels(const Results& results, const std::filesystem::pat
     PanelFigure figure{name, enhanced_escape(title), {}, columns};
     for (const std::string& value : facet_values(facet, names, rows)) {
         for (const std::string& metric : metrics) {
-            std::optional<Panel> panel = empty_panel(metric);
+            std::optional<Panel> panel = empty_panel(metric, results.units);
             if (!panel) { continue; }
             panel->title = facet_title(facet, value);
             std::vector<CellGroup> drawn;
@@ -91,15 +91,15 @@ std::vector<FigureKey> curve_keys(const std::string& family) {
                        "panels beside each other")};
 }
 
-std::string metric_label(const std::string& metric) {
+std::string metric_label(const std::string& metric, const Units& units) {
     static const std::map<std::string, std::string> integrals = {
-        {"invariant.energy", "max |E − E_0| [J]"},
-        {"invariant.angular_momentum_vertical", "max |L_z − L_{z,0}| [N m s]"}};
-    if (const auto known = integrals.find(metric); known != integrals.end()) { return known->second; }
+        {"invariant.energy", "max |E − E_0|"}, {"invariant.angular_momentum_vertical", "max |L_z − L_{z,0}|"}};
+    const auto integral = integrals.find(metric);
     const MetricDescription* entry = find_metric(metric);
-    const std::string symbol =
-        entry != nullptr && entry->name == metric ? std::string(entry->symbol) : enhanced_escape(metric);
-    const std::string unit = metric_unit(metric);
+    const std::string symbol = integral != integrals.end()                 ? integral->second
+                               : entry != nullptr && entry->name == metric ? entry->symbol
+                                                                           : enhanced_escape(metric);
+    const std::string unit = metric_unit(metric, units);
     return symbol + (unit.empty() || unit == "1" ? "" : " [" + enhanced_escape(unit) + "]");
 }
 

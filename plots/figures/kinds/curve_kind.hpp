@@ -35,7 +35,7 @@ class CurveKind : public PanelKind {
     virtual std::vector<ResultRow> rows_of(const Results& results) const = 0;
     virtual std::vector<CellGroup> groups_of(const std::vector<ResultRow>& rows) const = 0;
     /// Labels and scales of the panels of a metric; nothing for one that is not drawn.
-    virtual std::optional<Panel> empty_panel(const std::string& metric) const = 0;
+    virtual std::optional<Panel> empty_panel(const std::string& metric, const Units& units) const = 0;
     /// Nothing where the group has no such metric. `folder` holds the results.
     virtual std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
                                             const std::filesystem::path& folder) const = 0;
@@ -52,6 +52,6 @@ class CurveKind : public PanelKind {
 std::vector<FigureKey> curve_keys(const std::string& family);
 
 /// Axis label of a metric in enhanced text, with its unit.
-std::string metric_label(const std::string& metric);
+std::string metric_label(const std::string& metric, const Units& units);
 
 }  // namespace kreisel

@@ -36,8 +36,8 @@ class DriftFigure final : public SampleKind {
     DriftFigure() : SampleKind({"defect.position", "defect.velocity"}) {}
 
   private:
-    std::optional<Panel> empty_panel(const std::string& metric) const override {
-        return Panel{"", "t [s]", metric_label(metric), true, true, {}, {}, {}};
+    std::optional<Panel> empty_panel(const std::string& metric, const Units& units) const override {
+        return Panel{"", "t [s]", metric_label(metric, units), true, true, {}, {}, {}};
     }
     std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
                                     const std::filesystem::path& folder) const override {

@@ -17,10 +17,10 @@ class InvariantsFigure final : public SampleKind {
     bool relative = false;
 
   private:
-    std::optional<Panel> empty_panel(const std::string& metric) const override {
+    std::optional<Panel> empty_panel(const std::string& metric, const Units& units) const override {
         const std::string label =
             relative ? enhanced_escape(metric.substr(invariant_family.size())) + ": max |I − I_0| / |I_0|"
-                     : metric_label(metric);
+                     : metric_label(metric, units);
         return Panel{"", "t [s]", label, false, true, {}, {}, {}};
     }
     std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,

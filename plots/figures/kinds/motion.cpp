@@ -44,11 +44,11 @@ class MotionFigure final : public SpaceKind {
     // That of the figure, else that of the problem.
     Point3 lever_of(const ResultRow& row) const {
         Point3 found{};
+        const JsonValue* parameter = row.parameters.find("lever");
         if (lever) {
             found = *lever;
-        } else if (row.parameters.is_object() && row.parameters.contains("lever") &&
-                   row.parameters["lever"].is_array()) {
-            found = row.parameters["lever"].get<Point3>();
+        } else if (parameter != nullptr && parameter->elements.size() == found.size()) {
+            for (std::size_t i = 0; i < found.size(); ++i) { found[i] = parameter->elements[i].number(); }
         } else {
             throw FigureError(
                 fmt::format("{}: problem {} has no lever; give \"lever\" in the figure", name, row.problem));

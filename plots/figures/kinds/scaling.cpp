@@ -44,7 +44,7 @@ class ScalingFigure final : public CurveKind {
         return by_series(selected_rows(*this, results));
     }
     std::vector<CellGroup> groups_of(const std::vector<ResultRow>& rows) const override { return scaling_curves(rows); }
-    std::optional<Panel> empty_panel(const std::string& metric) const override {
+    std::optional<Panel> empty_panel(const std::string& metric, const Units& /*units*/) const override {
         const ScalingQuantity* quantity = find_quantity(metric);
         if (quantity == nullptr) { return std::nullopt; }
         const bool per_body = quantity->per_body;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "records/cell_line.hpp"
+#include "records/cell/line.hpp"
 #include "records/provenance.hpp"
 #include "tests/driver/command_line.hpp"
 
@@ -117,8 +117,8 @@ TEST_CASE("without results.jsonl the journals are read, of any build") {
     std::istringstream lines(contents(folders.b / "journal.jsonl"));
     std::string text;
     for (std::string line; std::getline(lines, line);) {
-        FinishedCell cell = read_journal_line(line, build_id()).value();
-        cell.cost.cpu_s += 1;
+        CellRecord cell = read_journal_line(line, build_id()).value();
+        cell.times.cpu_s += 1;
         text = journal_line(cell, "another") + "\n" + text;
     }
     std::ofstream(folders.b / "journal.jsonl") << text;

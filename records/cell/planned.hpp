@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/engine.hpp"
+#include "records/cell/record.hpp"
 
 namespace kreisel {
 
@@ -15,7 +16,7 @@ struct PlannedCell {
     std::string label;
     std::string precision;
     std::string hash;         ///< 16 hexadecimal digits over all that determines the numbers
-    std::string identity;     ///< the members that begin a result line, up to "t_end", without the closing brace
+    CellIdentity identity;    ///< what its result says of it
     std::string skip_reason;  ///< not empty: the cell does not apply, and why
     std::string reference;    ///< name of the reference solution it is compared with; empty: none
     double weight = 0;        ///< relative cost, to start long cells first

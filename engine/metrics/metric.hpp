@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a metric is, and how it is registered: one line in its own file. The type of `observe` decides when it is
+// measured:
+//
+//   Real (Observation&)        after every step: a defect, of which the largest and the final value are reported
+//   Real (const Separation&)   at the end: an error, measured in the same way between two routes of a reference, so
+//                              that its uncertainty is known
+//   Real (const Comparison&)   at the end: an error that needs both states; its uncertainty is not known
+//
+// NaN and infinity mean: could not be measured.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/metrics/comparison.hpp"
+#include "engine/metrics/description.hpp"
+#include "engine/metrics/observation.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+using ObserveStep = Real (*)(Observation&);
+using ObserveSeparation = Real (*)(const Separation&);
+using ObserveComparison = Real (*)(const Comparison&);
+
+/// One of the three functions is not null.
+struct Metric {
+    MetricDescription description;
+    ObserveStep of_step = nullptr;
+    ObserveSeparation of_separation = nullptr;
+    ObserveComparison of_comparison = nullptr;
+};
+
+/// All metrics, by kind, place and name, whatever the order of linking. Throws std::logic_error if two have one name.
+const std::vector<Metric>& metrics();
+
+/// Whether there are rows of the kind a metric is made of.
+bool occurs(MetricRows kind, const std::vector<ConstraintRow>& rows);
+
+/// Records a metric; a static object of this type is what KREISEL_METRIC declares.
+struct MetricRegistration {
+    MetricRegistration(MetricDescription description, ObserveStep observe);
+    MetricRegistration(MetricDescription description, ObserveSeparation observe);
+    MetricRegistration(MetricDescription description, ObserveComparison observe);
+};
+
+/// KREISEL_METRIC({.name = "error.position", .unit = "m", ...}, observe); several fit in one file.
+#define KREISEL_METRIC(...) KREISEL_METRIC_AT(__COUNTER__, __VA_ARGS__)
+#define KREISEL_METRIC_AT(number, ...) KREISEL_METRIC_NAMED(number, __VA_ARGS__)
+#define KREISEL_METRIC_NAMED(number, ...) \
+    static const ::kreisel::MetricRegistration kreisel_metric_registration_##number(__VA_ARGS__)
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/observers/timing.hpp"
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <ctime>
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+constexpr int least_repeats = 5;
+constexpr double least_seconds = 0.25;
+
+}  // namespace
+
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) / 1000000000;
+}
+
+double heap_bytes() {
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks + info.hblkhd);
+}
+
+bool RepeatedTimes::reliable() const { return runs_ >= least_repeats && total_ >= least_seconds; }
+
+void RepeatedTimes::add(double seconds) {
+    fastest_ = runs_ == 0 ? seconds : std::min(fastest_, seconds);
+    total_ += seconds;
+    ++runs_;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Time and memory of a run.
+#pragma once
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// CPU time of this thread, s.
+double thread_seconds();
+
+/// Bytes on the heap of the whole process [glibc]; other threads' allocations count too, so timed cells run one at a
+/// time. The allocator keeps blocks of earlier cells and counts them as used, so differences of a few kB are noise.
+/// Zero under sanitizers, where malloc is not the C library's.
+double heap_bytes();
+
+/// A run is repeated until its fastest time is reliable.
+class RepeatedTimes {
+  public:
+    bool reliable() const;
+    void add(double seconds);
+    double fastest() const { return fastest_; }  ///< s
+
+  private:
+    int runs_ = 0;
+    double total_ = 0, fastest_ = 0;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

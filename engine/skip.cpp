@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/skip.hpp"
+
+#include <algorithm>
+
+#include "mechanics/formulation.hpp"
+#include "mechanics/start.hpp"
+#include "methods/contract/method.hpp"
+#include "methods/contract/projection.hpp"
+#include "problems/problem.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+bool applies(const std::vector<std::string>& formulations, const std::string& name) {
+    return formulations.empty() || std::find(formulations.begin(), formulations.end(), name) != formulations.end();
+}
+
+std::string only_for(const std::string& who, const std::vector<std::string>& formulations) {
+    std::string list;
+    for (const std::string& name : formulations) list += (list.empty() ? "" : ", ") + name;
+    return who + " runs for " + list + " only";
+}
+
+/// Why a projection does not apply; empty if it does.
+std::string why_not_projected(const Cell& cell, const Model& model, bool own_multipliers) {
+    const ProjectionDescription& projector = projection(cell.projection).description;
+    if (own_multipliers) return cell.method + " meets the constraints by itself, so that nothing is left to project";
+    if (!applies(projector.formulations, cell.formulation))
+        return only_for("projection " + cell.projection, projector.formulations);
+    const auto system = make_system(model, cell.formulation);
+    if (projector.ambient && !system->has_ambient_jacobian())
+        return "projection " + cell.projection + " takes spherical joints only";
+    return system->constraints() == 0 ? "there is no constraint to project onto in formulation " + cell.formulation
+                                      : "";
+}
+
+}  // namespace
+
+std::string why_skipped(const Cell& cell) {
+    const Model model = problem(cell.problem).build(Parameters(cell.parameters));
+    check_start(model);
+    const Method& entry = method(cell.method);
+    projection(cell.projection);  // must exist
+    if (const std::string reason = formulation(cell.formulation).why_not(model); !reason.empty()) return reason;
+    if (!applies(entry.description.formulations, cell.formulation))
+        return only_for(cell.method, entry.description.formulations);
+    if (const std::string reason = entry.factory.why_not(cell.options); !reason.empty()) return reason;
+    return cell.projection == "none" ? "" : why_not_projected(cell, model, entry.description.own_multipliers);
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One cell as one line of JSON: in the journal with its times and a check sum, in the results without.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "records/cell/planned.hpp"
+#include "records/cell/record.hpp"
+#include "records/json/writer.hpp"
+
+namespace kreisel {
+
+/// What there is to say of a cell that has been run or skipped. `trajectory_sum`: of the samples, empty where there are
+/// none.
+CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
+                     const std::string& trajectory_sum = "");
+
+/// The result line, the same bytes on every run of one build. Throws std::logic_error if the record holds a number that
+/// is not finite.
+std::string result_text(const CellRecord& record);
+
+/// Adds the members of what was run, with which a line begins.
+void add_identity(const CellIdentity& identity, ObjectWriter& object);
+
+/// A line of either file. Members that are unknown here are ignored and others may be missing, so that lines of older and
+/// newer versions can be read. Throws std::invalid_argument on a line that is not one.
+CellRecord read_record(const std::string& line);
+CellRecord read_record(const JsonValue& line);
+
+/// The line of the journal: the result line with the times, build and check sum.
+std::string journal_line(const CellRecord& record, const std::string& build);
+
+/// What a journal line holds, or nothing if it is torn, damaged, or was written by another build.
+std::optional<CellRecord> read_journal_line(const std::string& line, const std::string& build);
+
+/// The hash of the cell that an intact journal line is about, whichever build wrote it; nothing if it is torn or
+/// damaged.
+std::optional<std::string> journalled_cell(const std::string& line);
+
+}  // namespace kreisel

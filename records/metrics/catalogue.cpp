@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "records/metrics/catalogue.hpp"
+
+#include <string_view>
+
+namespace kreisel {
+
+const std::vector<MetricDescription>& metric_catalogue() {
+    static const std::vector<MetricDescription> all = engine_binary64().metrics();  // those of quad are the same
+    return all;
+}
+
+const MetricDescription* find_metric(const std::string& name) {
+    std::string_view base = name;
+    for (const std::string_view suffix : {".final", ".max"}) {
+        if (base.ends_with(suffix)) { base.remove_suffix(suffix.size()); }
+    }
+    for (const MetricDescription& metric : metric_catalogue()) {
+        if (metric.name == base) { return &metric; }
+    }
+    return nullptr;
+}
+
+std::string metric_of(MetricLevel level) {
+    for (const MetricDescription& metric : metric_catalogue()) {
+        if (metric.level == level) { return metric.name; }
+    }
+    return "";
+}
+
+}  // namespace kreisel

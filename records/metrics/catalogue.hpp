@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The metrics of the engine, as records, tables, figures and the driver look them up.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/engine.hpp"
+
+namespace kreisel {
+
+/// All of Engine::metrics, in the order in which results hold them.
+const std::vector<MetricDescription>& metric_catalogue();
+
+/// A deviation from the constraints or the group, the largest over all steps; "NAME.final" is the one at the end.
+inline bool is_defect(const MetricDescription& metric) { return metric.kind == MetricKind::defect; }
+/// A distance from the reference at the end.
+inline bool is_error(const MetricDescription& metric) { return metric.kind == MetricKind::error; }
+
+/// The entry of a name, with or without ".final" or ".max"; null where there is none.
+const MetricDescription* find_metric(const std::string& name);
+
+/// One error of a level, for what holds for all of them.
+std::string metric_of(MetricLevel level);
+
+}  // namespace kreisel
