@@ -10,7 +10,7 @@
 
 #include "mechanics/blocks/solver_choice.hpp"
 #include "mechanics/system.hpp"
-#include "support/unique_name.hpp"
+#include "support/registration.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -46,8 +46,7 @@ struct FormulationRegistration {
 };
 
 /// KREISEL_FORMULATION({.name = "...", .summary = "...", .make = ...}).
-#define KREISEL_FORMULATION(...) \
-    static const ::kreisel::FormulationRegistration KREISEL_UNIQUE_NAME(kreisel_formulation_registration)(__VA_ARGS__)
+#define KREISEL_FORMULATION(...) KREISEL_REGISTER(::kreisel::FormulationRegistration, __VA_ARGS__)
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -9,7 +9,7 @@
 
 #include "mechanics/model/model.hpp"
 #include "problems/description.hpp"
-#include "support/unique_name.hpp"
+#include "support/registration.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -63,9 +63,7 @@ struct ProblemRegistration {
 };
 
 /// KREISEL_PROBLEM(build, {description}) or KREISEL_PROBLEM(build, {description}, closed_form).
-#define KREISEL_PROBLEM(build, ...)                                                                                \
-    static const ::kreisel::ProblemRegistration KREISEL_UNIQUE_NAME(kreisel_problem_registration)(__FILE__, build, \
-                                                                                                  __VA_ARGS__)
+#define KREISEL_PROBLEM(build, ...) KREISEL_REGISTER(::kreisel::ProblemRegistration, __FILE__, build, __VA_ARGS__)
 
 inline constexpr Matrix3 diagonal(double a, double b, double c) { return {a, 0, 0, 0, b, 0, 0, 0, c}; }
 

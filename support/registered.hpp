@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -19,13 +20,18 @@ class Registered {
   public:
     static void add(Entry entry) { recorded().push_back(std::move(entry)); }
 
-    /// By place, then by name: the order in which files are linked does not show.
+    /// By place, then by name: the order in which files are linked does not show. Throws std::logic_error if two have
+    /// one name.
     static const std::vector<Entry>& all() {
         static const std::vector<Entry> sorted = [] {
             std::vector<Entry> entries = recorded();
             std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
                 return std::forward_as_tuple(place_of(a), name_of(a)) < std::forward_as_tuple(place_of(b), name_of(b));
             });
+            std::set<std::string> names;
+            for (const Entry& entry : entries)
+                if (!names.insert(name_of(entry)).second)
+                    throw std::logic_error("two entries are named \"" + name_of(entry) + "\"");
             return entries;
         }();
         return sorted;

@@ -2,38 +2,25 @@
 #include "engine/metrics/metric.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <tuple>
+
+#include "support/registered.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 namespace {
 
-std::vector<Metric>& registry() {
-    static std::vector<Metric> all;
-    return all;
+/// Errors come before defects.
+int place_of(MetricKind kind, int place) {
+    constexpr int after_all_errors = 1000000;
+    return kind == MetricKind::error ? place : after_all_errors + place;
 }
 
 void enter(MetricDescription description, MetricKind kind, Metric metric) {
     description.kind = kind;
+    metric.place = place_of(kind, description.place);
     metric.description = std::move(description);
-    registry().push_back(std::move(metric));
-}
-
-auto order_of(const Metric& metric) {
-    return std::tie(metric.description.kind, metric.description.place, metric.description.name);
-}
-
-std::vector<Metric> sorted_metrics() {
-    auto all = registry();
-    std::sort(all.begin(), all.end(), [](const Metric& a, const Metric& b) { return order_of(a) < order_of(b); });
-    for (const Metric& metric : all) {
-        const auto same = [&](const Metric& other) { return other.description.name == metric.description.name; };
-        if (std::count_if(all.begin(), all.end(), same) > 1)
-            throw std::logic_error("two metrics are named \"" + metric.description.name + "\"");
-    }
-    return all;
+    Registered<Metric>::add(std::move(metric));
 }
 
 }  // namespace
@@ -48,10 +35,7 @@ MetricRegistration::MetricRegistration(MetricDescription description, ObserveCom
     enter(std::move(description), MetricKind::error, {.description = {}, .of_comparison = observe});
 }
 
-const std::vector<Metric>& metrics() {
-    static const std::vector<Metric> all = sorted_metrics();
-    return all;
-}
+const std::vector<Metric>& metrics() { return Registered<Metric>::all(); }
 
 bool occurs(MetricRows kind, const std::vector<ConstraintRow>& rows) {
     if (kind == MetricRows::any) return true;

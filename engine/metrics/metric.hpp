@@ -17,6 +17,7 @@
 #include "engine/metrics/comparison.hpp"
 #include "engine/metrics/description.hpp"
 #include "engine/metrics/observation.hpp"
+#include "support/registration.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -31,6 +32,7 @@ struct Metric {
     ObserveStep of_step = nullptr;
     ObserveSeparation of_separation = nullptr;
     ObserveComparison of_comparison = nullptr;
+    int place = 0;  ///< in lists: errors before defects, then that of the description
 };
 
 /// All metrics, by kind, place and name, whatever the order of linking. Throws std::logic_error if two have one name.
@@ -47,10 +49,7 @@ struct MetricRegistration {
 };
 
 /// KREISEL_METRIC({.name = "error.position", .unit = "m", ...}, observe); several fit in one file.
-#define KREISEL_METRIC(...) KREISEL_METRIC_AT(__COUNTER__, __VA_ARGS__)
-#define KREISEL_METRIC_AT(number, ...) KREISEL_METRIC_NAMED(number, __VA_ARGS__)
-#define KREISEL_METRIC_NAMED(number, ...) \
-    static const ::kreisel::MetricRegistration kreisel_metric_registration_##number(__VA_ARGS__)
+#define KREISEL_METRIC(...) KREISEL_REGISTER(::kreisel::MetricRegistration, __VA_ARGS__)
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -20,7 +20,7 @@
 
 #include "mechanics/parts/keys.hpp"
 #include "support/registered.hpp"
-#include "support/unique_name.hpp"
+#include "support/registration.hpp"
 
 namespace kreisel {
 
@@ -110,6 +110,6 @@ struct JointRegistration {
 };
 
 /// KREISEL_JOINT({recipe}) in its file.
-#define KREISEL_JOINT(...) static const JointRegistration KREISEL_UNIQUE_NAME(registered_joint)(__VA_ARGS__)
+#define KREISEL_JOINT(...) KREISEL_REGISTER(::kreisel::JointRegistration, __VA_ARGS__)
 
 }  // namespace kreisel

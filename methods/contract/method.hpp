@@ -12,7 +12,7 @@
 
 #include "methods/contract/description.hpp"
 #include "methods/tableaus/tableau.hpp"
-#include "support/unique_name.hpp"
+#include "support/registration.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -60,9 +60,7 @@ struct MethodRegistration {
 };
 
 /// KREISEL_METHOD(factory, {.name = "family/scheme", .order = p, .cites = {...}, .summary = "..."}).
-#define KREISEL_METHOD(factory, ...)                                                                               \
-    static const ::kreisel::MethodRegistration KREISEL_UNIQUE_NAME(kreisel_method_registration)(__FILE__, factory, \
-                                                                                                __VA_ARGS__)
+#define KREISEL_METHOD(factory, ...) KREISEL_REGISTER(::kreisel::MethodRegistration, __FILE__, factory, __VA_ARGS__)
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

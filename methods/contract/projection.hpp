@@ -12,7 +12,7 @@
 #include "lie/real.hpp"
 #include "lie/status.hpp"
 #include "methods/contract/description.hpp"
-#include "support/unique_name.hpp"
+#include "support/registration.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -47,9 +47,7 @@ struct ProjectionRegistration {
 };
 
 /// KREISEL_PROJECTION({description}, make).
-#define KREISEL_PROJECTION(...)                                                                                   \
-    static const ::kreisel::ProjectionRegistration KREISEL_UNIQUE_NAME(kreisel_projection_registration)(__FILE__, \
-                                                                                                        __VA_ARGS__)
+#define KREISEL_PROJECTION(...) KREISEL_REGISTER(::kreisel::ProjectionRegistration, __FILE__, __VA_ARGS__)
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

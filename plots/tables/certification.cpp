@@ -9,9 +9,9 @@
 
 #include <algorithm>
 
-#include "records/metrics/catalogue.hpp"
 #include "plots/laws/convergence.hpp"
 #include "plots/tables/table.hpp"
+#include "records/metrics/catalogue.hpp"
 
 namespace kreisel {
 

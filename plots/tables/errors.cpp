@@ -27,7 +27,9 @@ std::vector<std::string> marked(std::vector<std::string> cells, const ResultRow&
 std::vector<std::string> with_units(const std::vector<std::string>& metrics, const Units& units) {
     std::vector<std::string> titles;
     titles.reserve(metrics.size());
-    for (const std::string& metric : metrics) { titles.push_back(fmt::format("{} [{}]", metric, metric_unit(metric, units))); }
+    for (const std::string& metric : metrics) {
+        titles.push_back(fmt::format("{} [{}]", metric, metric_unit(metric, units)));
+    }
     return titles;
 }
 
@@ -36,7 +38,8 @@ TextTable errors_in_full(const Results& results) {
     const CellNames names(results.rows);
     const auto metrics = error_metrics(results.rows);
     TextTable table{"errors", "Errors of the final state: " + results.name, {}, {}};
-    table.columns = with(with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics, results.units)), {"past_horizon"});
+    table.columns =
+        with(with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics, results.units)), {"past_horizon"});
     for (const CellGroup& group : group_by_method(results.rows)) {
         for (const ResultRow* row : group.rows) {
             if (!row->ok()) { continue; }

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "records/metrics/catalogue.hpp"
 #include "plots/laws/convergence.hpp"
 #include "plots/tables/cells.hpp"
 #include "plots/tables/table.hpp"
+#include "records/metrics/catalogue.hpp"
 
 namespace kreisel {
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <map>
 
-#include "records/metrics/catalogue.hpp"
 #include "plots/tables/table.hpp"
+#include "records/metrics/catalogue.hpp"
 
 namespace kreisel {
 

@@ -17,7 +17,7 @@ const std::string parts = "mechanics/parts";
 const std::string axes = "mechanics/space_axes.hpp";
 const std::string formulation = "mechanics/formulation.hpp";
 const std::string registered = "support/registered.hpp";
-const std::string unique = "support/unique_name.hpp";
+const std::string registration = "support/registration.hpp";
 
 // From the bottom up; CONTRIBUTING.md draws the same.
 const std::vector<Room>& rooms() {
@@ -25,7 +25,7 @@ const std::vector<Room>& rooms() {
     static const std::vector<Room> all = {
         {"support", {}, {"fmt/"}, talks},
         {"lie", {}, numbers},
-        {parts, {"support/registered.hpp", "support/unique_name.hpp"}, {}},
+        {parts, {registered, registration}, {}},
         {"mechanics/model", {parts, "lie"}, numbers},
         {"mechanics/joints", {"mechanics/model", parts, "lie"}, numbers},
         {"mechanics/forces", {"mechanics/model", "lie"}, numbers},
@@ -35,18 +35,18 @@ const std::vector<Room>& rooms() {
         {"mechanics/solve",
          {equations, "mechanics/blocks", "mechanics/model", "mechanics/joints", "mechanics/forces", "lie"},
          numbers},
-        {formulation, {equations, "mechanics/blocks/solver_choice.hpp", unique}, {}},
+        {formulation, {equations, "mechanics/blocks/solver_choice.hpp", registration}, {}},
         {"mechanics/formulations",
          {equations, axes, formulation, "mechanics/model", "mechanics/joints", "mechanics/forces", "mechanics/solve",
           "lie"},
          numbers},
-        {"mechanics", {"mechanics", "lie", registered, unique}, numbers},
+        {"mechanics", {"mechanics", "lie", registered, registration}, numbers},
         {"problems/reading", {"mechanics", "lie"}, numbers},
         {"problems",
-         {"problems", "mechanics", "lie", registered, unique},
+         {"problems", "mechanics", "lie", registered, registration},
          {"Eigen/", "boost/multiprecision/", "boost/math/"}},
         {"methods/tableaus", {"lie"}, numbers},
-        {"methods/contract", {"methods/tableaus", "mechanics", "lie", registered, unique}, numbers},
+        {"methods/contract", {"methods/tableaus", "mechanics", "lie", registered, registration}, numbers},
         {"methods/implicit", {"mechanics", "lie"}, numbers},
         {"methods", {"methods/contract", "methods/tableaus", "methods/implicit", "mechanics", "lie"}, numbers},
         {metrics, {}, {}},
@@ -54,7 +54,9 @@ const std::vector<Room>& rooms() {
          {metrics, "mechanics/model/data.hpp", "methods/contract/description.hpp", "problems/description.hpp"},
          {}},
         {"engine/report", {interface, "mechanics", "lie"}, numbers},
-        {"engine/metrics", {interface, metrics, "engine/report", "mechanics", "lie"}, numbers},
+        {"engine/metrics",
+         {interface, metrics, "engine/report", "mechanics", "lie", registered, registration},
+         numbers},
         {"engine/reference", {interface, "engine/report", "mechanics", "lie"}, numbers},
         {"engine/observers",
          {interface, "engine/metrics", "engine/report", "mechanics", "lie", "support/pattern.hpp"},

@@ -224,8 +224,8 @@ TEST_CASE("joints hold a body at rest with its weight and its moment", "[reactio
 TEST_CASE("a distance joint pulls with a positive multiplier, in either order", "[reactions]") {
     for (const bool other_order : {false, true})
         for (const int side : {1, -1}) {  // a rod from above, and one from below
-            const Model model = at_rest("distance", Vec3(0, 0, 3 * side), Vec3::UnitZ(), Vec3::Zero(),
-                                        Vec3::Zero(), other_order);
+            const Model model =
+                at_rest("distance", Vec3(0, 0, 3 * side), Vec3::UnitZ(), Vec3::Zero(), Vec3::Zero(), other_order);
             const auto system = general_system(model, "SO3xR3");
             CHECK(abs(answered(*system, model, 0).lambda[0] - 20 * side) <= 100 * epsilon);
         }

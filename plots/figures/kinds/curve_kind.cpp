@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
-#include "records/metrics/catalogue.hpp"
 #include "plots/figures/enhanced_text.hpp"
+#include "records/metrics/catalogue.hpp"
 
 namespace kreisel {
 
