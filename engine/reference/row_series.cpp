@@ -11,9 +11,9 @@ Scalars scalars(const JointEnds& ends) { return Scalars(ends.d.size(), Real(0));
 Real twice(std::size_t k) { return real(k + 1) * real(k + 2); }
 
 /// d = 0.
-class Coincidence final : public PointRows {
+class Coincidence final : public PointRowSeries {
   public:
-    explicit Coincidence(const JointEnds& ends) : PointRows(ends) {
+    explicit Coincidence(const JointEnds& ends) : PointRowSeries(ends) {
         for (int k = 0; k < 3; ++k) {
             n_.push_back(vectors(ends.first));
             n_.back()[0] = Vec3::Unit(k);
@@ -26,9 +26,9 @@ class Coincidence final : public PointRows {
 };
 
 /// b . d = 0 for axes b of the second body. The force acts at the point of the first.
-class Along final : public PointRows {
+class Along final : public PointRowSeries {
   public:
-    Along(const Joint& joint, const JointEnds& ends) : PointRows(ends) {
+    Along(const Joint& joint, const JointEnds& ends) : PointRowSeries(ends) {
         for (const JointRow& row : joint.type->rows)
             if (row.primitive == Primitive::along) {
                 axes_.emplace_back(joint.axes_second.col(row.k));
@@ -50,10 +50,10 @@ class Along final : public PointRows {
 };
 
 /// |d| = L(t), n = d / |d|.
-class Distance final : public PointRows {
+class Distance final : public PointRowSeries {
   public:
     Distance(const Joint& joint, const JointEnds& ends)
-        : PointRows(ends), joint_(joint), square_(scalars(ends)), length_(square_), law_(square_) {
+        : PointRowSeries(ends), joint_(joint), square_(scalars(ends)), length_(square_), law_(square_) {
         n_.push_back(vectors(ends.first));
     }
     bool turns() const override { return true; }
@@ -78,10 +78,10 @@ class Distance final : public PointRows {
 
 /// A disk of axis b on the plane of normal n: s = n - (n . b) b leads away from the contact, which is L s/|s| below the
 /// centre. One row on its height, two on the velocity of the point in contact.
-class Contact final : public PointRows {
+class Contact final : public PointRowSeries {
   public:
     Contact(const Joint& joint, const JointEnds& ends)
-        : PointRows(ends),
+        : PointRowSeries(ends),
           radius_(joint.length),
           axis_(ends.second, joint.axes_second.col(2)),
           cosine_(scalars(ends)),
@@ -137,7 +137,7 @@ void JointEnds::follow(std::size_t i) {
     d[i] = first.x[i] + arm_first[i] - second.x[i] - arm_second[i];
 }
 
-std::unique_ptr<PointRows> point_rows(const Joint& joint, const JointEnds& ends) {
+std::unique_ptr<PointRowSeries> point_rows(const Joint& joint, const JointEnds& ends) {
     if (joint.type->has(Primitive::coincidence)) return std::make_unique<Coincidence>(ends);
     if (joint.type->has(Primitive::along)) return std::make_unique<Along>(joint, ends);
     if (joint.type->has(Primitive::distance)) return std::make_unique<Distance>(joint, ends);

@@ -26,9 +26,9 @@ struct JointEnds {
 };
 
 /// The rows of a joint on its points, all of one primitive.
-class PointRows {
+class PointRowSeries {
   public:
-    virtual ~PointRows() = default;
+    virtual ~PointRowSeries() = default;
     int rows() const { return static_cast<int>(n_.size()); }
     const Vectors& n(int row) const { return n_[static_cast<std::size_t>(row)]; }
     /// From the second mass centre to where the force acts.
@@ -47,13 +47,13 @@ class PointRows {
     virtual Real acceleration(const JointEnds& ends, int row, std::size_t k) const = 0;
 
   protected:
-    explicit PointRows(const JointEnds& ends) : lever_(ends.d) {}
+    explicit PointRowSeries(const JointEnds& ends) : lever_(ends.d) {}
     std::vector<Vectors> n_;
     Vectors lever_;
 };
 
 /// Those of a joint; null if it has none.
-std::unique_ptr<PointRows> point_rows(const Joint& joint, const JointEnds& ends);
+std::unique_ptr<PointRowSeries> point_rows(const Joint& joint, const JointEnds& ends);
 
 /// orthogonal: a . b = 0, t = a x b.
 class TurnRow {

@@ -52,7 +52,7 @@ class JointSeries {
     const TurnRow& turn_row(int row) const { return turns_[static_cast<std::size_t>(row - forces())]; }
 
     JointEnds ends_;
-    std::unique_ptr<PointRows> points_;
+    std::unique_ptr<PointRowSeries> points_;
     std::vector<TurnRow> turns_;
     std::vector<Scalars> lambda_;
     Vectors force_;  // on the second body

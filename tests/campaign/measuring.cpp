@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "driver/plan/plan.hpp"
 #include "records/json/strict.hpp"
@@ -39,6 +40,21 @@ std::set<std::string> names(const Outcome& outcome) {
 }
 
 }  // namespace
+
+TEST_CASE("metrics are listed by kind, place and name, and are the same in both precisions", "[campaign]") {
+    const auto metrics = engine_binary64().metrics(), of_quad = engine_binary128().metrics();
+    REQUIRE(metrics.size() == of_quad.size());
+    REQUIRE(metrics.size() > 10);
+    for (std::size_t i = 0; i < metrics.size(); ++i) {
+        const MetricDescription& metric = metrics[i];
+        INFO(metric.name);
+        CHECK(metric.name == of_quad[i].name);
+        CHECK(metric.name.starts_with(metric.kind == MetricKind::error ? "error." : "defect."));
+        CHECK_FALSE((metric.unit.empty() || metric.symbol.empty() || metric.summary.empty()));
+        const auto order = [](const MetricDescription& one) { return std::tuple(one.kind, one.place, one.name); };
+        if (i > 0) { CHECK(order(metrics[i - 1]) < order(metric)); }
+    }
+}
 
 TEST_CASE("an R far off SO(3) has no rotation error", "[campaign]") {
     Cell cell = cell_of("free_top", "baseline/rk4_matrix", 40, 80);
