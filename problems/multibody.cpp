@@ -58,11 +58,8 @@ std::vector<JointData> pivot_and_ball() {
 
 std::vector<ForceData> one_spring() {
     const Vector3 hook = {0.6, 0.8, 0.9}, end = {0.6, 0.8, 0};
-    return {{.type = ForceData::Type::spring,
-             .between = {"ground", "rod"},
-             .points = {hook, end},
-             .stiffness = 25,
-             .rest = 0.7}};
+    return {
+        ForceData{.type = "spring", .between = {"ground", "rod"}, .points = {hook, end}, .stiffness = 25, .rest = 0.7}};
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ std::optional<Matrix3> read_quaternion(const Node& node) {
                    2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
 }
 
-BodyData read_body(const Node& node, const ElementType& type, std::size_t) {
+BodyData read_body(const Node& node, const ElementType& type) {
     BodyData body;
     body.point = type.name == "point";
     assign(body.name, name_at(node, "name"));
@@ -118,7 +118,7 @@ BodyData read_body(const Node& node, const ElementType& type, std::size_t) {
     return body;
 }
 
-JointData read_joint(const Node& node, const ElementType& type, std::size_t) {
+JointData read_joint(const Node& node, const ElementType& type) {
     JointData joint;
     joint.type = type.name;
     if (const auto name = node.find("name")) {
@@ -133,9 +133,9 @@ JointData read_joint(const Node& node, const ElementType& type, std::size_t) {
     return joint;
 }
 
-ForceData read_force(const Node& node, const ElementType& type, std::size_t index) {
+ForceData read_force(const Node& node, const ElementType& type) {
     ForceData force;
-    force.type = static_cast<ForceData::Type>(index);
+    force.type = type.name;
     if (type.has("body")) {
         assign(force.between[1], name_at(node, "body"));
         assign(force.value, vector_at(node, "value"));
@@ -174,8 +174,8 @@ void check_keys(const Node& node, const ElementList& list, const ElementType& ty
     }
 }
 
-// Index among the types of a list; nothing after an error.
-std::optional<std::size_t> read_type(const Node& node, const ElementList& list) {
+// Null after an error.
+const ElementType* read_type(const Node& node, const ElementList& list) {
     const std::string what = fmt::format("a type of {}", list.what);
     std::optional<std::string> name = list.standard;
     if (node.find("type")) {
@@ -184,15 +184,12 @@ std::optional<std::size_t> read_type(const Node& node, const ElementList& list) 
         name.reset();
         node.require("type", fmt::format("{} ({})", what, listed(names_of(list.types))));
     }
-    for (std::size_t i = 0; name && i < list.types.size(); ++i) {
-        if (list.types[i].name == *name) { return i; }
-    }
-    return std::nullopt;
+    return name ? find_named(list.types, *name) : nullptr;
 }
 
 template <class Data>
 std::optional<ParameterValue> read_list(const Node& node, ParameterKind kind, std::size_t least,
-                                        Data (*read)(const Node&, const ElementType&, std::size_t)) {
+                                        Data (*read)(const Node&, const ElementType&)) {
     const ElementList& list = elements_of(kind);
     if (!node.is_array() || node.json().size() < least) {
         node.mismatch(expectation(kind));
@@ -202,10 +199,10 @@ std::optional<ParameterValue> read_list(const Node& node, ParameterKind kind, st
     for (const Node& entry : node.elements_or_self()) {
         all.emplace_back();
         if (!entry.require_object(fmt::format("a {}: an object", list.what))) { continue; }
-        const auto type = read_type(entry, list);
+        const ElementType* type = read_type(entry, list);
         if (!type) { continue; }
-        check_keys(entry, list, list.types[*type]);
-        all.back() = read(entry, list.types[*type], *type);
+        check_keys(entry, list, *type);
+        all.back() = read(entry, *type);
     }
     return all;
 }

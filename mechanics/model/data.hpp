@@ -54,8 +54,7 @@ struct JointData {
 /// length (m, by default the initial one) or angle (rad, by default 0), full turns of a torsion spring at the start.
 /// Loads: force (N) at a point (by default the mass centre), or torque (N m), times 1 + amplitude sin(frequency t).
 struct ForceData {
-    enum class Type { spring, torsion_spring, force, torque };
-    Type type = Type::spring;
+    std::string type = "spring";              ///< the name of a force (mechanics/parts/forces/)
     std::array<std::string, 2> between = {};  ///< a load acts on the second
     std::array<Vector3, 2> points = {};
     Vector3 axis = {0, 0, 1};

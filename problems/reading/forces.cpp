@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problems/reading/forces.hpp"
 
+#include <map>
+
 #include "problems/reading/parts.hpp"
 
 namespace kreisel {
@@ -17,26 +19,32 @@ class ForceReader {
         : model_(model), data_(data), path_(reading::place("forces", index)), who_("force " + std::to_string(index)) {}
 
     void read() {
-        switch (data_.type) {
-            case ForceData::Type::spring:
-                return read_spring();
-            case ForceData::Type::torsion_spring:
-                return read_torsion_spring();
-            case ForceData::Type::force:
-            case ForceData::Type::torque:
-                return read_load();
-        }
+        const auto reader = readers().find(data_.type);
+        if (reader != readers().end()) return (this->*reader->second)();
+        std::vector<std::string> names;
+        for (const auto& [name, function] : readers()) names.push_back(name);
+        throw ParameterError(path_ + "/type", who_ + ": there is no force of type \"" + data_.type + "\"", data_.type,
+                             std::move(names));
     }
 
   private:
-    std::array<int, 2> ends(const char* type) {
-        who_ += " (" + data_.between[0] + " - " + data_.between[1] + ", " + type + ")";
+    using Reader = void (ForceReader::*)();
+    static const std::map<std::string, Reader>& readers() {
+        static const std::map<std::string, Reader> all = {{"spring", &ForceReader::read_spring},
+                                                          {"torsion_spring", &ForceReader::read_torsion_spring},
+                                                          {"force", &ForceReader::read_force},
+                                                          {"torque", &ForceReader::read_torque}};
+        return all;
+    }
+
+    std::array<int, 2> ends() {
+        who_ += " (" + data_.between[0] + " - " + data_.between[1] + ", " + data_.type + ")";
         return reading::bodies_between(model_, data_.between, path_, who_);
     }
     bool is_point(int body) const { return body != ground && model_.bodies[static_cast<std::size_t>(body)].point; }
 
     void read_spring() {
-        const auto [first, second] = ends("spring");
+        const auto [first, second] = ends();
         Spring spring{.first = first, .second = second};
         spring.r_first = reading::point_on(model_, first, data_.points[0], path_ + "/points/0", who_);
         spring.r_second = reading::point_on(model_, second, data_.points[1], path_ + "/points/1", who_);
@@ -53,7 +61,7 @@ class ForceReader {
     }
 
     void read_torsion_spring() {
-        const auto bodies = ends("torsion_spring");
+        const auto bodies = ends();
         for (std::size_t k = 0; k < 2; ++k)
             if (is_point(bodies[k])) refuse_torque(path_ + "/between/" + std::to_string(k), bodies[k]);
         const Mat3 axes = axes_about(reading::axis(data_.axis, path_ + "/axis", who_));
@@ -66,19 +74,30 @@ class ForceReader {
         model_.torsion_springs.push_back(spring);
     }
 
-    void read_load() {
-        const bool torque = data_.type == ForceData::Type::torque;
+    /// A load without force and torque.
+    Load load() {
         const std::string& name = data_.between[1];
-        who_ += " (" + name + ", " + (torque ? "torque" : "force") + ")";
+        who_ += " (" + name + ", " + data_.type + ")";
         Load load{.body = reading::body_named(model_, name, path_ + "/body")};
         if (load.body == ground)
             throw ParameterError(path_ + "/body", who_ + ": expected a body that moves, got \"ground\"");
-        if (torque && is_point(load.body)) refuse_torque(path_ + "/body", load.body);
         load.axes = data_.body_axes ? Load::Axes::body : Load::Axes::space;
-        (torque ? load.torque : load.force) = to_vec3(data_.value);
         load.amplitude = decimal(data_.amplitude), load.frequency = decimal(data_.frequency);
-        if (data_.point) load.point = reading::point_on(model_, load.body, *data_.point, path_ + "/point", who_);
-        model_.loads.push_back(load);
+        return load;
+    }
+
+    void read_force() {
+        Load force = load();
+        force.force = to_vec3(data_.value);
+        if (data_.point) force.point = reading::point_on(model_, force.body, *data_.point, path_ + "/point", who_);
+        model_.loads.push_back(force);
+    }
+
+    void read_torque() {
+        Load torque = load();
+        if (is_point(torque.body)) refuse_torque(path_ + "/body", torque.body);
+        torque.torque = to_vec3(data_.value);
+        model_.loads.push_back(torque);
     }
 
     [[noreturn]] void refuse_torque(const std::string& path, int body) const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "records/json/model.hpp"
 
+#include "mechanics/parts/force_type.hpp"
 #include "mechanics/parts/joint_type.hpp"
 #include "records/json/lists.hpp"
-#include "records/json/model_keys.hpp"
 #include "records/json/writer.hpp"
 
 namespace kreisel {
@@ -11,12 +11,6 @@ namespace kreisel {
 namespace {
 
 std::string json_vector(const Vector3& v) { return json_list(v, json_number); }
-
-// The type at the place of its enumerator.
-template <class Enumerator>
-const ElementType& type_of(ParameterKind kind, Enumerator type) {
-    return elements_of(kind).types.at(static_cast<std::size_t>(type));
-}
 
 }  // namespace
 
@@ -48,7 +42,7 @@ std::string json_element(const JointData& joint) {
 }
 
 std::string json_element(const ForceData& force) {
-    const ElementType& type = type_of(ParameterKind::forces, force.type);
+    const ElementType& type = Registered<ForceKind>::named(force.type, "force");
     ObjectWriter object;
     object.member("type", json_text(type.name));
     if (type.has("body")) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "mechanics/parts/force_type.hpp"
 #include "mechanics/parts/joint_type.hpp"
 
 namespace kreisel {
@@ -11,8 +12,6 @@ namespace kreisel {
 namespace {
 
 using Kind = ValueKind;
-
-const ElementKey between = {"between", Kind::names, true};
 
 ElementList bodies() {
     const ElementKey name = {"name", Kind::name, true}, mass = {"mass", Kind::positive, true},
@@ -40,28 +39,9 @@ ElementList joints() {
 }
 
 ElementList forces() {
-    const ElementKey stiffness = {"stiffness", Kind::not_negative, true},
-                     damping = {"damping", Kind::not_negative, false}, body = {"body", Kind::name, true},
-                     value = {"value", Kind::vector, true}, frame = {"frame", Kind::frame, false},
-                     amplitude = {"amplitude", Kind::number, false}, frequency = {"frequency", Kind::number, false};
-    return {"force",
-            "",
-            {{"spring",
-              "stiffness (l - length) + damping l' along the line of two points at distance l",
-              {between, {"points", Kind::vectors, true}, stiffness, damping, {"length", Kind::not_negative, false}}},
-             {"torsion_spring",
-              "torque -stiffness (theta - angle) - damping theta' on the second body about an axis both share; theta "
-              "counts full turns, and starts at 2 pi turns",
-              {between,
-               {"axis", Kind::vector, true},
-               stiffness,
-               damping,
-               {"angle", Kind::number, false},
-               {"turns", Kind::whole, false}}},
-             {"force",
-              "value (1 + amplitude sin(frequency t)) at a point",
-              {body, value, frame, {"point", Kind::vector, false}, amplitude, frequency}},
-             {"torque", "value (1 + amplitude sin(frequency t))", {body, value, frame, amplitude, frequency}}}};
+    ElementList list = {"force", "", {}};
+    for (const ForceKind& kind : force_kinds()) { list.types.push_back(kind); }
+    return list;
 }
 
 }  // namespace

@@ -45,25 +45,24 @@ std::vector<JointData> joints_of_all_types() {
 }
 
 std::vector<ForceData> forces_of_all_types() {
-    using Type = ForceData::Type;
     const std::array<Vector3, 2> points = {awkward(Vector3{1, 0, 2}), awkward(Vector3{0, 3, 2})};
-    ForceData spring{.type = Type::spring, .between = {"crank", "rod"}, .points = points, .stiffness = awkward(10)};
+    ForceData spring{.type = "spring", .between = {"crank", "rod"}, .points = points, .stiffness = awkward(10)};
     ForceData damper = spring;
     damper.damping = awkward(3), damper.rest = awkward(0.4);
-    ForceData torsion{.type = Type::torsion_spring,
+    ForceData torsion{.type = "torsion_spring",
                       .between = {"ground", "rod"},
                       .axis = awkward(Vector3{1, 0, 2}),
                       .stiffness = awkward(7),
                       .damping = awkward(0.1),
                       .rest = awkward(-0.5),
                       .turns = -12};
-    ForceData torque{.type = Type::torque,
+    ForceData torque{.type = "torque",
                      .between = {"", "rod"},
                      .value = awkward(Vector3{1, 0, 2}),
                      .amplitude = awkward(0.5),
                      .frequency = awkward(5)};
     ForceData force = torque, pushed = torque;
-    force.type = pushed.type = Type::force;
+    force.type = pushed.type = "force";
     pushed.point = awkward(Vector3{0, 1, 0}), pushed.body_axes = true;
     return {spring, damper, torsion, torque, force, pushed};
 }

@@ -118,7 +118,6 @@ TEST_CASE("joints of every type are read") {
 }
 
 TEST_CASE("forces of every type are read") {
-    using Type = ForceData::Type;
     const auto forces = entries<ForceData>("forces", R"([
         {"type": "spring", "between": ["ground", "a"], "points": [[1, 0, 0], [0, 1, 0]], "stiffness": 5,
             "damping": 2, "length": 0},
@@ -131,21 +130,20 @@ TEST_CASE("forces of every type are read") {
     ])");
     REQUIRE(forces.size() == 6);
     const std::array<Vector3, 2> ij = {{{1, 0, 0}, {0, 1, 0}}};
-    CHECK(forces[0] ==
-          ForceData{
-              .type = Type::spring, .between = {"ground", "a"}, .points = ij, .stiffness = 5, .damping = 2, .rest = 0});
-    CHECK(forces[1] == ForceData{.type = Type::spring, .between = {"ground", "a"}, .points = ij});
+    CHECK(
+        forces[0] ==
+        ForceData{.type = "spring", .between = {"ground", "a"}, .points = ij, .stiffness = 5, .damping = 2, .rest = 0});
+    CHECK(forces[1] == ForceData{.type = "spring", .between = {"ground", "a"}, .points = ij});
     CHECK(forces[2] ==
-          ForceData{.type = Type::torsion_spring, .between = {"a", "b"}, .stiffness = 5, .rest = -0.5, .turns = -2});
-    CHECK(forces[3] == ForceData{.type = Type::torque,
+          ForceData{.type = "torsion_spring", .between = {"a", "b"}, .stiffness = 5, .rest = -0.5, .turns = -2});
+    CHECK(forces[3] == ForceData{.type = "torque",
                                  .between = {"", "a"},
                                  .value = {1, 0, 0},
                                  .body_axes = true,
                                  .amplitude = 0.5,
                                  .frequency = 3});
-    CHECK(forces[4] ==
-          ForceData{.type = Type::force, .between = {"", "a"}, .value = {1, 0, 0}, .point = Vector3{0, 0, 1}});
-    CHECK(forces[5] == ForceData{.type = Type::force, .between = {"", "a"}, .value = {0, 1, 0}});
+    CHECK(forces[4] == ForceData{.type = "force", .between = {"", "a"}, .value = {1, 0, 0}, .point = Vector3{0, 0, 1}});
+    CHECK(forces[5] == ForceData{.type = "force", .between = {"", "a"}, .value = {0, 1, 0}});
 }
 
 TEST_CASE("a joint may have a name") {

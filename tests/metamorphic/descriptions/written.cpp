@@ -46,7 +46,7 @@ class Writer {
         return written;
     }
     ForceData spring(const Spring& it) const {
-        return {.type = ForceData::Type::spring,
+        return {.type = "spring",
                 .between = between(it.first, it.second),
                 .points = {place(it.first, it.r_first), place(it.second, it.r_second)},
                 .stiffness = to_double(it.stiffness),
@@ -58,9 +58,9 @@ class Writer {
                           .body_axes = it.axes == Load::Axes::body,
                           .amplitude = to_double(it.amplitude),
                           .frequency = to_double(it.frequency)};
-        written.type = ForceData::Type::force, written.value = data(it.force), written.point = place(it.body, it.point);
+        written.type = "force", written.value = data(it.force), written.point = place(it.body, it.point);
         forces.push_back(written);
-        written.type = ForceData::Type::torque, written.value = data(it.torque), written.point.reset();
+        written.type = "torque", written.value = data(it.torque), written.point.reset();
         forces.push_back(written);
     }
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a user writes for a force, a file each in mechanics/parts/forces/. Plain data, compiled once for all precisions.
+// problems/reading/forces.cpp makes springs and loads of it.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mechanics/parts/keys.hpp"
+#include "support/registered.hpp"
+
+namespace kreisel {
+
+struct ForceKind : ElementType {
+    int place = 100;  ///< in lists; forces of one place come by name
+};
+
+/// All forces, in the order of their places.
+inline const std::vector<ForceKind>& force_kinds() { return Registered<ForceKind>::all(); }
+
+/// Records a force: a static object in its file.
+struct ForceRegistration {
+    explicit ForceRegistration(ForceKind kind) { Registered<ForceKind>::add(std::move(kind)); }
+};
+
+}  // namespace kreisel

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mechanics/parts/force_type.hpp"
+
+namespace kreisel {
+
+static const ForceRegistration registration({{"force",
+                                              "value (1 + amplitude sin(frequency t)) at a point",
+                                              {{"body", ValueKind::name, true},
+                                               {"value", ValueKind::vector, true},
+                                               {"frame", ValueKind::frame, false},
+                                               {"point", ValueKind::vector, false},
+                                               {"amplitude", ValueKind::number, false},
+                                               {"frequency", ValueKind::number, false}}},
+                                             3});
+
+}  // namespace kreisel

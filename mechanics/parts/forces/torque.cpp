@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mechanics/parts/force_type.hpp"
+
+namespace kreisel {
+
+static const ForceRegistration registration({{"torque",
+                                              "value (1 + amplitude sin(frequency t))",
+                                              {{"body", ValueKind::name, true},
+                                               {"value", ValueKind::vector, true},
+                                               {"frame", ValueKind::frame, false},
+                                               {"amplitude", ValueKind::number, false},
+                                               {"frequency", ValueKind::number, false}}},
+                                             4});
+
+}  // namespace kreisel
