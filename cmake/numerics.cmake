@@ -54,5 +54,6 @@ macro(kreisel_numerics precision)
   target_sources(kreisel_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_parts>)
   kreisel_layer(${precision} problems ${CMAKE_SOURCE_DIR}/problems/*.cpp ${CMAKE_SOURCE_DIR}/problems/*/*.cpp)
   kreisel_layer(${precision} methods ${CMAKE_SOURCE_DIR}/methods/*.cpp ${CMAKE_SOURCE_DIR}/methods/*/*.cpp)
-  kreisel_layer(${precision} engine ${CMAKE_SOURCE_DIR}/engine/*.cpp ${CMAKE_SOURCE_DIR}/engine/*/*.cpp)
+  kreisel_layer(${precision} engine ${CMAKE_SOURCE_DIR}/engine/*.cpp ${CMAKE_SOURCE_DIR}/engine/*/*.cpp
+                ${CMAKE_SOURCE_DIR}/engine/*/*/*.cpp)
 endmacro()

@@ -3,7 +3,7 @@
 
 #include "engine/metrics/metric.hpp"
 #include "engine/reference/reference.hpp"
-#include "engine/reference/taylor_route.hpp"
+#include "engine/reference/taylor/taylor_route.hpp"
 #include "engine/report/report.hpp"
 #include "engine/run.hpp"
 #include "engine/skip.hpp"

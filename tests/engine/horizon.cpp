@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/reference/taylor_route.hpp"
+#include "engine/reference/taylor/taylor_route.hpp"
 #include "problems/free_top_closed_form.hpp"
 #include "tests/engine/named_problem.hpp"
 

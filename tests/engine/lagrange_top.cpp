@@ -8,7 +8,7 @@
 
 #include <stdexcept>
 
-#include "engine/reference/taylor_route.hpp"
+#include "engine/reference/taylor/taylor_route.hpp"
 #include "engine/report/report.hpp"
 #include "lie/so3.hpp"
 #include "tests/engine/named_problem.hpp"

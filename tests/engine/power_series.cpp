@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Arithmetic of power series against known series and against values of the functions they represent.
-#include "engine/reference/power_series.hpp"
+#include "engine/reference/taylor/power_series.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "engine/reference/taylor_route.hpp"
+#include "engine/reference/taylor/taylor_route.hpp"
 #include "engine/report/report.hpp"
 
 namespace reference_tests {

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/reference/taylor_route.hpp"
+#include "engine/reference/taylor/taylor_route.hpp"
 #include "engine/report/report.hpp"
 #include "mechanics/start.hpp"
 #include "tests/engine/named_problem.hpp"

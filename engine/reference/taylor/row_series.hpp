@@ -9,7 +9,7 @@
 
 #include <memory>
 
-#include "engine/reference/taylor_bodies.hpp"
+#include "engine/reference/taylor/taylor_bodies.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

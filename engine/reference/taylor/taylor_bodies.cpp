@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "engine/reference/taylor_bodies.hpp"
+#include "engine/reference/taylor/taylor_bodies.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

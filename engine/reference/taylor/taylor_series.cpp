@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "engine/reference/taylor_series.hpp"
+#include "engine/reference/taylor/taylor_series.hpp"
 
 #include <algorithm>
 #include <array>

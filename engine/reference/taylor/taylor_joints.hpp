@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The rows of a joint and what they exert as power series in time: first those on its points, then those that compare
-// directions (engine/reference/row_series.hpp). Only which rows a joint has is taken from its recipe.
+// directions (engine/reference/taylor/row_series.hpp). Only which rows a joint has is taken from its recipe.
 #pragma once
 
-#include "engine/reference/row_series.hpp"
+#include "engine/reference/taylor/row_series.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

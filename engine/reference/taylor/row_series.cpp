@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "engine/reference/row_series.hpp"
+#include "engine/reference/taylor/row_series.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "engine/reference/taylor_complement.hpp"
+#include "engine/reference/taylor/taylor_complement.hpp"
 
 #include <Eigen/QR>
 

@@ -9,7 +9,7 @@
 #include <Eigen/Cholesky>
 #include <vector>
 
-#include "engine/reference/taylor_joints.hpp"
+#include "engine/reference/taylor/taylor_joints.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -4,7 +4,7 @@
 // mechanics/model/model.hpp.
 #pragma once
 
-#include "engine/reference/taylor_bodies.hpp"
+#include "engine/reference/taylor/taylor_bodies.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

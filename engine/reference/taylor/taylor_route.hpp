@@ -7,7 +7,7 @@
 #include <stop_token>
 
 #include "engine/reference/reference.hpp"
-#include "engine/reference/taylor_series.hpp"
+#include "engine/reference/taylor/taylor_series.hpp"
 #include "engine/report/report.hpp"
 
 namespace kreisel {

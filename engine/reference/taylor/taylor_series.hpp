@@ -14,9 +14,9 @@
 #include <memory>
 #include <vector>
 
-#include "engine/reference/taylor_complement.hpp"
-#include "engine/reference/taylor_forces.hpp"
-#include "engine/reference/taylor_joints.hpp"
+#include "engine/reference/taylor/taylor_complement.hpp"
+#include "engine/reference/taylor/taylor_forces.hpp"
+#include "engine/reference/taylor/taylor_joints.hpp"
 #include "lie/status.hpp"
 
 namespace kreisel {

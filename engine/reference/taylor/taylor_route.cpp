@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "engine/reference/taylor_route.hpp"
+#include "engine/reference/taylor/taylor_route.hpp"
 
 #include "mechanics/joints/joint_rows.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "engine/reference/taylor_joints.hpp"
+#include "engine/reference/taylor/taylor_joints.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

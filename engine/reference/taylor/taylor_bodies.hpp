@@ -5,7 +5,7 @@
 //   x' = v,   R' = R hat(omega),   m v' = f,   J omega' = R^T n - omega x J omega.
 #pragma once
 
-#include "engine/reference/power_series.hpp"
+#include "engine/reference/taylor/power_series.hpp"
 #include "mechanics/model/model.hpp"
 
 namespace kreisel {
