@@ -35,7 +35,8 @@ class SphericalBodies final : public ConstrainedBodies<Coordinates> {
     static bool fits(const Model& model) { return all_spherical(model) && is_forest(model); }
     explicit SphericalBodies(Model model);
 
-    Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
+    /// Bodies apart are solved in this function itself, without a further call.
+    KREISEL_HOT Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
         if (anchored_ && !lambda) return anchored_->accelerations(this->model().gravity, t, q, v, dv);
         return forest_accelerations(t, q, v, dv, lambda);
     }
@@ -55,7 +56,7 @@ class SphericalBodies final : public ConstrainedBodies<Coordinates> {
     using Base = ConstrainedBodies<Coordinates>;
     using Layout = BodyLayout<Coordinates>;
 
-    Status forest_accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda);
+    [[gnu::noinline]] Status forest_accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda);
     /// What loads and springs exert on each body, into wrenches_.
     void gather_wrenches(const Real& t, const Real* q, const Real* v);
 
