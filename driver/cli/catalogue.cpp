@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <set>
 
+#include "driver/cli/configs.hpp"
 #include "driver/cli/kinds.hpp"
 #include "driver/cli/rows.hpp"
 #include "driver/config/options.hpp"
@@ -223,6 +224,7 @@ const std::vector<std::string>& catalogue_topics() {
     static const std::vector<std::string> topics = [] {
         std::vector<std::string> all = {"problems", "methods", "projections", "formulations", "metrics"};
         all.insert(all.end(), kind_topics().begin(), kind_topics().end());
+        all.emplace_back("configs");
         return all;
     }();
     return topics;
@@ -236,6 +238,7 @@ void list_topic(const Engine& engine, const std::string& topic, std::ostream& ou
     if (wanted("formulations")) { print_rows(out, "Formulations", summaries(engine.formulations())); }
     if (wanted("metrics")) { print_rows(out, "Metrics", metric_rows()); }
     list_kinds(topic, out);
+    if (wanted("configs")) { list_configs(out); }
 }
 
 void describe(const Engine& engine, const std::string& name, std::ostream& out) {

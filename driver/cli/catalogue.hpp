@@ -11,7 +11,7 @@
 
 namespace kreisel {
 
-/// What can be listed: problems, methods, projections, formulations, metrics, kinds, figures, tables.
+/// What can be listed: problems, methods, projections, formulations, metrics, kinds, figures, tables, configs.
 const std::vector<std::string>& catalogue_topics();
 
 /// Prints one topic, or all if `topic` is empty.

@@ -97,7 +97,8 @@ class CommandLine {
 
     void add_catalogue() {
         CLI::App* list = command(
-            "list", "What there is: problems, methods, projections, formulations, metrics, kinds, figures, tables",
+            "list",
+            "What there is: problems, methods, projections, formulations, metrics, kinds, figures, tables, configs",
             [this] {
                 list_topic(engines_.binary64, arguments_.topic, terminal_.out);
                 return Exit::ok;

@@ -167,7 +167,8 @@ TEST_CASE("each topic is listed for itself") {
                                                                      {"metrics", "invariant.<integral>.slope_error"},
                                                                      {"kinds", "trajectory"},
                                                                      {"figures", "motion"},
-                                                                     {"tables", "certification"}};
+                                                                     {"tables", "scaling_laws"},
+                                                                     {"configs", "orders_heavy_top"}};
     for (const auto& [topic, entry] : topics) {
         const auto result = run_program({"list", topic});
         INFO(result.out);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/cli/configs.hpp"
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "driver/cli/rows.hpp"
+#include "driver/config/shipped.hpp"
+#include "records/json/diagnostics.hpp"
+#include "records/json/strict.hpp"
+
+namespace kreisel {
+
+void list_configs(std::ostream& out) {
+    std::vector<NamedText> rows;
+    for (const auto& [name, file] : configs_below(shipped_folder())) {
+        rows.emplace_back(name, read_document(file).value.value("description", ""));
+    }
+    print_rows(out, "Configs, which `run` finds by name", rows);
+}
+
+}  // namespace kreisel
