@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/config/schema/problem.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "driver/config/parameters.hpp"
+#include "records/json/model_keys.hpp"
+#include "records/json/node.hpp"
+
+namespace kreisel::schema {
+
+namespace {
+
+Schema matrix() { return list_of_three(list_of_three(number())); }
+
+Schema inertia() { return {{"anyOf", {list_of_three(number()), matrix()}}}; }
+
+Schema value(ValueKind kind) {
+    switch (kind) {
+        case ValueKind::name:
+        case ValueKind::label:
+            return text(64);
+        case ValueKind::names:
+            return list_of(2, text(64));
+        case ValueKind::number:
+            return number();
+        case ValueKind::whole:
+            return integer(-largest_whole, largest_whole);
+        case ValueKind::positive:
+            return positive();
+        case ValueKind::not_negative:
+            return {{"type", "number"}, {"minimum", 0}};
+        case ValueKind::vector:
+            return list_of_three(number());
+        case ValueKind::vectors:
+            return list_of(2, list_of_three(number()));
+        case ValueKind::matrix:
+            return matrix();
+        case ValueKind::quaternion:
+            return list_of(4, number());
+        case ValueKind::inertia:
+            return inertia();
+        case ValueKind::frame:
+            return choice({"space", "body"});
+    }
+    return {};
+}
+
+// {"required": ["one"]}
+Schema has(const std::vector<std::string>& keys) { return {{"required", keys}}; }
+
+Schema element(const ElementType& type, bool must_say_type) {
+    Schema properties = {{"type", {{"const", type.name}}}};
+    std::vector<std::string> required;
+    if (must_say_type) { required.emplace_back("type"); }
+    for (const ElementKey& key : type.keys) {
+        properties[key.name] = value(key.kind);
+        properties[key.name]["description"] = meaning_of_key(key.name);
+        if (key.required) { required.push_back(key.name); }
+    }
+    Schema schema = object(properties, required);
+    schema["description"] = type.summary;
+    for (const auto& [one, other, needed] : type.alternatives) {
+        Schema rule = {{"not", has({one, other})}};
+        if (needed) { rule = {{"oneOf", {has({one}), has({other})}}}; }
+        schema["allOf"].push_back(rule);
+    }
+    return schema;
+}
+
+Schema element_list(ParameterKind kind, std::size_t least) {
+    const ElementList& elements = elements_of(kind);
+    Schema alternatives = Schema::array();
+    for (const ElementType& type : elements.types) {
+        alternatives.push_back(element(type, type.name != elements.standard));
+    }
+    return list({{"anyOf", alternatives}}, least);
+}
+
+Schema parameter(ParameterKind kind) {
+    switch (kind) {
+        case ParameterKind::scalar:
+            return one_or_list(number());
+        case ParameterKind::positive:
+            return one_or_list(positive());
+        case ParameterKind::count:
+            return one_or_list(integer(1, largest_parameter_count));
+        case ParameterKind::vector:
+            return list_of_three(number());
+        case ParameterKind::inertia:
+            return inertia();
+        case ParameterKind::rotation:
+            return matrix();
+        case ParameterKind::bodies:
+            return element_list(kind, 1);
+        case ParameterKind::joints:
+        case ParameterKind::forces:
+            return element_list(kind, 0);
+        case ParameterKind::flag:
+            return {{"type", "boolean"}};
+    }
+    return {};
+}
+
+}  // namespace
+
+Schema problem_object(const ProblemDescription& problem) {
+    Schema parameters = Schema::object();
+    for (const ParameterDescription& description : problem.parameters) {
+        parameters[description.name] = parameter(description.kind);
+        parameters[description.name]["description"] = description.summary + " [" + description.unit + "]";
+    }
+    Schema label = text(200);
+    label["not"] = {{"pattern", "^[=+@-]"}};
+    const std::vector<std::string> required = required_parameters(problem);
+    return object({{"name", {{"const", problem.name}}}, {"label", label}, {"parameters", object(parameters, required)}},
+                  required.empty() ? std::vector<std::string>{"name"} : std::vector<std::string>{"name", "parameters"});
+}
+
+}  // namespace kreisel::schema
