@@ -94,7 +94,7 @@ Schema measures_nothing_else() {
 
 }  // namespace schema
 
-Schema config_schema(const Registry& registry) {
+nlohmann::ordered_json config_schema(const Registry& registry) {
     using namespace schema;
     const Schema precision = choice({"double", "quad"});
     const Schema figure = figure_schema();
