@@ -142,7 +142,7 @@ endforeach()
 
 # The other precision, in a suite of this one.
 set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/engine/closed_form_double.cpp PROPERTIES
-                            SKIP_UNITY_BUILD_INCLUSION ON)
+                            SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 
 # Boost's support of Eigen must come before the first use of a matrix of its numbers.
 foreach(target test_orders_binary64 test_orders_binary128)
