@@ -1,11 +1,6 @@
 # One Catch2 program per folder of tests and precision. A new test file is found by the glob.
 include(CTest)
 set(KREISEL_TEST_TIMEOUT 900 CACHE STRING "seconds that one suite may take; counting branches makes them slower")
-# Tests take much longer to compile than to run; the tested code keeps its flags.
-function(kreisel_compile_quickly target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-endfunction()
-
 find_package(Catch2 2.13 REQUIRED)
 add_library(kreisel_test_main OBJECT ${CMAKE_SOURCE_DIR}/tests/support/main.cpp)
 target_link_libraries(kreisel_test_main PUBLIC Catch2::Catch2)

@@ -9,3 +9,8 @@ function(kreisel_unite target)
     target_compile_options(${target} PRIVATE -Wno-shadow -Wshadow=local)
   endif()
 endfunction()
+
+# The driver and tests take much longer to compile than to run; the numerical code they run keeps its flags.
+function(kreisel_compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
