@@ -10,7 +10,7 @@
 
 #include "engine/report/joint_forces.hpp"
 #include "engine/report/report.hpp"
-#include "mechanics/forces/turns.hpp"
+#include "mechanics/turns.hpp"
 #include "mechanics/model/model.hpp"
 
 namespace kreisel {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What a user writes for a force, a file each in mechanics/parts/forces/. Plain data, compiled once for all precisions.
-// problems/reading/forces.cpp makes springs and loads of it.
+// Its law, and how it is made of the values, is in mechanics/forces/.
 #pragma once
 
 #include <string>
@@ -14,7 +14,8 @@
 namespace kreisel {
 
 struct ForceKind : ElementType {
-    int place = 100;  ///< in lists; forces of one place come by name
+    int place = 100;          ///< in lists; forces of one place come by name
+    bool rigid_only = false;  ///< it exerts torques, so that a point mass is refused
 };
 
 /// All forces, in the order of their places.

@@ -10,6 +10,7 @@ static const ForceRegistration registration({{"torque",
                                                {"frame", ValueKind::frame, false},
                                                {"amplitude", ValueKind::number, false},
                                                {"frequency", ValueKind::number, false}}},
-                                             4});
+                                             4,
+                                             true});
 
 }  // namespace kreisel

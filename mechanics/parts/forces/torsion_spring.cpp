@@ -13,6 +13,7 @@ static const ForceRegistration registration(
        {"damping", ValueKind::not_negative, false},
        {"angle", ValueKind::number, false},
        {"turns", ValueKind::whole, false}}},
-     2});
+     2,
+     true});
 
 }  // namespace kreisel
