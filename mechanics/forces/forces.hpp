@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The forces of a model, gravity apart, and what all of them do together. A force is a struct of plain data with its
-// law, in a file of this folder, and a struct that holds a list of them. With motion(body), the Motion of a body or of
-// the ground, and the angle of the force itself, if it counts full turns, it has
+// law, and one that holds a list of them, in a file of this folder. With motion(body), the Motion of a body or of the
+// ground, and with an angle where it counts full turns (mechanics/turns.hpp), a force has
 //
 //   act(t, motion, angle, push)   calls push(body, wrench) for every moving body it acts on; angle(turn) is theta
 //   energy(motion, angle)         stored energy (J), 0 if there is none; angle() is theta
 //   is_conservative()             it follows from a potential that does not depend on time
-//   is_internal()                 it acts between moving bodies only, so that every momentum of the system is kept
+//   is_internal()                 it acts between moving bodies only, and keeps the momentum and the angular momentum of
+//                                 the system
 //   touches(body)                 it acts on this body, or on the ground
 //   may_push(body)                it can exert a force on a body that it touches, and not only a torque
-//   centre_on(body)               of a body or the ground that it touches, the point (body or space axes) through which
-//                                 all of it passes; null if there is none, such as where it exerts a torque
+//   centre_on(body)               of a body that it touches, the point (body axes) through which all it exerts on it
+//                                 passes; of the ground, the point about which it has no moment; null if there is none
+//
+// tests/mechanics/force_types.cpp holds every force to this, tests/engine/jointed_routes.cpp to its series.
 #pragma once
 
 #include "mechanics/forces/force_lists.hpp"

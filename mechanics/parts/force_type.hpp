@@ -13,17 +13,21 @@
 
 namespace kreisel {
 
-struct ForceKind : ElementType {
+struct ForceTraits {
     int place = 100;          ///< in lists; forces of one place come by name
     bool rigid_only = false;  ///< it exerts torques, so that a point mass is refused
 };
+
+struct ForceKind : ElementType, ForceTraits {};
 
 /// All forces, in the order of their places.
 inline const std::vector<ForceKind>& force_kinds() { return Registered<ForceKind>::all(); }
 
 /// Records a force: a static object in its file.
 struct ForceRegistration {
-    explicit ForceRegistration(ForceKind kind) { Registered<ForceKind>::add(std::move(kind)); }
+    explicit ForceRegistration(ElementType keys, ForceTraits traits = {}) {
+        Registered<ForceKind>::add({std::move(keys), traits});
+    }
 };
 
 }  // namespace kreisel
