@@ -18,9 +18,9 @@
 
 #include "lie/group.hpp"
 #include "lie/status.hpp"
-#include "mechanics/turns.hpp"
 #include "mechanics/joints/reaction.hpp"
 #include "mechanics/model/model.hpp"
+#include "mechanics/turns.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -7,7 +7,7 @@
 //   act(t, motion, angle, push)   calls push(body, wrench) for every moving body it acts on; angle(turn) is theta
 //   energy(motion, angle)         stored energy (J), 0 if there is none; angle() is theta
 //   is_conservative()             it follows from a potential that does not depend on time
-//   is_internal()                 it acts between moving bodies only, and keeps the momentum and the angular momentum of
+//   is_internal()                 it acts between moving bodies only, and keeps the linear and angular momentum of
 //                                 the system
 //   touches(body)                 it acts on this body, or on the ground
 //   may_push(body)                it can exert a force on a body that it touches, and not only a torque

@@ -10,8 +10,8 @@
 
 #include "lie/power.hpp"
 #include "mechanics/forces/forces.hpp"
-#include "mechanics/model/symmetries.hpp"
 #include "mechanics/formulations/body_layout.hpp"
+#include "mechanics/model/symmetries.hpp"
 #include "mechanics/space_axes.hpp"
 #include "mechanics/system.hpp"
 

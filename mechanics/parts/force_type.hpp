@@ -21,13 +21,13 @@ struct ForceTraits {
 struct ForceKind : ElementType, ForceTraits {};
 
 /// All forces, in the order of their places.
-inline const std::vector<ForceKind>& force_kinds() { return Registered<ForceKind>::all(); }
+const std::vector<ForceKind>& force_kinds();
+/// Throws std::out_of_range for an unknown name.
+const ForceKind& force_kind(const std::string& name);
 
 /// Records a force: a static object in its file.
 struct ForceRegistration {
-    explicit ForceRegistration(ElementType keys, ForceTraits traits = {}) {
-        Registered<ForceKind>::add({std::move(keys), traits});
-    }
+    explicit ForceRegistration(ElementType keys, ForceTraits traits = {});
 };
 
 }  // namespace kreisel

@@ -94,7 +94,7 @@ void read_forces(Model& model, const std::vector<ForceData>& forces) {
     for (std::size_t i = 0; i < forces.size(); ++i) {
         EntryReader entry(model, forces[i], i);
         const ForceReader& force = entry.reader();
-        force.read(entry.read(Registered<ForceKind>::named(force.name, "force")), model);
+        force.read(entry.read(force_kind(force.name)), model);
     }
 }
 

@@ -42,7 +42,7 @@ std::string json_element(const JointData& joint) {
 }
 
 std::string json_element(const ForceData& force) {
-    const ElementType& type = Registered<ForceKind>::named(force.type, "force");
+    const ElementType& type = force_kind(force.type);
     ObjectWriter object;
     const auto write = [&](const char* key, const std::string& value) {
         if (type.has(key)) { object.member(key, value); }
