@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mechanics/parts/force_type.hpp"
 
+#include <utility>
+
+#include "support/registered.hpp"
+
 namespace kreisel {
 
 const std::vector<ForceKind>& force_kinds() { return Registered<ForceKind>::all(); }

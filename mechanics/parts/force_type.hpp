@@ -5,11 +5,9 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mechanics/parts/keys.hpp"
-#include "support/registered.hpp"
 
 namespace kreisel {
 
