@@ -55,5 +55,5 @@ macro(kreisel_numerics precision)
   kreisel_layer(${precision} problems ${CMAKE_SOURCE_DIR}/problems/*.cpp ${CMAKE_SOURCE_DIR}/problems/*/*.cpp)
   kreisel_layer(${precision} methods ${CMAKE_SOURCE_DIR}/methods/*.cpp ${CMAKE_SOURCE_DIR}/methods/*/*.cpp)
   kreisel_layer(${precision} engine ${CMAKE_SOURCE_DIR}/engine/*.cpp ${CMAKE_SOURCE_DIR}/engine/*/*.cpp
-                ${CMAKE_SOURCE_DIR}/engine/*/*/*.cpp)
+                ${CMAKE_SOURCE_DIR}/engine/*/*/*.cpp ${CMAKE_SOURCE_DIR}/engine/*/*/*/*.cpp)
 endmacro()

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "mechanics/forces/forces.hpp"
 #include "mechanics/formulation.hpp"
 #include "mechanics/model/symmetries.hpp"
 
@@ -85,7 +84,7 @@ FirstIntegral integral(std::string name, const char* unit, std::string reason, F
 }
 
 std::string energy_reason(const Model& model) {
-    const bool springs = !model.springs.empty() || !model.torsion_springs.empty();
+    const bool springs = has_forces(model);  // what stores energy
     const std::string forces = springs ? "gravity is constant, the springs have no damping" : "gravity is constant";
     if (model.joints.empty()) return springs ? forces : "no force but constant gravity acts";
     return forces + (springs ? ", the joints do no work" : " and the joints do no work");

@@ -18,9 +18,9 @@
 
 #include "lie/group.hpp"
 #include "lie/status.hpp"
-#include "mechanics/forces/turns.hpp"
 #include "mechanics/joints/reaction.hpp"
 #include "mechanics/model/model.hpp"
+#include "mechanics/turns.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -141,7 +141,7 @@ class System {
     virtual std::string reason(Status) const { return ""; }
 
     /// Torsion springs count full turns, which poses forget. q has a label for each behind the poses
-    /// (mechanics/forces/turns.hpp); a step that a method makes stands between begin_step and end_step (Method::bind
+    /// (mechanics/turns.hpp); a step that a method makes stands between begin_step and end_step (Method::bind
     /// sees to that), so that stages know where angles are expected, and the labels are those of the last step that
     /// succeeded.
     int torsion_springs() const { return group_->size() - poses_; }

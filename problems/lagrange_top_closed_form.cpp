@@ -132,9 +132,9 @@ Mat3 rotation(const Real& phi, const Real& sine, const Real& cosine, const Real&
 }
 
 /// The motion in frames with third axes up and axis.
-class Motion {
+class TopMotion {
   public:
-    Motion(const LagrangeTop& top, const Mat3& M, const Vec3& omega)
+    TopMotion(const LagrangeTop& top, const Mat3& M, const Vec3& omega)
         : axial_(omega[2]), phi0_(atan2(M(1, 2), M(0, 2))), psi0_(atan2(M(2, 1), -M(2, 0))) {
         u0_ = M(2, 2);
         rate_ = M(2, 0) * omega[1] - M(2, 1) * omega[0];
@@ -218,7 +218,7 @@ LagrangeTop lagrange_top(const Body& body, const Vec3& lever, const Vec3& gravit
 
 TopState lagrange_motion(const LagrangeTop& top, const TopState& start, const Real& t) {
     const Mat3 K = frame(top.up), Q = frame(top.axis);
-    const Motion motion(top, K.transpose() * start.R * Q, Q.transpose() * start.omega);
+    const TopMotion motion(top, K.transpose() * start.R * Q, Q.transpose() * start.omega);
     if (motion.is_steady()) return steady_motion(top, motion.steady(), start.R, t);
     const TopState end = motion.at(t);
     return {K * end.R * Q.transpose(), Q * end.omega};

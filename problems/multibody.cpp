@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Any mechanism: rigid bodies and point masses, joints of every kind (mechanics/joints/joint_rows.hpp), springs and
-// loads (mechanics/model/model.hpp), gravity g (1 + A sin(W t)). Bodies without v get it from the joints. The model
+// loads (mechanics/forces/), gravity g (1 + A sin(W t)). Bodies without v get it from the joints. The model
 // holds what the config says and nothing else. The demonstration is a crank that turns about the y axis, with a rod on
 // a spherical joint at its end, which a spring holds; the data are our own.
 #include "mechanics/formulation.hpp"

@@ -145,9 +145,9 @@ ForceData read_force(const Node& node, const ElementType& type) {
         }
     } else {
         read_between(node, force.between);
-        assign(force.axis, vector_at(node, "axis"));
         if (type.has("points")) { read_vectors(node, "point", "points", force.points); }
     }
+    assign(force.axis, vector_at(node, "axis"));
     assign(force.stiffness, not_negative_at(node, "stiffness"));
     assign(force.damping, not_negative_at(node, "damping"));
     force.rest = type.has("angle") ? number_at(node, "angle") : not_negative_at(node, "length");

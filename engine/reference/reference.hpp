@@ -10,8 +10,8 @@
 
 #include "engine/report/joint_forces.hpp"
 #include "engine/report/report.hpp"
-#include "mechanics/forces/turns.hpp"
 #include "mechanics/model/model.hpp"
+#include "mechanics/turns.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -11,6 +11,7 @@
 #include "lie/power.hpp"
 #include "mechanics/forces/forces.hpp"
 #include "mechanics/formulations/body_layout.hpp"
+#include "mechanics/model/symmetries.hpp"
 #include "mechanics/space_axes.hpp"
 #include "mechanics/system.hpp"
 

@@ -12,6 +12,7 @@
 #include "lie/power.hpp"
 #include "lie/so3.hpp"
 #include "mechanics/forces/forces.hpp"
+#include "mechanics/model/symmetries.hpp"
 #include "mechanics/space_axes.hpp"
 #include "mechanics/system.hpp"
 

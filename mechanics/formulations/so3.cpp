@@ -10,10 +10,7 @@ inline namespace KREISEL_PRECISION {
 namespace {
 
 bool rests_unloaded(const Model& model, int index) {
-    for (const Load& load : model.loads)
-        if (load.body == index && !load.force.isZero(0)) return false;
-    for (const Spring& spring : model.springs)
-        if (spring.first == index || spring.second == index) return false;
+    if (model.any([&](const auto& force) { return force.touches(index) && force.may_push(index); })) return false;
     return model.bodies[static_cast<std::size_t>(index)].start.v.isZero(0) && model.gravity.g.isZero(0);
 }
 

@@ -49,7 +49,7 @@ struct JointData {
     bool operator==(const JointData&) const = default;
 };
 
-/// What acts on bodies besides gravity; mechanics/model/model.hpp has the equations. Points (m) and the axis in space
+/// What acts on bodies besides gravity; mechanics/forces/ has the equations. Points (m) and the axis in space
 /// coordinates of the initial configuration. Springs: stiffness (N/m or N m/rad), damping (N s/m or N m s/rad), free
 /// length (m, by default the initial one) or angle (rad, by default 0), full turns of a torsion spring at the start.
 /// Loads: force (N) at a point (by default the mass centre), or torque (N m), times 1 + amplitude sin(frequency t).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A mechanical model: rigid bodies, joints, gravity, springs and loads, with the initial state. SI units.
+// A mechanical model: rigid bodies, joints, gravity and forces, with the initial state. SI units.
 #pragma once
 
 #include <limits>
@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "lie/linear.hpp"
+#include "mechanics/forces/forces.hpp"
 #include "mechanics/model/data.hpp"
+#include "mechanics/model/motion.hpp"
 #include "mechanics/parts/joint_type.hpp"
 
 namespace kreisel {
@@ -41,8 +43,6 @@ inline Real inverse_mass(const Body& body) {
     return isfinite(body.mass) ? Real(1 / body.mass) : std::numeric_limits<Real>::quiet_NaN();
 }
 
-inline constexpr int ground = -1;
-
 /// A joint between two bodies, either of which may be `ground`, but not both. Its rows and their signs are those of
 /// mechanics/joints/joint_rows.hpp: Phi = (what the first body has) - (what the second has). Points are in the body
 /// axes of their body, from the mass centre; for `ground` in space coordinates. So are the axes, the columns of a
@@ -65,58 +65,11 @@ struct Gravity {
     Vec3 at(const Real& t) const { return is_constant() ? g : Vec3(g * (1 + amplitude * sin(frequency * t))); }
 };
 
-/// A force and a torque about the mass centre, in body axes.
-struct Wrench {
-    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-};
-
-/// A force (N) and a torque (N m), both times 1 + amplitude sin(frequency t), given in space axes or in axes that turn
-/// with the body; the force acts at `point` (body axes, from the mass centre), frequency in rad/s.
-struct Load {
-    enum class Axes { space, body };
-    int body = 0;
-    Axes axes = Axes::space;
-    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-    Real amplitude = 0, frequency = 0;
-    Vec3 point = Vec3::Zero();
-    /// At time t; R is the body's rotation.
-    template <class Rotation>
-    Wrench in_body_axes(const Real& t, const Rotation& R) const {
-        const Real factor = 1 + amplitude * sin(frequency * t);
-        Wrench wrench{factor * force, factor * torque};
-        if (axes == Axes::space) wrench = {R.transpose() * wrench.force, R.transpose() * wrench.torque};
-        wrench.torque += point.cross(wrench.force);
-        return wrench;
-    }
-};
-
-/// Along the line of two points, of length l: tension stiffness (l - length) + damping l'. With length = 0 the points
-/// may meet, unless there is damping.
-struct Spring {
-    int first = ground, second = 0;
-    Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
-    Real stiffness = 0, damping = 0, length = 0;
-};
-
-/// About the third axis that two frames share: torque -stiffness (theta - angle) - damping theta' on the second body
-/// and its opposite on the first. theta is the angle from the first frame's first axis to the second's, full turns
-/// included: at the start it is the one in (-pi, pi] and 2 pi turns more, from there on it is continuous
-/// (mechanics/forces/turns.hpp). Frames may part (the second axis is then projected, and the torque is the gradient of
-/// the energy), as long as the projection is not shorter than 1/2.
-struct TorsionSpring {
-    int first = ground, second = 0;
-    Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();
-    Real stiffness = 0, damping = 0, angle = 0;
-    long turns = 0;  ///< full turns at the start
-};
-
-struct Model {
+/// Its forces besides gravity are in lists of its base: loads, springs, torsion_springs (mechanics/forces/forces.hpp).
+struct Model : Forces {
     std::vector<Body> bodies;
     std::vector<Joint> joints;
     Gravity gravity;
-    std::vector<Load> loads;
-    std::vector<Spring> springs;
-    std::vector<TorsionSpring> torsion_springs;
     std::vector<std::string> warnings;
 
     /// A point and axes in space coordinates of the initial configuration, attached to a body (or the ground).

@@ -8,6 +8,9 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
+/// In place of the number of a body.
+inline constexpr int ground = -1;
+
 /// x in space axes, R body to space, V = R^T x' and omega in body axes. The default is the ground.
 struct Motion {
     Vec3 x = Vec3::Zero();

@@ -50,10 +50,7 @@ bool shifts_freely(const Anchor& anchor, const Vec3& e) {
            (anchor.type->has(FreeMotion::slide_across_axis) && orthogonal(anchor.axis, e));
 }
 
-template <class Element>
-bool touches(const Element& element, int body) {
-    return element.first == body || element.second == body;
-}
+bool touches(const Joint& joint, int body) { return joint.first == body || joint.second == body; }
 
 /// Unit axis e such that J = a e e^T + b (I - e e^T) to working precision, or nothing.
 std::optional<Vec3> symmetry_axis(const Mat3& J) {
@@ -69,24 +66,19 @@ std::optional<Vec3> symmetry_axis(const Mat3& J) {
     return axis;
 }
 
-/// The point and the axis of a joint or spring on one of its bodies, in body axes.
-template <class Element>
-const Vec3& end(const Element& element, int body) {
-    return element.first == body ? element.r_first : element.r_second;
-}
+/// The point of a joint on one of its bodies, in body axes.
+const Vec3& end(const Joint& joint, int body) { return joint.first == body ? joint.r_first : joint.r_second; }
 
-/// Whether the point of a joint or spring lies on the axis e through the mass centre of its body, to round-off of the
-/// size of the body.
-template <class Element>
-bool is_central(const Model& model, const Element& element, int body, const Vec3& e) {
-    const Vec3& r = end(element, body);
+/// Whether a point r of a body (body axes) lies on the axis e through its mass centre, to round-off of the size of the
+/// body.
+bool is_central(const Model& model, const Vec3& r, int body, const Vec3& e) {
     return r.cross(e).norm() <=
            16 * epsilon * (r.norm() + radius_of_gyration(model.bodies[static_cast<std::size_t>(body)]));
 }
 
 /// Whether the joint exerts no moment about the axis e through the mass centre of the body.
 bool leaves_spin(const Model& model, const Joint& joint, int body, const Vec3& e) {
-    const bool central = is_central(model, joint, body, e);
+    const bool central = is_central(model, end(joint, body), body, e);
     const Mat3& axes = joint.first == body ? joint.axes_first : joint.axes_second;
     if (joint.type->has(FreeMotion::turn_about_point)) return central;
     // Forces act on the axis, couples turn about normals of it.
@@ -95,31 +87,36 @@ bool leaves_spin(const Model& model, const Joint& joint, int body, const Vec3& e
 
 }  // namespace
 
+bool is_conservative(const Model& model) {
+    return model.gravity.is_constant() && model.all([](const auto& force) { return force.is_conservative(); });
+}
+
 bool is_invariant_under_rotation(const Model& model, const Line& axis) {
-    if (!model.loads.empty() || !(model.gravity.g.isZero(0) || parallel(model.gravity.g, axis.e))) return false;
+    if (!(model.gravity.g.isZero(0) || parallel(model.gravity.g, axis.e))) return false;
     const auto all = anchors(model);
     return std::all_of(all.begin(), all.end(), [&](const Anchor& a) { return turns_freely(a, axis); }) &&
-           std::all_of(model.springs.begin(), model.springs.end(),
-                       [&](const Spring& s) { return !touches(s, ground) || meets(axis, end(s, ground)); }) &&
-           std::none_of(model.torsion_springs.begin(), model.torsion_springs.end(),
-                        [](const TorsionSpring& s) { return touches(s, ground); });
+           model.all([&](const auto& force) {
+               if (force.is_internal()) return true;
+               const Vec3* anchor = force.touches(ground) ? force.centre_on(ground) : nullptr;
+               return anchor && meets(axis, *anchor);
+           });
 }
 
 bool is_invariant_under_translation(const Model& model, const Vec3& e) {
-    if (!model.loads.empty() || !orthogonal(model.gravity.g, e)) return false;
+    if (!orthogonal(model.gravity.g, e)) return false;
     const auto all = anchors(model);
-    const auto on_ground = [](const auto& spring) { return touches(spring, ground); };
     return std::all_of(all.begin(), all.end(), [&](const Anchor& a) { return shifts_freely(a, e); }) &&
-           std::none_of(model.springs.begin(), model.springs.end(), on_ground) &&
-           std::none_of(model.torsion_springs.begin(), model.torsion_springs.end(), on_ground);
+           model.all([](const auto& force) { return force.is_internal(); });
 }
 
 Vec3 pivot(const Model& model) {
     for (const Anchor& anchor : anchors(model))
         if (!anchor.type->has(FreeMotion::slide_across_axis)) return anchor.point;
-    for (const Spring& spring : model.springs)
-        if (touches(spring, ground)) return end(spring, ground);
-    return Vec3::Zero();
+    const Vec3* point = nullptr;
+    model.each([&](const auto& force, std::size_t) {
+        if (!point && force.touches(ground)) point = force.centre_on(ground);
+    });
+    return point ? *point : Vec3(Vec3::Zero());
 }
 
 std::optional<Vec3> free_spin_axis(const Model& model, int body) {
@@ -130,15 +127,11 @@ std::optional<Vec3> free_spin_axis(const Model& model, int body) {
     const auto spins = [&](const Joint& joint) {
         return !touches(joint, body) || leaves_spin(model, joint, body, *axis);
     };
-    const auto central = [&](const Spring& spring) {
-        return !touches(spring, body) || is_central(model, spring, body, *axis);
-    };
-    const bool free =
-        std::all_of(model.joints.begin(), model.joints.end(), spins) &&
-        std::all_of(model.springs.begin(), model.springs.end(), central) &&
-        std::none_of(model.torsion_springs.begin(), model.torsion_springs.end(),
-                     [&](const TorsionSpring& spring) { return touches(spring, body); }) &&
-        std::none_of(model.loads.begin(), model.loads.end(), [&](const Load& load) { return load.body == body; });
+    const bool free = std::all_of(model.joints.begin(), model.joints.end(), spins) && model.all([&](const auto& force) {
+        if (!force.touches(body)) return true;
+        const Vec3* centre = force.centre_on(body);
+        return centre && is_central(model, *centre, body, *axis);
+    });
     return free ? axis : std::nullopt;
 }
 
@@ -150,11 +143,8 @@ std::optional<KovalevskayaTop> kovalevskaya_top(const Model& model, int body) {
         if (only || !joint.type->is_ball() || !touches(joint, ground)) return std::nullopt;
         only = &joint;
     }
-    const auto acts = [&](const auto& element) { return touches(element, body); };
     if (!only || mine.point || !model.gravity.is_constant() || model.gravity.g.isZero(0) ||
-        std::any_of(model.springs.begin(), model.springs.end(), acts) ||
-        std::any_of(model.torsion_springs.begin(), model.torsion_springs.end(), acts) ||
-        std::any_of(model.loads.begin(), model.loads.end(), [&](const Load& load) { return load.body == body; }))
+        model.any([&](const auto& force) { return force.touches(body); }))
         return std::nullopt;
     const Vec3 lever = -end(*only, body);
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia_about(mine, lever));

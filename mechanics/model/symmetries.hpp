@@ -16,10 +16,12 @@ struct Line {
     Vec3 P, e;
 };
 
+/// Whether all forces, gravity included, follow from a potential that does not depend on time.
+bool is_conservative(const Model& model);
 bool is_invariant_under_rotation(const Model& model, const Line& axis);
 bool is_invariant_under_translation(const Model& model, const Vec3& e);
 
-/// Where an axis of rotation must pass: the first ground point of a joint or spring that fixes one; the origin if none
+/// Where an axis of rotation must pass: the first ground point of a joint or force that fixes one; the origin if none
 /// does.
 Vec3 pivot(const Model& model);
 

@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What a user writes for a force, a file each in mechanics/parts/forces/. Plain data, compiled once for all precisions.
-// problems/reading/forces.cpp makes springs and loads of it.
+// Its law, and how it is made of the values, is in mechanics/forces/.
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mechanics/parts/keys.hpp"
-#include "support/registered.hpp"
 
 namespace kreisel {
 
-struct ForceKind : ElementType {
-    int place = 100;  ///< in lists; forces of one place come by name
+struct ForceTraits {
+    int place = 100;          ///< in lists; forces of one place come by name
+    bool rigid_only = false;  ///< it exerts torques, so that a point mass is refused
 };
 
+struct ForceKind : ElementType, ForceTraits {};
+
 /// All forces, in the order of their places.
-inline const std::vector<ForceKind>& force_kinds() { return Registered<ForceKind>::all(); }
+const std::vector<ForceKind>& force_kinds();
+/// Throws std::out_of_range for an unknown name.
+const ForceKind& force_kind(const std::string& name);
 
 /// Records a force: a static object in its file.
 struct ForceRegistration {
-    explicit ForceRegistration(ForceKind kind) { Registered<ForceKind>::add(std::move(kind)); }
+    explicit ForceRegistration(ElementType keys, ForceTraits traits = {});
 };
 
 }  // namespace kreisel

@@ -45,7 +45,7 @@ struct Method {
     Factory factory;
     std::string file;
     /// The method on a system, which outlives the integrator. Where torsion springs count full turns, a step can return
-    /// turn_lost (mechanics/forces/turns.hpp).
+    /// turn_lost (mechanics/turns.hpp).
     std::unique_ptr<Integrator> bind(System& system, const OptionValues& options) const;
 };
 

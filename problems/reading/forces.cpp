@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problems/reading/forces.hpp"
 
-#include <map>
-
+#include "mechanics/forces/entry.hpp"
+#include "mechanics/parts/force_type.hpp"
 #include "problems/reading/parts.hpp"
 
 namespace kreisel {
@@ -12,108 +12,90 @@ namespace {
 
 using reading::not_negative;
 
-/// Adds one spring or load to a model.
-class ForceReader {
-  public:
-    ForceReader(Model& model, const ForceData& data, std::size_t index)
-        : model_(model), data_(data), path_(reading::place("forces", index)), who_("force " + std::to_string(index)) {}
+const ForceReader& reader_of(const ForceData& data, const std::string& path, const std::string& who) {
+    if (const ForceReader* reader = Registered<ForceReader>::find(data.type)) return *reader;
+    std::vector<std::string> names;
+    for (const ForceReader& reader : Registered<ForceReader>::all()) names.push_back(reader.name);
+    throw ParameterError(path + "/type", who + ": there is no force of type \"" + data.type + "\"", data.type,
+                         std::move(names));
+}
 
-    void read() {
-        const auto reader = readers().find(data_.type);
-        if (reader != readers().end()) return (this->*reader->second)();
-        std::vector<std::string> names;
-        for (const auto& [name, function] : readers()) names.push_back(name);
-        throw ParameterError(path_ + "/type", who_ + ": there is no force of type \"" + data_.type + "\"", data_.type,
-                             std::move(names));
+/// Checks an entry, key by key.
+class EntryReader {
+  public:
+    EntryReader(const Model& model, const ForceData& data, std::size_t index) : model_(model), data_(data) {
+        entry_.path = reading::place("forces", index), entry_.who = "force " + std::to_string(index);
+    }
+    const ForceReader& reader() const { return reader_of(data_, entry_.path, entry_.who); }
+
+    ForceEntry read(const ForceKind& kind) {
+        kind.has("body") ? read_body() : read_between();
+        if (kind.rigid_only) require_rigid(kind);
+        if (kind.has("points")) read_points();
+        if (kind.has("point") && data_.point) entry_.point = point_on(entry_.second, *data_.point, "point");
+        if (kind.has("axis")) read_axis();
+        read_numbers(kind);
+        return std::move(entry_);
     }
 
   private:
-    using Reader = void (ForceReader::*)();
-    static const std::map<std::string, Reader>& readers() {
-        static const std::map<std::string, Reader> all = {{"spring", &ForceReader::read_spring},
-                                                          {"torsion_spring", &ForceReader::read_torsion_spring},
-                                                          {"force", &ForceReader::read_force},
-                                                          {"torque", &ForceReader::read_torque}};
-        return all;
+    void name(const std::string& bodies) { entry_.who += " (" + bodies + ", " + data_.type + ")"; }
+    Vec3 point_on(int body, const Vector3& point, const std::string& key) const {
+        return reading::point_on(model_, body, point, entry_.path + "/" + key, entry_.who);
     }
 
-    std::array<int, 2> ends() {
-        who_ += " (" + data_.between[0] + " - " + data_.between[1] + ", " + data_.type + ")";
-        return reading::bodies_between(model_, data_.between, path_, who_);
+    void read_body() {
+        name(data_.between[1]);
+        entry_.second = reading::body_named(model_, data_.between[1], entry_.path + "/body");
+        if (entry_.second == ground) entry_.refuse("body", "expected a body that moves, got \"ground\"");
     }
-    bool is_point(int body) const { return body != ground && model_.bodies[static_cast<std::size_t>(body)].point; }
-
-    void read_spring() {
-        const auto [first, second] = ends();
-        Spring spring{.first = first, .second = second};
-        spring.r_first = reading::point_on(model_, first, data_.points[0], path_ + "/points/0", who_);
-        spring.r_second = reading::point_on(model_, second, data_.points[1], path_ + "/points/1", who_);
-        spring.stiffness = not_negative(data_.stiffness, path_ + "/stiffness", "stiffness");
-        spring.damping = not_negative(data_.damping, path_ + "/damping", "damping");
-        const Real initial = (to_vec3(data_.points[0]) - to_vec3(data_.points[1])).norm();
-        spring.length = data_.rest ? not_negative(*data_.rest, path_ + "/length", "free length") : initial;
-        if (initial == 0 && (spring.length != 0 || spring.damping != 0))
-            throw ParameterError(path_ + "/points",
-                                 who_ +
-                                     ": expected two different points, since the force of a spring with "
-                                     "a free length or damping acts along their line");
-        model_.springs.push_back(spring);
+    void read_between() {
+        name(data_.between[0] + " - " + data_.between[1]);
+        const auto bodies = reading::bodies_between(model_, data_.between, entry_.path, entry_.who);
+        entry_.first = bodies[0], entry_.second = bodies[1];
     }
-
-    void read_torsion_spring() {
-        const auto bodies = ends();
-        for (std::size_t k = 0; k < 2; ++k)
-            if (is_point(bodies[k])) refuse_torque(path_ + "/between/" + std::to_string(k), bodies[k]);
-        const Mat3 axes = axes_about(reading::axis(data_.axis, path_ + "/axis", who_));
-        TorsionSpring spring{.first = bodies[0], .second = bodies[1]};
-        spring.axes_first = model_.axes_of(bodies[0], axes), spring.axes_second = model_.axes_of(bodies[1], axes);
-        spring.stiffness = not_negative(data_.stiffness, path_ + "/stiffness", "stiffness");
-        spring.damping = not_negative(data_.damping, path_ + "/damping", "damping");
-        spring.angle = decimal(data_.rest.value_or(0));
-        spring.turns = data_.turns;
-        model_.torsion_springs.push_back(spring);
+    void require_rigid(const ForceKind& kind) const {
+        const auto check = [&](int body, const std::string& key) {
+            if (body == ground || !model_.bodies[static_cast<std::size_t>(body)].point) return;
+            entry_.refuse(key, "expected a rigid body; \"" + model_.name_of(body) +
+                                   "\" is a point mass, on which no torque can act");
+        };
+        check(entry_.first, "between/0"), check(entry_.second, kind.has("body") ? "body" : "between/1");
     }
-
-    /// A load without force and torque.
-    Load load() {
-        const std::string& name = data_.between[1];
-        who_ += " (" + name + ", " + data_.type + ")";
-        Load load{.body = reading::body_named(model_, name, path_ + "/body")};
-        if (load.body == ground)
-            throw ParameterError(path_ + "/body", who_ + ": expected a body that moves, got \"ground\"");
-        load.axes = data_.body_axes ? Load::Axes::body : Load::Axes::space;
-        load.amplitude = decimal(data_.amplitude), load.frequency = decimal(data_.frequency);
-        return load;
+    void read_points() {
+        entry_.r_first = point_on(entry_.first, data_.points[0], "points/0");
+        entry_.r_second = point_on(entry_.second, data_.points[1], "points/1");
+        entry_.distance = (to_vec3(data_.points[0]) - to_vec3(data_.points[1])).norm();
+    }
+    void read_axis() {
+        const Mat3 axes = axes_about(reading::axis(data_.axis, entry_.path + "/axis", entry_.who));
+        entry_.axes_first = model_.axes_of(entry_.first, axes);
+        entry_.axes_second = model_.axes_of(entry_.second, axes);
+    }
+    void read_numbers(const ForceKind& kind) {
+        entry_.stiffness = not_negative(data_.stiffness, entry_.path + "/stiffness", "stiffness");
+        entry_.damping = not_negative(data_.damping, entry_.path + "/damping", "damping");
+        if (data_.rest)
+            entry_.rest = kind.has("length") ? not_negative(*data_.rest, entry_.path + "/length", "free length")
+                                             : decimal(*data_.rest);
+        entry_.turns = data_.turns;
+        entry_.value = to_vec3(data_.value), entry_.body_axes = data_.body_axes;
+        entry_.amplitude = decimal(data_.amplitude), entry_.frequency = decimal(data_.frequency);
     }
 
-    void read_force() {
-        Load force = load();
-        force.force = to_vec3(data_.value);
-        if (data_.point) force.point = reading::point_on(model_, force.body, *data_.point, path_ + "/point", who_);
-        model_.loads.push_back(force);
-    }
-
-    void read_torque() {
-        Load torque = load();
-        if (is_point(torque.body)) refuse_torque(path_ + "/body", torque.body);
-        torque.torque = to_vec3(data_.value);
-        model_.loads.push_back(torque);
-    }
-
-    [[noreturn]] void refuse_torque(const std::string& path, int body) const {
-        throw ParameterError(path, who_ + ": expected a rigid body; \"" + model_.name_of(body) +
-                                       "\" is a point mass, on which no torque can act");
-    }
-
-    Model& model_;
+    const Model& model_;
     const ForceData& data_;
-    std::string path_, who_;
+    ForceEntry entry_;
 };
 
 }  // namespace
 
 void read_forces(Model& model, const std::vector<ForceData>& forces) {
-    for (std::size_t i = 0; i < forces.size(); ++i) ForceReader(model, forces[i], i).read();
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        EntryReader entry(model, forces[i], i);
+        const ForceReader& force = entry.reader();
+        force.read(entry.read(force_kind(force.name)), model);
+    }
 }
 
 }  // namespace KREISEL_PRECISION

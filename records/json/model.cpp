@@ -42,22 +42,25 @@ std::string json_element(const JointData& joint) {
 }
 
 std::string json_element(const ForceData& force) {
-    const ElementType& type = Registered<ForceKind>::named(force.type, "force");
+    const ElementType& type = force_kind(force.type);
     ObjectWriter object;
+    const auto write = [&](const char* key, const std::string& value) {
+        if (type.has(key)) { object.member(key, value); }
+    };
     object.member("type", json_text(type.name));
-    if (type.has("body")) {
-        object.member("body", json_text(force.between[1])).member("value", json_vector(force.value));
-        object.member("frame", json_text(force.body_axes ? "body" : "space"));
-        if (force.point) { object.member("point", json_vector(*force.point)); }
-        object.member("amplitude", json_number(force.amplitude)).member("frequency", json_number(force.frequency));
-        return object.text();
-    }
-    object.member("between", json_list(force.between, json_text));
-    if (type.has("points")) { object.member("points", json_list(force.points, json_vector)); }
-    if (type.has("axis")) { object.member("axis", json_vector(force.axis)); }
-    object.member("stiffness", json_number(force.stiffness)).member("damping", json_number(force.damping));
-    if (force.rest) { object.member(type.has("angle") ? "angle" : "length", json_number(*force.rest)); }
-    if (type.has("turns")) { object.member("turns", std::to_string(force.turns)); }
+    write("body", json_text(force.between[1]));
+    write("between", json_list(force.between, json_text));
+    write("value", json_vector(force.value));
+    write("frame", json_text(force.body_axes ? "body" : "space"));
+    if (force.point) { write("point", json_vector(*force.point)); }
+    write("points", json_list(force.points, json_vector));
+    write("axis", json_vector(force.axis));
+    write("stiffness", json_number(force.stiffness));
+    write("damping", json_number(force.damping));
+    if (force.rest) { write(type.has("angle") ? "angle" : "length", json_number(*force.rest)); }
+    write("turns", std::to_string(force.turns));
+    write("amplitude", json_number(force.amplitude));
+    write("frequency", json_number(force.frequency));
     return object.text();
 }
 

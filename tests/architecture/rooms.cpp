@@ -12,6 +12,9 @@ constexpr bool talks = true;
 const std::string names_of_cells = "plots/tables/names.hpp";
 const std::string interface = "engine/engine.hpp";
 const std::string metrics = "engine/metrics/description.hpp";
+const std::string motion = "mechanics/model/motion.hpp";
+const std::string model_data = "mechanics/model/data.hpp";
+const std::string turns = "mechanics/turns.hpp";
 const std::string equations = "mechanics/system.hpp";
 const std::string parts = "mechanics/parts";
 const std::string axes = "mechanics/space_axes.hpp";
@@ -26,10 +29,13 @@ const std::vector<Room>& rooms() {
         {"support", {}, {"fmt/"}, talks},
         {"lie", {}, numbers},
         {parts, {registered, registration}, {}},
-        {"mechanics/model", {parts, "lie"}, numbers},
+        {motion, {"lie"}, {}},
+        {model_data, {}, {}},
+        {"mechanics/forces", {motion, model_data, registered, registration, "lie"}, numbers},
+        {"mechanics/model", {"mechanics/model", "mechanics/forces", parts, "lie"}, numbers},
         {"mechanics/joints", {"mechanics/model", parts, "lie"}, numbers},
-        {"mechanics/forces", {"mechanics/model", "lie"}, numbers},
-        {equations, {"mechanics/model", "mechanics/joints", "mechanics/forces", "lie"}, numbers},
+        {turns, {"mechanics/model", "lie"}, {}},
+        {equations, {"mechanics/model", "mechanics/joints", turns, "lie"}, numbers},
         {axes, {"lie"}, {}},
         {"mechanics/blocks", {"lie"}, numbers},
         {"mechanics/solve",
@@ -50,9 +56,7 @@ const std::vector<Room>& rooms() {
         {"methods/implicit", {"mechanics", "lie"}, numbers},
         {"methods", {"methods/contract", "methods/tableaus", "methods/implicit", "mechanics", "lie"}, numbers},
         {metrics, {}, {}},
-        {interface,
-         {metrics, "mechanics/model/data.hpp", "methods/contract/description.hpp", "problems/description.hpp"},
-         {}},
+        {interface, {metrics, model_data, "methods/contract/description.hpp", "problems/description.hpp"}, {}},
         {"engine/report", {interface, "mechanics", "lie"}, numbers},
         {"engine/metrics",
          {interface, metrics, "engine/report", "mechanics", "lie", registered, registration},
@@ -68,7 +72,7 @@ const std::vector<Room>& rooms() {
          talks},
         {"records/fits", {"support"}, {"fmt/", "gsl/"}, talks},
         {"records/json",
-         {interface, parts, "mechanics/model/data.hpp", "problems/description.hpp", "support"},
+         {interface, parts, model_data, "problems/description.hpp", "support"},
          {"fmt/", "nlohmann/"},
          talks},
         {"records/kinds", {"support"}, {}},
@@ -115,8 +119,9 @@ const Room* room_of(const std::string& path) {
 }
 
 std::size_t capacity_of(const std::string& folder) {
-    static const Names registries = {"problems",      "engine/metrics",      "mechanics/parts/joints",
-                                     "records/kinds", "plots/figures/kinds", "plots/tables"};
+    static const Names registries = {"problems",         "engine/metrics", "mechanics/parts/joints",
+                                     "mechanics/forces", "records/kinds",  "plots/figures/kinds",
+                                     "plots/tables"};
     const bool registry =
         folder.starts_with("methods/") || std::find(registries.begin(), registries.end(), folder) != registries.end();
     return registry ? 40 : 20;

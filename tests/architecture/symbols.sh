@@ -13,6 +13,7 @@ shared=(
     MetricDescription                                           # engine/metrics/description.hpp
     matches matches_any brief_text                              # support/pattern.hpp, support/number_text.hpp: texts
     BodyData ForceData JointData ParameterError                 # mechanics/model/data.hpp
+    ElementKey ElementType                                      # mechanics/parts/keys.hpp
     FreeMotion JointKind JointRecipe JointRow JointType Primitive                  # mechanics/parts/joint_type.hpp
     Elimination eliminate                                       # mechanics/blocks/elimination.hpp: the joint graph, integers
     MethodDescription OptionDescription OptionError Order ProjectionDescription with_defaults # methods/contract/description.hpp

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/reference/quaternion_form.hpp"
+#include "mechanics/forces/entry.hpp"
 #include "tests/engine/two_routes.hpp"
 #include "tests/mechanics/models/jointed.hpp"
 
@@ -23,6 +24,19 @@ struct Case {
 Model loaded(Model model) {
     model.loads = {{1, Load::Axes::space, Vec3(3, -1, 2), Vec3(1, 0, -1), Real(1) / 4, 3, Vec3(1, 2, -1) / 4},
                    {1, Load::Axes::body, Vec3(-1, 2, 1), Vec3(0, 1, 1) / 2, Real(1) / 2, 2, Vec3(0, -1, 2) / 4}};
+    return model;
+}
+
+/// A force of a type between the outer bodies, or on the last one.
+Model acted_on(const ForceReader& type) {
+    Model model = models::jointed("universal");
+    ForceEntry entry{.first = 0, .second = 2, .r_first = Vec3(1, 0, 2) / 4, .r_second = Vec3(0, 1, -1) / 3};
+    entry.distance = 1, entry.rest = Real(1) / 2, entry.stiffness = 3, entry.damping = 2;
+    entry.axes_first = model.axes_of(0, axes_about(Vec3(1, 1, 3)));
+    entry.axes_second = model.axes_of(2, axes_about(Vec3(1, 1, 3)));
+    entry.value = Vec3(3, -1, 2), entry.point = Vec3(1, 2, -1) / 4;
+    entry.amplitude = Real(1) / 4, entry.frequency = 3;
+    type.read(entry, model);
     return model;
 }
 
@@ -51,6 +65,11 @@ TEST_CASE("two routes agree to 25 digits on forces of every kind") {
     require_agreement({"dampers", models::damped("distance")}, Real(1) / 4);
     require_agreement({"dampers on slides", models::damped("cylindrical")}, Real(1) / 4);
     require_agreement({"loads", loaded(models::jointed("planar"))}, Real(1) / 4);
+}
+
+TEST_CASE("two routes agree to 25 digits on each force that is registered") {
+    for (const ForceReader& type : Registered<ForceReader>::all())
+        require_agreement({type.name, acted_on(type)}, Real(1) / 8);
 }
 
 TEST_CASE("two routes agree to 25 digits on driven lengths, a rolling disk and a closed loop") {

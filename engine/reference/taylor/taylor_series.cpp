@@ -5,6 +5,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "engine/reference/taylor/gravity_series.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
@@ -42,11 +44,8 @@ std::vector<JointSeries> TaylorSeries::joints_of(const Model& model) {
 void TaylorSeries::add_forces(const Model& model) {
     for (std::size_t i = 0; i < model.bodies.size(); ++i)
         forces_.push_back(std::make_unique<GravitySeries>(model.gravity, model.bodies[i].mass, bodies_[i]));
-    for (const Load& load : model.loads) forces_.push_back(std::make_unique<LoadSeries>(load, at(load.body)));
-    for (const Spring& spring : model.springs)
-        forces_.push_back(std::make_unique<SpringSeries>(spring, at(spring.first), at(spring.second)));
-    for (const TorsionSpring& spring : model.torsion_springs)
-        forces_.push_back(std::make_unique<TorsionSpringSeries>(spring, at(spring.first), at(spring.second)));
+    const BodyAt body_at = [this](int body) -> BodySeries& { return at(body); };
+    model.each([&](const auto& force, std::size_t) { forces_.push_back(series_of(force, body_at)); });
 }
 
 Status TaylorSeries::expand(const Real& t, const std::vector<BodyState>& states) {

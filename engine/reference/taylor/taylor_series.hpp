@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The Taylor series in time of a model's motion, straight from its bodies, joints and forces (taylor_bodies.hpp,
-// taylor_joints.hpp, taylor_forces.hpp). Products of series are Cauchy products. Coefficient by coefficient,
+// taylor_joints.hpp, force_series.hpp). Products of series are Cauchy products. Coefficient by coefficient,
 //   free motion   coefficients k of v' and omega' from the forces and from lambda_0 ... lambda_{k-1},
 //   residual      Phi_{k+2} of every joint row, from x_{k+2} and R_{k+2} of that motion,
 //   multipliers   S lambda_k = (k+1) (k+2) Phi_{k+2},  S = C M^{-1} C^T at the expansion point,
@@ -14,8 +14,8 @@
 #include <memory>
 #include <vector>
 
+#include "engine/reference/taylor/force_series.hpp"
 #include "engine/reference/taylor/taylor_complement.hpp"
-#include "engine/reference/taylor/taylor_forces.hpp"
 #include "engine/reference/taylor/taylor_joints.hpp"
 #include "lie/status.hpp"
 

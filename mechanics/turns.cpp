@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mechanics/forces/turns.hpp"
+#include "mechanics/turns.hpp"
 
 #include <sstream>
 

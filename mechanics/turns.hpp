@@ -17,7 +17,7 @@
 
 #include "lie/covering.hpp"
 #include "lie/status.hpp"
-#include "mechanics/forces/forces.hpp"
+#include "mechanics/model/model.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
