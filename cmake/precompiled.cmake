@@ -1,7 +1,7 @@
 # Precompiled headers: most of the time of a cold build goes into reading the same few. One for each set of compile
 # flags; the first target of a set makes it, the others take it.
-set(KREISEL_HEADERS_numerics ${CMAKE_SOURCE_DIR}/lie/linear.hpp <Eigen/Cholesky> <Eigen/LU> <Eigen/QR> <functional> <map>
-    <memory> <optional> <sstream> <variant> <vector>)
+set(KREISEL_HEADERS_numerics ${CMAKE_SOURCE_DIR}/lie/linear.hpp <Eigen/Cholesky> <Eigen/LU> <Eigen/QR> <functional>
+    <map> <memory> <optional> <sstream> <variant> <vector>)
 # Boost's support of Eigen must come before the first use of a matrix of its numbers.
 set(KREISEL_HEADERS_tests <boost/multiprecision/eigen.hpp> ${KREISEL_HEADERS_numerics} <catch2/catch.hpp> <fmt/format.h>
     <random>)

@@ -1,5 +1,5 @@
-# Several files in one translation unit. Not for the numerical code: there a new file must be free to use any local name,
-# and measurements must not depend on its neighbours. Files compiled together share their unnamed namespaces; a
+# Several files in one translation unit. Not for the numerical code: there a new file must be free to use any local
+# name, and measurements must not depend on its neighbours. Files compiled together share their unnamed namespaces; a
 # missing #include shows only in a build with KREISEL_UNITY=OFF.
 function(kreisel_unite target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${KREISEL_UNITY} UNITY_BUILD_MODE BATCH

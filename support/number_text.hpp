@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A number as text, by purpose: all digits, for messages, for tables. The numerical code uses `brief_text` only; the digits
-// of its own numbers come from to_text (lie/real.hpp).
+// A number as text, by purpose: all digits, for messages, for tables. The numerical code uses `brief_text` only; the
+// digits of its own numbers come from to_text (lie/real.hpp).
 #pragma once
 
 #include <cstdio>

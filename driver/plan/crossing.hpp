@@ -7,8 +7,8 @@
 
 namespace kreisel {
 
-/// Adds the cells to a plan whose systems are known, with the references they need. Reports what an engine objects to in
-/// options and parameters.
+/// Adds the cells to a plan whose systems are known, with the references they need. Reports what an engine objects to
+/// in options and parameters.
 void cross_axes(const Engines& engines, Diagnostics& sink, Plan& plan);
 
 }  // namespace kreisel

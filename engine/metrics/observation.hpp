@@ -30,8 +30,8 @@ class Observation {
     const std::vector<SpringAngle>& springs();  ///< of the torsion springs
     MotionState motion();
 
-    /// The constraint rows on a level; rows without a position level are zero there. All are NaN where the accelerations
-    /// cannot be solved for.
+    /// The constraint rows on a level; rows without a position level are zero there. All are NaN where the
+    /// accelerations cannot be solved for.
     const VecX& rows(RowLevel level);
     /// Euclidean norm of those that compare directions, or of those that are lengths.
     Real norm(RowLevel level, bool direction);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bodies that hang on the ground by at most one spherical joint each, without loads and springs: nothing links them, and
-// each is solved in registers. With the joint at r from the mass centre (body axes; r and S^{-1} are zero for a free
-// body) and A = R^T x'',
+// Bodies that hang on the ground by at most one spherical joint each, without loads and springs: nothing links them,
+// and each is solved in registers. With the joint at r from the mass centre (body axes; r and S^{-1} are zero for a
+// free body) and A = R^T x'',
 //   A = R^T g - mu / m,   omega' = J^{-1} (J omega x omega) - J^{-1} hat(r) mu,
 //   S mu = R^T g + omega'_free x r + omega x (omega x r),   S = I / m - hat(r) J^{-1} hat(r),
 // where -mu is the joint's force in body axes: its point does not move.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The rows of a joint: those of the primitives in its recipe (mechanics/parts/joints/), in their order. With the points p
-// of the two bodies, d = p_first - p_second, the axes a_k = R axes_k of the first body and b_k of the second (k = 1, 2, 3;
-// a_3, b_3 along the axis of the joint), all in space axes:
+// The rows of a joint: those of the primitives in its recipe (mechanics/parts/joints/), in their order. With the points
+// p of the two bodies, d = p_first - p_second, the axes a_k = R axes_k of the first body and b_k of the second (k = 1,
+// 2, 3; a_3, b_3 along the axis of the joint), all in space axes:
 //
 //   coincidence       d = 0                                3 rows (N), space axes
 //   along(k)          b_k.d = 0                            1 row (N)
@@ -13,9 +13,9 @@
 // Each row is what the first body has minus what the second has, so that lambda of a row along e (a space axis, b_k,
 // a_k of a contact) is the force lambda e on the second body, that of |d| a tension, and that of a_i.b_k the
 // torque lambda a_i x b_k on the second body. The first gets the opposite.
-// A contact is that of a disk of radius L, its centre p and its axis b_3 on the second body, on the plane through P with
-// normal a_3 that the ground carries; c = -L s/|s| with s = a_3 - (a_3.b_3) b_3 leads from the centre to the contact.
-// The three rows together say that the point of the disk in contact is at rest.
+// A contact is that of a disk of radius L, its centre p and its axis b_3 on the second body, on the plane through P
+// with normal a_3 that the ground carries; c = -L s/|s| with s = a_3 - (a_3.b_3) b_3 leads from the centre to the
+// contact. The three rows together say that the point of the disk in contact is at rest.
 // Axis rows vanish for opposite axes too; a motion cannot pass from the one to the other.
 // Sources: [haug1989, Sec. 9.4] for the kinds of rows (dot-1, dot-2, spherical, distance),
 // [neimarkfufaev1972, Sec. III.3] for the disk.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The primitive rows of joints (mechanics/parts/joint_type.hpp), a function each: residual, what is added to C v, and the
-// forces that a unit multiplier exerts on both bodies. Sources: mechanics/joints/joint_rows.hpp.
+// The primitive rows of joints (mechanics/parts/joint_type.hpp), a function each: residual, what is added to C v, and
+// the forces that a unit multiplier exerts on both bodies. Sources: mechanics/joints/joint_rows.hpp.
 #pragma once
 
 #include "mechanics/joints/joint_rows.hpp"

@@ -9,9 +9,9 @@
 //   distance           |d| = L (1 + A sin(W t))          1 row
 //   contact            of a disk that rolls on a plane   3 rows, two of them without a position level
 //
-// mechanics/joints/row_writer.hpp writes them, and engine/reference/taylor/row_series.hpp derives them a second time. All else follows
-// from the recipe: counts of rows, keys in configs, `kreisel info`, what a joint may hold, symmetries. A joint is one
-// file in mechanics/parts/joints/. Plain data, compiled once for all precisions.
+// mechanics/joints/row_writer.hpp writes them, and engine/reference/taylor/row_series.hpp derives them a second time.
+// All else follows from the recipe: counts of rows, keys in configs, `kreisel info`, what a joint may hold, symmetries.
+// A joint is one file in mechanics/parts/joints/. Plain data, compiled once for all precisions.
 #pragma once
 
 #include <string>

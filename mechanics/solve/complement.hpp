@@ -18,8 +18,8 @@ class Complement {
     /// S has a block for each pair of joints that share a body.
     Complement(const ConstraintMatrix& C, SolverChoice choice);
 
-    /// Assembles and factors S for the mobilities of C. Returns the smallest pivot relative to its diagonal entry; where
-    /// that is not positive, `solve` may not be called.
+    /// Assembles and factors S for the mobilities of C. Returns the smallest pivot relative to its diagonal entry;
+    /// where that is not positive, `solve` may not be called.
     Real factor(const ConstraintMatrix& C, const RowSelection& selection);
     /// S x = b, in place.
     void solve(VecX& b) { solver_->solve(b); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The index-1 system of bodies with joints of any kind, in body axes and thus the same for every formulation. A solve is
+// The index-1 system of bodies with joints of any kind, in body axes and thus the same for every formulation.
+// A solve is
 //   free motion      a = (A, omega') = M^{-1} (forces, gyroscopic torque),  A = R^T x''
 //   joint residual   rho = C a + bias          C:  mechanics/solve/constraint_matrix.hpp
 //   complement       S lambda = rho            S = C M^{-1} C^T:  mechanics/solve/complement.hpp

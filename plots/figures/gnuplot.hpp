@@ -12,8 +12,8 @@ namespace kreisel {
 /// program was built from, else ../share/kreisel/plots beside the program. Throws FileError where none exists.
 std::filesystem::path plot_scripts();
 
-/// Runs `gnuplot -d -c scripts/<script>.gp plotdata/<name>.gp figures/<name> scripts` in `folder`. Returns what it wrote
-/// to its error stream; throws FileError, with that text, if it cannot be started or fails.
+/// Runs `gnuplot -d -c scripts/<script>.gp plotdata/<name>.gp figures/<name> scripts` in `folder`. Returns what it
+/// wrote to its error stream; throws FileError, with that text, if it cannot be started or fails.
 std::string run_gnuplot(const std::filesystem::path& folder, const std::filesystem::path& scripts,
                         const std::string& script, const std::string& name);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Types of the values that a key of a figure may have. Each knows how it is read, its JSON Schema, and how it is said in
-// words.
+// Types of the values that a key of a figure may have. Each knows how it is read, its JSON Schema, and how it is said
+// in words.
 #pragma once
 
 #include <array>

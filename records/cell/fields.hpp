@@ -23,8 +23,8 @@ struct RecordField {
     std::function<std::string(const CellRecord&, LineKind)> write;
     /// Throws std::invalid_argument where the value does not fit.
     std::function<void(const JsonValue&, CellRecord&)> read;
-    /// In results.csv: the title of a column, "h [s]", or where it ends with '.' or is "*" the prefix of a column for each
-    /// member of the object, "option." ("*": none). Empty: JSON lines only.
+    /// In results.csv: the title of a column, "h [s]", or where it ends with '.' or is "*" the prefix of a column for
+    /// each member of the object, "option." ("*": none). Empty: JSON lines only.
     std::string column = "";
     bool is_text = false;  ///< whatever a column holds is text, also "12"
 };

@@ -24,8 +24,8 @@ std::string result_text(const CellRecord& record);
 /// Adds the members of what was run, with which a line begins.
 void add_identity(const CellIdentity& identity, ObjectWriter& object);
 
-/// A line of either file. Members that are unknown here are ignored and others may be missing, so that lines of older and
-/// newer versions can be read. Throws std::invalid_argument on a line that is not one.
+/// A line of either file. Members that are unknown here are ignored and others may be missing, so that lines of older
+/// and newer versions can be read. Throws std::invalid_argument on a line that is not one.
 CellRecord read_record(const std::string& line);
 CellRecord read_record(const JsonValue& line);
 

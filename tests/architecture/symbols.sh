@@ -26,7 +26,8 @@ trap 'rm -rf "$scratch"' EXIT
 
 # Names that the objects define for the linker: all but local ones. CMake counts precompiled headers among objects.
 symbols() {
-    printf '%s\0' "$@" | grep -zv '[.]gch$' | xargs -0 nm --demangle --defined-only | sed -nE 's/^[0-9a-f]+ [A-Zuvw] //p' | LC_ALL=C sort -u
+    printf '%s\0' "$@" | grep -zv '[.]gch$' | xargs -0 nm --demangle --defined-only |
+        sed -nE 's/^[0-9a-f]+ [A-Zuvw] //p' | LC_ALL=C sort -u
 }
 
 # merged DOUBLE QUAD: the names in both lists that mention something of kreisel that is not shared.

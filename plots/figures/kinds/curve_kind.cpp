@@ -28,7 +28,8 @@ std::string facet_title(const std::string& facet, const std::string& value) {
     return value == "none" && facet == "projection" ? "no projection" : enhanced_escape(value);
 }
 
-// Names of groups in a legend, with step sizes if these are named and vary; equal names have equal styles in all panels.
+// Names of groups in a legend, with step sizes if these are named and vary; equal names have equal styles in
+// all panels.
 class Legends {
   public:
     Legends(const std::vector<ResultRow>& rows, const CellNames& names, const std::string& facet, bool names_steps)
