@@ -15,7 +15,7 @@ shared=(
     BodyData ForceData JointData ParameterError                 # mechanics/model/data.hpp
     ElementKey ElementType                                      # mechanics/parts/keys.hpp
     FreeMotion JointKind JointRecipe JointRow JointType Primitive                  # mechanics/parts/joint_type.hpp
-    Elimination eliminate                                       # mechanics/blocks/elimination.hpp: the joint graph, integers
+    Elimination eliminate                                       # mechanics/blocks/elimination.hpp: the joint graph
     MethodDescription OptionDescription OptionError Order ProjectionDescription with_defaults # methods/contract/description.hpp
     Coefficient Tableau                                                                           # methods/tableaus/tableau.hpp
     FormulationDescription IntegralDescription ParameterDescription ParameterKind ProblemDescription # problems/description.hpp
@@ -24,7 +24,8 @@ shared=(
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# Names that the objects define for the linker: all but local ones. CMake counts precompiled headers among objects.
+# Names that the objects define for the linker: all but local ones. CMake counts precompiled headers (.gch) among
+# objects; they are left out because the linker never sees them, and nm cannot read them.
 symbols() {
     printf '%s\0' "$@" | grep -zv '[.]gch$' | xargs -0 nm --demangle --defined-only |
         sed -nE 's/^[0-9a-f]+ [A-Zuvw] //p' | LC_ALL=C sort -u

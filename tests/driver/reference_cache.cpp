@@ -127,11 +127,11 @@ TEST_CASE("a cache entry that is not a file does not stop the run") {
 
 TEST_CASE("the environment sets the place of the cache, or disables it") {
     const Variable own("KREISEL_CACHE", std::nullopt);
-    const Variable home("HOME", "/absent/home");
+    const Variable home("HOME", "/absent/place");
     const Variable base("XDG_CACHE_HOME", "/var/somewhere");
     CHECK(default_cache_folder() == "/var/somewhere/kreisel");
     const Variable relative("XDG_CACHE_HOME", "relative");
-    CHECK(default_cache_folder() == "/absent/home/.cache/kreisel");
+    CHECK(default_cache_folder() == "/absent/place/.cache/kreisel");
     const Variable homeless("HOME", std::nullopt);
     CHECK(default_cache_folder().empty());
     const Variable chosen("KREISEL_CACHE", "here");
