@@ -83,18 +83,28 @@ struct Cell {
     std::string projection;
     OptionValues projection_options;
     double t_end = 1;
-    long steps = 1;
-    long samples = 0;                  ///< K: K+1 equidistant samples are kept; divides `steps`
+    long steps = 1;                    ///< of one size; 0 where there is a tolerance
+    double tolerance = 0;              ///< to which steps are chosen (methods/control/stepper.hpp); 0: of one size
+    std::string controller = "pi";     ///< of steps to a tolerance: elementary, pi, pid
+    bool dense = true;                 ///< samples to a tolerance may fall between steps
+    long samples = 0;                  ///< K: K+1 equidistant samples are kept; divides `steps` of one size
     std::vector<std::string> metrics;  ///< names or patterns with `*`
     bool timed = false;                ///< measure only time and memory of the steps
+    bool repeated = false;             ///< measure, and then the time of the steps by themselves too (Cost::run_s)
 };
 
 struct Cost {
     long evaluations = 0;            ///< solves of the dynamics inside the steps, or residuals of implicit ones
+    long exponentials = 0;           ///< of the group inside the steps, or other maps of local coordinates
+    long brackets = 0;               ///< of the algebra inside the steps; closed forms take none
+    long newton_iterations = 0;      ///< of implicit steps
+    long accepted = 0;               ///< steps
+    long rejected = 0;               ///< attempts at steps to a tolerance
     long projection_iterations = 0;  ///< Gauss-Newton iterations, all steps
     long output_evaluations = 0;     ///< solves for start, metrics and samples
     double cpu_s = 0;
-    std::optional<double> step_s;  ///< of a timed cell: CPU time per step in the fastest of several runs, s
+    std::optional<double> run_s;   ///< of a timed cell: CPU time of the fastest of several runs, s
+    std::optional<double> step_s;  ///< the same per step, s
     std::optional<double> memory;  ///< of a timed cell: what model, system, method, projection and state occupy, bytes
 };
 

@@ -6,6 +6,7 @@
 // A chart is a plain type, not a virtual interface, so that a step pays only for the group's call:
 //   append(q, u, out)      out = q psi(u)
 //   pull_back(u, v, out)   out = u' for q' = q v at q = q0 psi(u); false if u lies outside the chart
+//   brackets()             those that a pull-back takes
 #pragma once
 
 #include <vector>
@@ -21,6 +22,7 @@ class ExpChart {
     explicit ExpChart(const Group& group) : group_(&group) {}
     void append(const Real* q, const Real* u, Real* out) const { group_->append_exp(q, u, out); }
     bool pull_back(const Real* u, const Real* v, Real* out) { return group_->dexpinv_left(u, v, out); }
+    static int brackets() { return 0; }
 
   private:
     const Group* group_;
@@ -36,6 +38,7 @@ class TruncatedExpChart {
     TruncatedExpChart(const Group& group, int brackets);
     void append(const Real* q, const Real* u, Real* out) const { group_->append_exp(q, u, out); }
     bool pull_back(const Real* u, const Real* v, Real* out);
+    int brackets() const { return static_cast<int>(coefficients_.size()) - 1; }
 
   private:
     const Group* group_;
@@ -52,6 +55,7 @@ class CayleyChart {
         group_->dcayinv_left(u, v, out);
         return true;
     }
+    static int brackets() { return 0; }
 
   private:
     const Group* group_;

@@ -13,6 +13,7 @@ enum class Status {
     singular_kkt,       ///< the constraint Jacobian has lost rank
     projection_failed,  ///< the projection onto the constraints did not converge
     newton_failed,      ///< the Newton iteration of an implicit step did not converge
+    step_too_small,     ///< a step chosen to a tolerance has become too small to move time
     turn_lost,          ///< the turn count of a torsion spring is lost: the step is too long, or its axes have parted
 };
 
@@ -32,6 +33,8 @@ constexpr const char* name(Status status) {
             return "projection_failed";
         case Status::newton_failed:
             return "newton_failed";
+        case Status::step_too_small:
+            return "step_too_small";
         case Status::turn_lost:
             return "turn_lost";
     }

@@ -92,9 +92,18 @@ class Crossing {
         for (const std::string& precision : config.precisions) {
             for (const long steps : config.steps) {
                 PlannedCell planned;
-                planned.cell = {problem.name,   problem.parameters, formulation,        method.name,
-                                method.options, projection.name,    projection.options, config.t_end,
-                                steps,          config.samples,     config.metrics,     config.is_timed()};
+                planned.cell = {.problem = problem.name,
+                                .parameters = problem.parameters,
+                                .formulation = formulation,
+                                .method = method.name,
+                                .options = method.options,
+                                .projection = projection.name,
+                                .projection_options = projection.options,
+                                .t_end = config.t_end,
+                                .steps = steps,
+                                .samples = config.samples,
+                                .metrics = config.metrics,
+                                .timed = config.is_timed()};
                 planned.series = problem.series;
                 planned.label = problem.label;
                 planned.precision = precision;

@@ -43,6 +43,11 @@ struct MethodDescription {
     std::vector<std::string> cites;  ///< keys of paper/references.bib
     std::string summary = {};
     int stages = 0;  ///< solves of the dynamics per step; of an implicit method, its implicit stages, if it has such
+    /// r, where an attempt at a step estimates its error by some e = O(h^r) (Integrator::attempt): p with local
+    /// extrapolation, which advances the more accurate of two solutions, else p + 1. 0: there is no estimate.
+    int estimate = 0;
+    /// Chooses its steps by a control of its own (Factory::stepper), to a tolerance only; constant steps do not apply.
+    bool own_control = false;
     bool implicit = false;
     bool symmetric = false;
     /// Multipliers are unknowns of a step, which satisfies the constraints on positions and velocities by itself:

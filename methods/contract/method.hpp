@@ -19,6 +19,9 @@ inline namespace KREISEL_PRECISION {
 
 class System;
 class Integrator;
+class Projection;
+class Stepper;
+struct Accuracy;
 
 /// How a scheme combines its stages; the certification evaluates the declared scheme independently from this.
 struct Scheme {
@@ -36,6 +39,11 @@ struct Factory {
     /// The order under given options, where it is not the declared one.
     std::function<Order(const OptionValues&, const Order& declared)> order =
         [](const OptionValues&, const Order& declared) { return declared; };
+    /// Of a method that chooses its steps by a control of its own (MethodDescription::own_control); then `make` is
+    /// empty. System and projection outlive the stepper.
+    std::function<std::unique_ptr<Stepper>(System&, Projection&, const Accuracy&, const OptionValues&,
+                                           const MethodDescription&)>
+        stepper = {};
     /// Why a combination of options does not apply; empty if it does.
     std::function<std::string(const OptionValues&)> why_not = [](const OptionValues&) { return std::string(); };
 };
@@ -47,6 +55,10 @@ struct Method {
     /// The method on a system, which outlives the integrator. Where torsion springs count full turns, a step can return
     /// turn_lost (mechanics/turns.hpp).
     std::unique_ptr<Integrator> bind(System& system, const OptionValues& options) const;
+    /// The method with its steps chosen to a tolerance. Throws std::logic_error for a method without an error estimate
+    /// or a control of its own.
+    std::unique_ptr<Stepper> bind(System& system, Projection& projection, const Accuracy& accuracy,
+                                  const OptionValues& options) const;
 };
 
 const std::vector<Method>& methods();

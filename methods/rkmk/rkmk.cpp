@@ -29,22 +29,53 @@ class MuntheKaas final : public Integrator {
           slopes_(stride_ * tableau_.stages()),
           stage_(size_ + n_) {}
 
+    Status start(const Real&, const Real*) override {
+        first_known_ = false;
+        return Status::ok;
+    }
+
     Status step(const Real& t, const Real& h, Real* y) override {
-        Real* slope = slopes_.data();
-        const Real* c = tableau_.c.data();
-        for (const Combination& row : tableau_.a) {
-            if (const Status status = stage(row, t + *c * h, h, y, slope); status != Status::ok) return status;
-            slope += stride_, ++c;
-        }
+        if (const Status status = stages(0, tableau_.stages_of_step, t, h, y); status != Status::ok) return status;
         combine(tableau_.b, h, slopes_.data(), stride_, u_.data());
         append(y, y);
         return Status::ok;
     }
 
+    /// error = u - u^, both in the chart around y.
+    Status attempt(const Real& t, const Real& h, const Real* y, Real* y_new, Real* error) override {
+        if (const Status status = stages(first_known_, tableau_.stages(), t, h, y); status != Status::ok) return status;
+        first_known_ = true;  // a rejected step starts from here once more
+        combine(tableau_.error, h, slopes_.data(), stride_, u_.data());
+        std::copy_n(u_.data(), 2 * n_, error);
+        combine(tableau_.b, h, slopes_.data(), stride_, u_.data());
+        append(y, y_new);
+        return Status::ok;
+    }
+
+    /// The last stage lies at u of the new state. What the pull-back made of its slope (v, v') in the old chart is v'
+    /// in its second half only; v is the velocity of the state.
+    void accept(bool moved) override {
+        first_known_ = tableau_.first_same_as_last && !moved;
+        if (!first_known_) return;
+        const Real* last = slopes_.data() + (tableau_.stages() - 1) * stride_;
+        std::copy_n(stage_.data() + size_, n_, slopes_.data());
+        std::copy_n(last + n_, n_, slopes_.data() + n_);
+    }
+
   private:
+    /// The slopes of the stages [first, end).
+    Status stages(std::size_t first, std::size_t end, const Real& t, const Real& h, const Real* y) {
+        for (std::size_t i = first; i < end; ++i) {
+            const Status status = stage(tableau_.a[i], t + tableau_.c[i] * h, h, y, slopes_.data() + i * stride_);
+            if (status != Status::ok) return status;
+        }
+        return Status::ok;
+    }
+
     /// out = y psi(u).
-    void append(const Real* y, Real* out) const {
+    void append(const Real* y, Real* out) {
         const Real* u = u_.data();
+        ++work_.exponentials;
         chart_.append(y, u, out);
         y += size_, u += n_, out += size_;
         KREISEL_ELEMENTWISE
@@ -62,6 +93,7 @@ class MuntheKaas final : public Integrator {
         const Real* v = stage_.data() + size_;
         const Status status = system_.evaluate(t, stage_.data(), v, slope + n_);
         if (status != Status::ok) return status;
+        work_.brackets += chart_.brackets();
         return chart_.pull_back(u_.data(), v, slope) ? Status::ok : Status::left_chart;
     }
 
@@ -70,6 +102,7 @@ class MuntheKaas final : public Integrator {
     std::size_t n_, size_, stride_;
     BoundTableau tableau_;
     std::vector<Real> u_, slopes_, stage_;
+    bool first_known_ = false;  // the first slope is that of the state
 };
 
 template <class Chart>
@@ -117,7 +150,7 @@ Factory rkmk(const Tableau& tableau) {
         const bool cayley = options.at("coordinates") == OptionValue("cayley");
         return truncated && cayley ? "dexpinv does not apply under cayley coordinates" : "";
     };
-    factory.stages = static_cast<int>(tableau.b.size());
+    factory.stages = stages_of_step(tableau);
     factory.scheme = Scheme{Scheme::Kind::munthe_kaas, tableau};
     return factory;
 }

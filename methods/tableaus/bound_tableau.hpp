@@ -20,13 +20,21 @@ struct Term {
 };
 using Combination = std::vector<Term>;
 
+/// Stages up to the last one that the weights b use; an embedded pair may have more.
+int stages_of_step(const Tableau& tableau);
+/// Whether the last stage of a pair is taken where the step ends, so that it is the first one of the next step.
+bool first_same_as_last(const Tableau& tableau);
+
 /// A tableau as numbers, bound to slopes that lie `stride` reals apart. Throws std::invalid_argument where it is not
-/// explicit or sum b is not 1.
+/// explicit, sum b or sum b_hat is not 1, or a given node is not the sum of its row.
 struct BoundTableau {
     BoundTableau(const Tableau& tableau, std::size_t stride);
-    std::size_t stages() const { return a.size(); }
+    std::size_t stages() const { return a.size(); }  ///< all of them
+    std::size_t stages_of_step;                      ///< without those only the estimate uses
+    bool first_same_as_last;
     std::vector<Combination> a;
     Combination b;
+    Combination error;  ///< b - b_hat; empty where there is no b_hat
     std::vector<Real> c;
 };
 

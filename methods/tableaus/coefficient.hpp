@@ -16,6 +16,10 @@ struct Coefficient {
     constexpr Coefficient(long p, long q) : numerator(p), denominator(q) {}  //
     constexpr Coefficient(const char* decimal) : digits(decimal) {}          // NOLINT
     constexpr bool is_zero() const { return !digits && numerator == 0; }
+    bool operator==(const Coefficient& other) const {
+        if (digits || other.digits) return digits && other.digits && std::string(digits) == other.digits;
+        return numerator * other.denominator == other.numerator * denominator;
+    }
 };
 
 }  // namespace kreisel

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What chooses the steps of a run to a tolerance: as a rule StepControl around a method with an error estimate, else a
+// control of the method's own (Factory::stepper).
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lie/real.hpp"
+#include "lie/status.hpp"
+#include "methods/contract/integrator.hpp"
+#include "methods/contract/projection.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// What steps are chosen by.
+struct Accuracy {
+    Real tolerance = 0;             ///< of the error of a step, each unknown over its scale
+    Real length = 1;                ///< m, of the mechanism (mechanics/model/scales.hpp: extent); scale of positions
+    std::string controller = "pi";  ///< elementary, pi or pid
+};
+
+class Stepper {
+  public:
+    virtual ~Stepper() = default;
+    /// Called before the first step, and whenever y is not what the last step left. `t_end` bounds the steps to come,
+    /// and fixes their direction.
+    virtual Status start(const Real& t, const Real& t_end, const Real* y) = 0;
+    /// One accepted step of y, with the projection in it, from t to a new t not beyond `limit`; if it gets there, t is
+    /// `limit` exactly. Any status but ok leaves t and y as they were.
+    virtual Status step(Real& t, const Real& limit, Real* y) = 0;
+    /// After a status that is not ok, the part that gave it: "step of rkmk/dopri5", "projection velocity".
+    virtual std::string failed_part() const = 0;
+    virtual const Work& work() const = 0;
+
+    long accepted() const { return accepted_; }  ///< steps since construction
+    long rejected() const { return rejected_; }  ///< attempts since construction
+
+  protected:
+    long accepted_ = 0, rejected_ = 0;
+};
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
