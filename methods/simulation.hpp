@@ -10,6 +10,7 @@
 // With a tolerance the method chooses its steps: {.method = "rkmk/dopri5", .tolerance = 1e-8}, and top.advance(1).
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <string>
 #include <vector>
@@ -82,7 +83,7 @@ class Simulation {
     }
 
     /// To t_end (s) in steps that the method chooses; `observe(simulation)` is called after each of them.
-    template <class Observer>
+    template <std::invocable<const Simulation&> Observer>
     Status advance(const Real& t_end, Observer observe) {
         if (const Status status = restart_to(t_end); status != Status::ok) return status;
         while (t_ != t_end) {
