@@ -10,6 +10,7 @@
 //   Rotations   MatrixStorage, QuaternionStorage
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -43,8 +44,12 @@ class PivotedBodies final : public System, public SpaceAxes {
     void mass(const Real*, Real* blocks) const override {
         for (const Pivoted& body : bodies_) store(body.J_O, blocks), blocks += 9;
     }
+    /// Without v, at rest.
     void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override;
     void gyroscopic_force(const Real* q, const Real* v, Real* f) const override;
+    void conservative_force(const Real& t, const Real* q, Real* f) const override { applied_force(t, q, nullptr, f); }
+    void dissipative_force(const Real& t, const Real* q, const Real* v, Real* f) const override;
+    bool is_dissipative() const override { return has_dampers(model_); }
     bool has_potential() const override { return is_conservative(model_); }
     Real potential(const Real& t, const Real* q) const override;
     int bodies() const override { return static_cast<int>(bodies_.size()); }
@@ -183,6 +188,17 @@ void PivotedBodies<Coordinates>::applied_force(const Real& t, const Real* q, con
         Real* mine = f + 3 * body;
         store(Vec3(vec3(mine) + moment), mine);
     });
+}
+
+template <class Coordinates>
+void PivotedBodies<Coordinates>::dissipative_force(const Real&, const Real* q, const Real* v, Real* f) const {
+    std::fill_n(f, velocities(), Real(0));
+    for_each_damping(
+        model_, [&](int body) { return motion(q, v, body); },
+        [&](int body, const Wrench& wrench) {
+            Real* mine = f + 3 * body;
+            store(Vec3(vec3(mine) + moment_of(body, wrench)), mine);
+        });
 }
 
 template <class Coordinates>
