@@ -28,7 +28,7 @@ std::map<std::string, std::vector<IntegralDescription>> integrals_by_problem(con
 
 // The family of a name such as invariant.energy.slope, and the problems that have it.
 bool describe_invariant(const Engine& engine, const std::string& name, std::ostream& out) {
-    for (const InvariantSuffix& suffix : invariant_suffixes()) {
+    for (const IntegralSuffix& suffix : integral_suffixes) {
         for (const auto& [problem, integrals] : integrals_by_problem(engine)) {
             for (const IntegralDescription& integral : integrals) {
                 if (name != "invariant." + integral.name + suffix.name) { continue; }
@@ -49,8 +49,8 @@ std::vector<NamedText> metric_rows() {
         rows.emplace_back(metric.name, fmt::format("{} [{}]", metric.summary, metric.unit));
     }
     rows.emplace_back("defect.<name>.final", "the defect at the end");
-    for (const InvariantSuffix& suffix : invariant_suffixes()) {
-        rows.emplace_back("invariant.<integral>" + suffix.name, fmt::format("{} [{}]", suffix.summary, suffix.unit));
+    for (const IntegralSuffix& suffix : integral_suffixes) {
+        rows.emplace_back(std::string("invariant.<integral>") + suffix.name, fmt::format("{} [{}]", suffix.summary, suffix.unit));
     }
     return rows;
 }
