@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "engine/metrics/description.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 

@@ -50,7 +50,8 @@ std::vector<NamedText> metric_rows() {
     }
     rows.emplace_back("defect.<name>.final", "the defect at the end");
     for (const IntegralSuffix& suffix : integral_suffixes) {
-        rows.emplace_back(std::string("invariant.<integral>") + suffix.name, fmt::format("{} [{}]", suffix.summary, suffix.unit));
+        rows.emplace_back(std::string("invariant.<integral>") + suffix.name,
+                          fmt::format("{} [{}]", suffix.summary, suffix.unit));
     }
     return rows;
 }
