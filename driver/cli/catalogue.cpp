@@ -11,6 +11,7 @@
 #include "driver/cli/catalogue/problems.hpp"
 #include "driver/cli/catalogue/rows.hpp"
 #include "driver/plan/metric_names.hpp"
+#include "records/json/diagnostics.hpp"
 #include "support/errors.hpp"
 #include "support/nearest.hpp"
 
