@@ -91,11 +91,11 @@ class ReversedRollingRow final : public ForwardingSystem {
 class HiddenTime final : public Integrator {
   public:
     explicit HiddenTime(std::unique_ptr<Integrator> inner) : inner_(std::move(inner)) {}
-    Status start(const Real& t, const Real* y) override { return inner().start(t, y); }
+    Status start(const Real& t, const Real* y) override { return inner_->start(t, y); }
     Status step(const Real& t, const Real& h, Real* y) override {
-        if (abs(h) <= Real(1) / 128) return inner().step(t, h, y);
-        const Status status = inner().step(t, h / 2, y);
-        return status == Status::ok ? inner().step(t + h / 2, h / 2, y) : status;
+        if (abs(h) <= Real(1) / 128) return inner_->step(t, h, y);
+        const Status status = inner_->step(t, h / 2, y);
+        return status == Status::ok ? inner_->step(t + h / 2, h / 2, y) : status;
     }
 
   private:
