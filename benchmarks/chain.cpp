@@ -14,7 +14,7 @@
 #include "benchmarks/chain_table.hpp"
 #include "lie/so3.hpp"
 #include "mechanics/formulation.hpp"
-#include "methods/contract/integrator.hpp"
+#include "methods/simulation.hpp"
 #include "problems/problem.hpp"
 #include "tests/peers/simbody/translate.hpp"
 
@@ -158,11 +158,10 @@ constexpr double step_size = 1e-6;  // so short that no run leaves the neighbour
 
 void step(benchmark::State& state, int links, const std::string& formulation) {
     const Model model = chain(links);
-    Kreisel kreisel(model, tangle(model), formulation);
-    const Method& rk4 = method("rkmk/rk4");
-    const auto integrator = rk4.bind(*kreisel.system, with_defaults({}, rk4.description.options));
+    Simulation simulation(model, {.formulation = formulation, .method = "rkmk/rk4"});
+    simulation.restart(0, Kreisel(model, tangle(model), formulation).y);
     time(state, links, [&] {
-        if (integrator->step(0, step_size, kreisel.y.data()) != Status::ok) state.SkipWithError("the step failed");
+        if (simulation.step(step_size) != Status::ok) state.SkipWithError("the step failed");
     });
 }
 

@@ -25,12 +25,19 @@ class Covering final : public Group {
     void log(const Real* q, Real* u) const override { base_->log(q, u); }
     void bracket(const Real* u, const Real* v, Real* out) const override { base_->bracket(u, v, out); }
     void Ad(const Real* q, const Real* v, Real* out) const override { base_->Ad(q, v, out); }
+    void coAd(const Real* q, const Real* p, Real* out) const override { base_->coAd(q, p, out); }
     void dexp(const Real* u, const Real* v, Real* out) const override { base_->dexp(u, v, out); }
     void append_exp(const Real* q, const Real* u, Real* out) const override;
     void append_cay(const Real* q, const Real* u, Real* out) const override;
     bool in_exp_chart(const Real* u) const override { return base_->in_exp_chart(u); }
     bool dexpinv_left(const Real* u, const Real* v, Real* out) const override { return base_->dexpinv_left(u, v, out); }
     void dcayinv_left(const Real* u, const Real* v, Real* out) const override { base_->dcayinv_left(u, v, out); }
+    bool dexpinv_left_transpose(const Real* u, const Real* p, Real* out) const override {
+        return base_->dexpinv_left_transpose(u, p, out);
+    }
+    void dcayinv_left_transpose(const Real* u, const Real* p, Real* out) const override {
+        base_->dcayinv_left_transpose(u, p, out);
+    }
     Real orthogonality_defect(const Real* q) const override { return base_->orthogonality_defect(q); }
 
   private:

@@ -17,6 +17,7 @@ void AdditiveGroup::inverse(const Real* a, Real* out) const {
 void AdditiveGroup::log(const Real* q, Real* u) const { std::copy_n(q, dim(), u); }
 void AdditiveGroup::bracket(const Real*, const Real*, Real* out) const { std::fill_n(out, dim(), Real(0)); }
 void AdditiveGroup::Ad(const Real*, const Real* v, Real* out) const { std::copy_n(v, dim(), out); }
+void AdditiveGroup::coAd(const Real*, const Real* p, Real* out) const { std::copy_n(p, dim(), out); }
 void AdditiveGroup::dexp(const Real*, const Real* v, Real* out) const { std::copy_n(v, dim(), out); }
 void AdditiveGroup::append_exp(const Real* q, const Real* u, Real* out) const { multiply(q, u, out); }
 void AdditiveGroup::append_cay(const Real* q, const Real* u, Real* out) const { multiply(q, u, out); }
@@ -26,6 +27,11 @@ bool AdditiveGroup::dexpinv_left(const Real*, const Real* v, Real* out) const {
     return true;
 }
 void AdditiveGroup::dcayinv_left(const Real*, const Real* v, Real* out) const { std::copy_n(v, dim(), out); }
+bool AdditiveGroup::dexpinv_left_transpose(const Real*, const Real* p, Real* out) const {
+    std::copy_n(p, dim(), out);
+    return true;
+}
+void AdditiveGroup::dcayinv_left_transpose(const Real*, const Real* p, Real* out) const { std::copy_n(p, dim(), out); }
 Real AdditiveGroup::orthogonality_defect(const Real*) const { return 0; }
 
 TangentGroup::TangentGroup(std::shared_ptr<const Group> base)
@@ -49,6 +55,10 @@ void TangentGroup::Ad(const Real* y, const Real* z, Real* out) const {
     const int n = base_->dim();
     base_->Ad(y, z, out), velocities_.log(z + n, out + n);
 }
+void TangentGroup::coAd(const Real* y, const Real* p, Real* out) const {
+    const int n = base_->dim();
+    base_->coAd(y, p, out), velocities_.log(p + n, out + n);
+}
 void TangentGroup::dexp(const Real* u, const Real* z, Real* out) const {
     const int n = base_->dim();
     base_->dexp(u, z, out), velocities_.log(z + n, out + n);
@@ -71,6 +81,16 @@ void TangentGroup::dcayinv_left(const Real* u, const Real* z, Real* out) const {
     const int n = base_->dim();
     if (out != z) velocities_.log(z + n, out + n);
     base_->dcayinv_left(u, z, out);
+}
+bool TangentGroup::dexpinv_left_transpose(const Real* u, const Real* p, Real* out) const {
+    const int n = base_->dim();
+    velocities_.log(p + n, out + n);
+    return base_->dexpinv_left_transpose(u, p, out);
+}
+void TangentGroup::dcayinv_left_transpose(const Real* u, const Real* p, Real* out) const {
+    const int n = base_->dim();
+    velocities_.log(p + n, out + n);
+    base_->dcayinv_left_transpose(u, p, out);
 }
 Real TangentGroup::orthogonality_defect(const Real* y) const { return base_->orthogonality_defect(y); }
 

@@ -29,6 +29,8 @@ class Group {
     virtual void log(const Real* q, Real* u) const = 0;
     virtual void bracket(const Real* u, const Real* v, Real* out) const = 0;
     virtual void Ad(const Real* q, const Real* v, Real* out) const = 0;
+    /// out = Ad_q^T p for a covector p in R^dim, whose value at v is p . v. The coadjoint action of q is coAd of q^{-1}.
+    virtual void coAd(const Real* q, const Real* p, Real* out) const = 0;
     /// dexp_u(v), right-trivialised as in the literature.
     virtual void dexp(const Real* u, const Real* v, Real* out) const = 0;
 
@@ -43,6 +45,9 @@ class Group {
     virtual bool dexpinv_left(const Real* u, const Real* v, Real* out) const = 0;
     /// Left-trivialised inverse differential of cay: out = dcay^{-1}_{-u}(v).
     virtual void dcayinv_left(const Real* u, const Real* v, Real* out) const = 0;
+    /// The transposes of these maps, on covectors p; variational methods carry momenta with them.
+    virtual bool dexpinv_left_transpose(const Real* u, const Real* p, Real* out) const = 0;
+    virtual void dcayinv_left_transpose(const Real* u, const Real* p, Real* out) const = 0;
 
     /// sqrt of the sum over rotation factors of |R^T R - I|^2 (Frobenius).
     virtual Real orthogonality_defect(const Real* q) const = 0;
@@ -61,12 +66,15 @@ class AdditiveGroup final : public Group {
     void log(const Real* q, Real* u) const override;
     void bracket(const Real* u, const Real* v, Real* out) const override;
     void Ad(const Real* q, const Real* v, Real* out) const override;
+    void coAd(const Real* q, const Real* p, Real* out) const override;
     void dexp(const Real* u, const Real* v, Real* out) const override;
     void append_exp(const Real* q, const Real* u, Real* out) const override;
     void append_cay(const Real* q, const Real* u, Real* out) const override;
     bool in_exp_chart(const Real* u) const override;
     bool dexpinv_left(const Real* u, const Real* v, Real* out) const override;
     void dcayinv_left(const Real* u, const Real* v, Real* out) const override;
+    bool dexpinv_left_transpose(const Real* u, const Real* p, Real* out) const override;
+    void dcayinv_left_transpose(const Real* u, const Real* p, Real* out) const override;
     Real orthogonality_defect(const Real* q) const override;
 };
 
@@ -88,12 +96,15 @@ class TangentGroup final : public Group {
     void log(const Real* y, Real* z) const override;
     void bracket(const Real* u, const Real* v, Real* out) const override;
     void Ad(const Real* y, const Real* z, Real* out) const override;
+    void coAd(const Real* y, const Real* p, Real* out) const override;
     void dexp(const Real* u, const Real* z, Real* out) const override;
     void append_exp(const Real* y, const Real* u, Real* out) const override;
     void append_cay(const Real* y, const Real* u, Real* out) const override;
     bool in_exp_chart(const Real* u) const override;
     bool dexpinv_left(const Real* u, const Real* z, Real* out) const override;
     void dcayinv_left(const Real* u, const Real* z, Real* out) const override;
+    bool dexpinv_left_transpose(const Real* u, const Real* p, Real* out) const override;
+    void dcayinv_left_transpose(const Real* u, const Real* p, Real* out) const override;
     Real orthogonality_defect(const Real* y) const override;
 
   private:

@@ -40,6 +40,9 @@ struct Pair {
     static Algebra Ad(const Element& g, const Algebra& v) {
         return {First::Ad(g.first, v.first), Second::Ad(g.second, v.second)};
     }
+    static Algebra coAd(const Element& g, const Algebra& p) {
+        return {First::coAd(g.first, p.first), Second::coAd(g.second, p.second)};
+    }
     static Element exp(const Algebra& u) { return {First::exp(u.first), Second::exp(u.second)}; }
     static Algebra log(const Element& g) { return {First::log(g.first), Second::log(g.second)}; }
     static Algebra dexp(const Algebra& u, const Algebra& v) {
@@ -48,9 +51,15 @@ struct Pair {
     static Algebra dexpinv(const Algebra& u, const Algebra& v) {
         return {First::dexpinv(u.first, v.first), Second::dexpinv(u.second, v.second)};
     }
+    static Algebra dexpinv_transpose(const Algebra& u, const Algebra& p) {
+        return {First::dexpinv_transpose(u.first, p.first), Second::dexpinv_transpose(u.second, p.second)};
+    }
     static Element cay(const Algebra& u) { return {First::cay(u.first), Second::cay(u.second)}; }
     static Algebra dcayinv(const Algebra& u, const Algebra& v) {
         return {First::dcayinv(u.first, v.first), Second::dcayinv(u.second, v.second)};
+    }
+    static Algebra dcayinv_transpose(const Algebra& u, const Algebra& p) {
+        return {First::dcayinv_transpose(u.first, p.first), Second::dcayinv_transpose(u.second, p.second)};
     }
     static Real orthogonality_defect(const Element& g) {
         return First::orthogonality_defect(g.first) + Second::orthogonality_defect(g.second);

@@ -27,12 +27,15 @@ concept Kernel = requires(const typename K::Element& g, const typename K::Algebr
     { K::log(g) } -> std::convertible_to<typename K::Algebra>;          // inverse of exp near the identity
     { K::bracket(u, u) } -> std::convertible_to<typename K::Algebra>;   //
     { K::Ad(g, u) } -> std::convertible_to<typename K::Algebra>;        // exp(Ad_g u) = g exp(u) g^{-1}
+    { K::coAd(g, u) } -> std::convertible_to<typename K::Algebra>;      // Ad_g^T on covectors
     { K::dexp(u, u) } -> std::convertible_to<typename K::Algebra>;      // right-trivialised differential of exp
     { K::dexpinv(u, u) } -> std::convertible_to<typename K::Algebra>;   // its inverse
     { K::cay(u) } -> std::convertible_to<typename K::Element>;          // Cayley map
     { K::dcayinv(u, u) } -> std::convertible_to<typename K::Algebra>;   // right-trivialised inverse differential
-    { K::orthogonality_defect(g) } -> std::convertible_to<Real>;        //
-    { K::squared_angle(u) } -> std::convertible_to<Real>;               // of the rotation part
+    { K::dexpinv_transpose(u, u) } -> std::convertible_to<typename K::Algebra>;  // on covectors
+    { K::dcayinv_transpose(u, u) } -> std::convertible_to<typename K::Algebra>;  //
+    { K::orthogonality_defect(g) } -> std::convertible_to<Real>;                 //
+    { K::squared_angle(u) } -> std::convertible_to<Real>;                        // of the rotation part
 };
 
 template <Kernel K>
@@ -60,6 +63,10 @@ class Power final : public Group {
     void Ad(const Real* q, const Real* v, Real* out) const override {
         for (int i = 0; i < copies_; ++i)
             K::save_algebra(K::Ad(K::load(q + i * K::size), K::load_algebra(v + i * K::dim)), out + i * K::dim);
+    }
+    void coAd(const Real* q, const Real* p, Real* out) const override {
+        for (int i = 0; i < copies_; ++i)
+            K::save_algebra(K::coAd(K::load(q + i * K::size), K::load_algebra(p + i * K::dim)), out + i * K::dim);
     }
     void dexp(const Real* u, const Real* v, Real* out) const override {
         for (int i = 0; i < dim(); i += K::dim)
@@ -91,6 +98,19 @@ class Power final : public Group {
     KREISEL_HOT void dcayinv_left(const Real* u, const Real* v, Real* out) const override {
         for (int i = 0; i < dim(); i += K::dim)
             K::save_algebra(K::dcayinv(negated(u + i), K::load_algebra(v + i)), out + i);
+    }
+    KREISEL_HOT bool dexpinv_left_transpose(const Real* u, const Real* p, Real* out) const override {
+        bool inside = true;
+        for (int i = 0; i < dim(); i += K::dim) {
+            const auto minus_u = negated(u + i);
+            inside &= K::squared_angle(minus_u) < largest_squared_angle;
+            K::save_algebra(K::dexpinv_transpose(minus_u, K::load_algebra(p + i)), out + i);
+        }
+        return inside;
+    }
+    KREISEL_HOT void dcayinv_left_transpose(const Real* u, const Real* p, Real* out) const override {
+        for (int i = 0; i < dim(); i += K::dim)
+            K::save_algebra(K::dcayinv_transpose(negated(u + i), K::load_algebra(p + i)), out + i);
     }
     Real orthogonality_defect(const Real* q) const override {
         Real sum = 0;

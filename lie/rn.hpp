@@ -25,12 +25,15 @@ struct Rn {
     static Element inverse(const Element& a) { return -a; }
     static Algebra bracket(const Algebra&, const Algebra&) { return Algebra::Zero(); }
     static Algebra Ad(const Element&, const Algebra& v) { return v; }
+    static Algebra coAd(const Element&, const Algebra& p) { return p; }
     static Element exp(const Algebra& u) { return u; }
     static Algebra log(const Element& x) { return x; }
     static Algebra dexp(const Algebra&, const Algebra& v) { return v; }
     static Algebra dexpinv(const Algebra&, const Algebra& v) { return v; }
+    static Algebra dexpinv_transpose(const Algebra&, const Algebra& p) { return p; }
     static Element cay(const Algebra& u) { return u; }
     static Algebra dcayinv(const Algebra&, const Algebra& v) { return v; }
+    static Algebra dcayinv_transpose(const Algebra&, const Algebra& p) { return p; }
     static Real orthogonality_defect(const Element&) { return 0; }
     static Real squared_angle(const Algebra&) { return 0; }
 };

@@ -31,6 +31,7 @@ struct S3 {
     static Element inverse(const Element& a) { return make(a[0], -a.tail<3>()); }
     static Algebra bracket(const Algebra& u, const Algebra& v) { return u.cross(v); }
     static Algebra Ad(const Element& a, const Algebra& v) { return rotation(a) * v; }
+    static Algebra coAd(const Element& a, const Algebra& p) { return rotation(a).transpose() * p; }
 
     /// R(a) = I + s (w hat(v) + hat(v)^2) with s = 2/|a|^2, a rotation for any a but zero.
     static Mat3 rotation(const Element& a) {
@@ -54,6 +55,7 @@ struct S3 {
     }
     static Algebra dexp(const Algebra& u, const Algebra& v) { return SO3::dexp(u, v); }
     static Algebra dexpinv(const Algebra& u, const Algebra& v) { return SO3::dexpinv(u, v); }
+    static Algebra dexpinv_transpose(const Algebra& u, const Algebra& p) { return SO3::dexpinv_transpose(u, p); }
 
     /// (1, u/2)/sqrt(1 + |u|^2/4), above the Cayley map of SO(3).
     static Element cay(const Algebra& u) {
@@ -61,6 +63,7 @@ struct S3 {
         return make(scale, scale / 2 * u);
     }
     static Algebra dcayinv(const Algebra& u, const Algebra& v) { return SO3::dcayinv(u, v); }
+    static Algebra dcayinv_transpose(const Algebra& u, const Algebra& p) { return SO3::dcayinv_transpose(u, p); }
 
     /// | |a|^2 - 1 |.
     static Real orthogonality_defect(const Element& a) { return abs(a.squaredNorm() - 1); }

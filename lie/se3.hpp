@@ -3,6 +3,7 @@
 // SE(3), the rigid displacements.
 //   element   (x, R): x in R^3, R in SO(3); 4x4 matrix [[R, x], [0, 1]]; stored x, then R column by column
 //   algebra   u = (p, w): p the translational part, w the rotational part; 4x4 matrix [[hat(w), p], [0, 0]]
+//   covector  (f, m), whose value at (p, w) is f.p + m.w: a force and a torque where (p, w) is a velocity
 //   bracket   [(p1, w1), (p2, w2)] = (w1 x p2 - w2 x p1, w1 x w2)
 // se(3) is so(3) over the dual numbers w + eps p. Every map of SO(3) that is a polynomial in crosses with
 // coefficients in s = |w|^2 carries over by differentiation, d/d eps s = 2 w.p; this gives the formulas below.
@@ -40,6 +41,10 @@ struct SE3 {
         const Vec3 w = g.R * v.w;
         return {g.R * v.p + g.x.cross(w), w};
     }
+    /// (R^T f, R^T (m - x x f)).
+    static Algebra coAd(const Element& g, const Algebra& c) {
+        return {g.R.transpose() * c.p, g.R.transpose() * (c.w - g.x.cross(c.p))};
+    }
 
     /// exp(p, w) = (dexp_w(p), exp(w)): the translation is p + cosc w x p + sincc w x (w x p).
     static Element exp(const Algebra& u) {
@@ -70,6 +75,12 @@ struct SE3 {
         const Real s = u.w.squaredNorm();
         return dual_polynomial(u, v, -Real(1) / 2, 0, cotc(s), cotc_ds(s));
     }
+    /// The value of a covector is the dual part of the product (f + eps m).(w + eps p), so that transposes are those of
+    /// SO(3) over the dual numbers, on f + eps m.
+    static Algebra dexpinv_transpose(const Algebra& u, const Algebra& c) {
+        const Algebra dual = dexpinv({-u.p, -u.w}, {c.w, c.p});
+        return {dual.w, dual.p};
+    }
 
     /// cay(u) = (I - u/2)^{-1} (I + u/2) with the 4x4 matrix u: translation (I - hat(w)/2)^{-1} p.
     static Element cay(const Algebra& u) {
@@ -83,6 +94,11 @@ struct SE3 {
     static Algebra dcayinv(const Algebra& u, const Algebra& v) {
         const Vec3 ap = v.w.cross(u.p);
         return {v.p - (u.w.cross(v.p) - ap) / 2 - u.w.cross(ap) / 4, SO3::dcayinv(u.w, v.w)};
+    }
+    /// F = f + 1/2 w x f and SO(3)'s m + 1/2 p x F.
+    static Algebra dcayinv_transpose(const Algebra& u, const Algebra& c) {
+        const Vec3 F = c.p + u.w.cross(c.p) / 2;
+        return {F, SO3::dcayinv_transpose(u.w, c.w) + u.p.cross(F) / 2};
     }
 
     static Real orthogonality_defect(const Element& g) { return SO3::orthogonality_defect(g.R); }

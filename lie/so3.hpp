@@ -6,6 +6,7 @@
 //   matrices  exp, Ad, ad are those of the 3x3 representation
 // All differentials are left-trivialised where they act on a curve q(t) = q0 exp(u(t)): with q' = q hat(v),
 //   u' = dexp^{-1}_{-u}(v) = v + 1/2 [u, v] + 1/12 [u, [u, v]] - ...
+// Covectors p are vectors in R^3 too, with p . v as their value at v.
 // `dexp`, `dexpinv` below are the right-trivialised maps of the literature; lie/power.hpp converts them, in one place.
 // Sources: [hairer2006, Sec. IV.7 and IV.8], [iserles2000], [celledoniowren2003, App. B].
 #pragma once
@@ -31,6 +32,7 @@ struct SO3 {
     static Element inverse(const Element& A) { return A.transpose(); }
     static Algebra bracket(const Algebra& u, const Algebra& v) { return u.cross(v); }
     static Algebra Ad(const Element& R, const Algebra& v) { return R * v; }
+    static Algebra coAd(const Element& R, const Algebra& p) { return R.transpose() * p; }
 
     /// I + a hat(u) + b hat(u)^2, entry by entry: 1 + b (u u^T - s I) + a hat(u).
     static Mat3 rotation(const Vec3& u, const Real& s, const Real& a, const Real& b) {
@@ -66,6 +68,8 @@ struct SO3 {
         const Vec3 uv = u.cross(v);
         return v - uv / 2 + cotc(u.squaredNorm()) * u.cross(uv);
     }
+    /// hat(u)^T = hat(-u).
+    static Algebra dexpinv_transpose(const Algebra& u, const Algebra& p) { return dexpinv(-u, p); }
 
     /// cay(u) = (I - hat(u)/2)^{-1} (I + hat(u)/2): rotation by 2 atan(t/2) about u.
     static Element cay(const Algebra& u) {
@@ -75,6 +79,7 @@ struct SO3 {
 
     /// dcay_u^{-1}(v) = v - 1/2 u x v + 1/4 (u.v) u, exactly.
     static Algebra dcayinv(const Algebra& u, const Algebra& v) { return v - u.cross(v) / 2 + u.dot(v) / 4 * u; }
+    static Algebra dcayinv_transpose(const Algebra& u, const Algebra& p) { return dcayinv(-u, p); }
 
     /// |R^T R - I| (Frobenius).
     static Real orthogonality_defect(const Element& R) { return (R.transpose() * R - Mat3::Identity()).norm(); }

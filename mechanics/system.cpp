@@ -66,6 +66,18 @@ void System::applied_force(const Real&, const Real*, const Real*, Real* f) const
     std::fill_n(f, velocities(), Real(0));
 }
 
+void System::conservative_force(const Real& t, const Real* q, Real* f) const {
+    const std::vector<Real> rest(static_cast<std::size_t>(velocities()), Real(0));
+    applied_force(t, q, rest.data(), f);
+}
+
+void System::dissipative_force(const Real& t, const Real* q, const Real* v, Real* f) const {
+    std::vector<Real> at_rest(static_cast<std::size_t>(velocities()));
+    conservative_force(t, q, at_rest.data());
+    applied_force(t, q, v, f);
+    for (std::size_t i = 0; i < at_rest.size(); ++i) f[i] -= at_rest[i];
+}
+
 void System::gyroscopic_force(const Real*, const Real*, Real* f) const { std::fill_n(f, velocities(), Real(0)); }
 
 void System::velocity_bias(const Real&, const Real*, Real* b) const { std::fill_n(b, constraints(), Real(0)); }

@@ -109,6 +109,12 @@ class System {
     /// Q = applied + gyroscopic; variational methods need only the first.
     virtual void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const;
     virtual void gyroscopic_force(const Real* q, const Real* v, Real* f) const;
+    /// applied = conservative + dissipative, each of n. The first is the applied force at v = 0: gravity, the elastic
+    /// part of springs, and loads; without loads it is minus the gradient of the potential. The second is that of
+    /// dampers, f . v <= 0, and zero where not is_dissipative().
+    virtual void conservative_force(const Real& t, const Real* q, Real* f) const;
+    virtual void dissipative_force(const Real& t, const Real* q, const Real* v, Real* f) const;
+    virtual bool is_dissipative() const { return false; }
 
     virtual void position_residual(const Real&, const Real*, Real*) const {}  ///< Phi
     virtual void jacobian(const Real&, const Real*, Real*) const {}           ///< C, column by column

@@ -25,6 +25,14 @@ Simulation::Simulation(Model model, const Setup& setup)
     y_ = initial_state(*system_, model_);
 }
 
+Simulation::Simulation(Model model, SimulationParts parts)
+    : setup_{.method = std::move(parts.method), .projection = std::move(parts.projector)},
+      model_(std::move(model)),
+      system_(std::move(parts.system)),
+      integrator_(std::move(parts.integrator)),
+      projection_(std::move(parts.projection)),
+      y_(initial_state(*system_, model_)) {}
+
 std::vector<BodyState> Simulation::bodies() const {
     std::vector<BodyState> states(model_.bodies.size());
     system_->read(y_.data(), states.data());

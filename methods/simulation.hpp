@@ -34,11 +34,21 @@ struct Setup {
     std::string controller = "pi";  ///< of steps to a tolerance: elementary, pi, pid
 };
 
+/// The same from parts that need not be registered, such as doubles of tests; integrator and projection are those of
+/// this system. Steps have a given size, and poses in which constraints lose rank are not looked out for.
+struct SimulationParts {
+    std::unique_ptr<System> system;
+    std::unique_ptr<Integrator> integrator;
+    std::unique_ptr<Projection> projection;
+    std::string method = "the method", projector = "of the parts";  ///< names, for messages
+};
+
 class Simulation {
   public:
     /// At the start of the model, t = 0. Throws std::out_of_range for names that are not registered and OptionError for
     /// options that a method does not take; Formulation::why_not tells whether the formulation applies.
     Simulation(Model model, const Setup& setup);
+    Simulation(Model model, SimulationParts parts);
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 

@@ -8,17 +8,6 @@
 
 namespace kreisel {
 
-const std::vector<InvariantSuffix>& invariant_suffixes() {
-    static const std::vector<InvariantSuffix> all = {
-        {"", "as the integral", "largest |I - I0| over all steps"},
-        {".final", "as the integral", "|I - I0| at the end"},
-        {".relative", "1", "largest |I - I0| / |I0|, where I0 is not zero"},
-        {".slope", "as the integral per s", "secular rate: least-squares slope of I - I0 over time"},
-        {".slope_error", "as the integral per s", "standard error of that slope"},
-    };
-    return all;
-}
-
 std::vector<std::string> metric_names(const std::vector<std::string>& integrals) {
     std::vector<std::string> names;
     for (const MetricDescription& metric : metric_catalogue()) {
@@ -26,7 +15,7 @@ std::vector<std::string> metric_names(const std::vector<std::string>& integrals)
         if (is_defect(metric)) { names.push_back(names.back() + ".final"); }
     }
     for (const std::string& integral : integrals) {
-        for (const InvariantSuffix& suffix : invariant_suffixes()) {
+        for (const IntegralSuffix& suffix : integral_suffixes) {
             names.push_back("invariant." + integral + suffix.name);
         }
     }

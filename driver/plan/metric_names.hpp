@@ -11,13 +11,6 @@ namespace kreisel {
 /// All names a config may mean: those of the table, and for each first integral its own, with their suffixes.
 std::vector<std::string> metric_names(const std::vector<std::string>& integrals);
 
-struct InvariantSuffix {
-    std::string name, unit, summary;
-};
-
-/// Suffixes of `invariant.<integral>` and their meanings.
-const std::vector<InvariantSuffix>& invariant_suffixes();
-
 /// True if some `error.*` metric fits one of the patterns, so that a reference is needed.
 bool asks_for_errors(const std::vector<std::string>& patterns);
 

@@ -2,7 +2,7 @@
 //
 // The description of a metric, free of `Real`: lists, checks of a config, units, axis labels, tables, declared orders
 // and the scales of comparisons follow from it. First integrals, `invariant.NAME`, are not among these: a system names
-// its integrals itself.
+// its integrals itself, and what is measured of each is listed below.
 #pragma once
 
 #include <string>
@@ -36,5 +36,20 @@ struct MetricDescription {
     int place = 1000;                      ///< metrics are listed and written by kind, place and name
     MetricKind kind = MetricKind::defect;  ///< set on registration
 };
+
+/// What is measured of the deviation of a first integral: what stands behind `invariant.NAME`.
+struct IntegralSuffix {
+    const char *name, *unit, *summary;
+};
+inline constexpr IntegralSuffix largest_of_integral = {"", "as the integral", "largest |I - I0| over all steps"},
+                                final_of_integral = {".final", "as the integral", "|I - I0| at the end"},
+                                relative_of_integral = {".relative", "1",
+                                                        "largest |I - I0| / |I0|, where I0 is not zero"},
+                                slope_of_integral = {".slope", "as the integral per s",
+                                                     "secular rate: least-squares slope of I - I0 over time"},
+                                slope_error_of_integral = {".slope_error", "as the integral per s",
+                                                           "standard error of that slope"};
+inline constexpr IntegralSuffix integral_suffixes[] = {largest_of_integral, final_of_integral, relative_of_integral,
+                                                       slope_of_integral, slope_error_of_integral};
 
 }  // namespace kreisel

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/observers/integral_metrics.hpp"
 
+#include <algorithm>
+#include <iterator>
+
+#include "engine/metrics/description.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
-
-namespace {
-
-const char* const suffixes[] = {"", ".final", ".relative", ".slope", ".slope_error"};
-
-}  // namespace
 
 IntegralMetrics::IntegralMetrics(System& system, const std::vector<std::string>& patterns) : patterns_(patterns) {
     for (const FirstIntegral& integral : system.integrals()) {
         const std::string name = "invariant." + integral.name;
-        if (any_matches(patterns_, name, suffixes)) entries_.push_back({&integral, name});
+        if (is_requested(name)) entries_.push_back({&integral, name});
     }
+}
+
+bool IntegralMetrics::is_requested(const std::string& name) const {
+    return std::any_of(std::begin(integral_suffixes), std::end(integral_suffixes),
+                       [&](const IntegralSuffix& suffix) { return matches_any(patterns_, name + suffix.name); });
 }
 
 void IntegralMetrics::begin(const MotionState& state) {
@@ -44,15 +48,15 @@ void IntegralMetrics::observe(Observation& now) {
 
 void IntegralMetrics::report(bool finished, MeasuredMetrics& all) const {
     for (const Entry& entry : entries_) {
-        const auto add = [&](const char* suffix, const Real& value) {
-            add_measured(all, patterns_, entry.name + suffix, value);
+        const auto add = [&](const IntegralSuffix& suffix, const Real& value) {
+            add_measured(all, patterns_, entry.name + suffix.name, value);
         };
-        add("", entry.worst);
-        if (entry.has_relative) add(".relative", entry.worst / abs(entry.start));
-        if (finished) add(".final", abs(entry.now));
+        add(largest_of_integral, entry.worst);
+        if (entry.has_relative) add(relative_of_integral, entry.worst / abs(entry.start));
+        if (finished) add(final_of_integral, abs(entry.now));
         if (!finished || entry.fit.points() < 3) continue;
-        add(".slope", entry.fit.slope());
-        add(".slope_error", entry.fit.slope_error());
+        add(slope_of_integral, entry.fit.slope());
+        add(slope_error_of_integral, entry.fit.slope_error());
     }
 }
 

@@ -36,6 +36,8 @@ class IntegralMetrics {
         bool has_relative = false;
         LineFit fit = {};
     };
+    /// With some suffix.
+    bool is_requested(const std::string& name) const;
     void begin(const MotionState& state);
 
     std::vector<std::string> patterns_;

@@ -5,6 +5,9 @@
 // ground, and with an angle where it counts full turns (mechanics/turns.hpp), a force has
 //
 //   act(t, motion, angle, push)   calls push(body, wrench) for every moving body it acts on; angle(turn) is theta
+//   damp(motion, push)            the same for the part of it that depends on velocities: it takes energy out, and the
+//                                 rest is what acts where all bodies are at rest
+//   is_damped()                   it has such a part
 //   energy(motion, angle)         stored energy (J), 0 if there is none; angle() is theta
 //   is_conservative()             it follows from a potential that does not depend on time
 //   is_internal()                 it acts between moving bodies only, and keeps the linear and angular momentum of
@@ -38,12 +41,22 @@ void for_each_wrench(const Forces& forces, const Real& t, MotionOf motion, Angle
     });
 }
 
+/// Calls push(body, wrench) for what dampers exert.
+template <class MotionOf, class Push>
+void for_each_damping(const Forces& forces, MotionOf motion, Push push) {
+    forces.each([&](const auto& force, std::size_t) { force.damp(motion, push); });
+}
+
 /// Energy stored in all forces (J); theta(i) is the angle of torsion spring i.
 template <class MotionOf, class AngleOf>
 Real stored_energy(const Forces& forces, MotionOf motion, AngleOf theta) {
     Real sum = 0;
     forces.each([&](const auto& force, std::size_t i) { sum += force.energy(motion, [&] { return theta(i); }); });
     return sum;
+}
+
+inline bool has_dampers(const Forces& forces) {
+    return forces.any([](const auto& force) { return force.is_damped(); });
 }
 
 /// Whether anything but gravity acts.

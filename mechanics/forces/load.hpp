@@ -34,6 +34,9 @@ struct Load {
     void act(const Real& t, const MotionOf& motion, const AngleOf& /*angle*/, const Push& push) const {
         push(body, in_body_axes(t, motion(body).R));
     }
+    template <class MotionOf, class Push>
+    void damp(const MotionOf& /*motion*/, const Push& /*push*/) const {}
+    bool is_damped() const { return false; }
     template <class MotionOf, class AngleOf>
     Real energy(const MotionOf& /*motion*/, const AngleOf& /*angle*/) const {
         return 0;

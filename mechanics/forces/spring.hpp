@@ -20,6 +20,9 @@ struct Spring {
     // As mechanics/forces/forces.hpp asks of every force.
     template <class MotionOf, class AngleOf, class Push>
     void act(const Real& t, const MotionOf& motion, const AngleOf& angle, const Push& push) const;
+    template <class MotionOf, class Push>
+    void damp(const MotionOf& motion, const Push& push) const;
+    bool is_damped() const { return damping != 0; }
     template <class MotionOf, class AngleOf>
     Real energy(const MotionOf& motion, const AngleOf& angle) const;
     bool is_conservative() const { return damping == 0; }
@@ -36,6 +39,14 @@ Real stored_energy(const Spring& spring, const Motion& first, const Motion& seco
 template <class MotionOf, class AngleOf, class Push>
 void Spring::act(const Real& /*t*/, const MotionOf& motion, const AngleOf& /*angle*/, const Push& push) const {
     push_pair(*this, exerted(*this, motion(first), motion(second)), push);
+}
+
+template <class MotionOf, class Push>
+void Spring::damp(const MotionOf& motion, const Push& push) const {
+    if (!is_damped()) return;
+    Spring damper = *this;
+    damper.stiffness = 0;
+    push_pair(*this, exerted(damper, motion(first), motion(second)), push);
 }
 
 template <class MotionOf, class AngleOf>

@@ -24,6 +24,9 @@ struct TorsionSpring {
     // As mechanics/forces/forces.hpp asks of every force.
     template <class MotionOf, class AngleOf, class Push>
     void act(const Real& t, const MotionOf& motion, const AngleOf& theta, const Push& push) const;
+    template <class MotionOf, class Push>
+    void damp(const MotionOf& motion, const Push& push) const;
+    bool is_damped() const { return damping != 0; }
     template <class MotionOf, class AngleOf>
     Real energy(const MotionOf& motion, const AngleOf& theta) const;
     bool is_conservative() const { return damping == 0; }
@@ -53,6 +56,15 @@ void TorsionSpring::act(const Real& /*t*/, const MotionOf& motion, const AngleOf
     const Motion one = motion(first), other = motion(second);
     const Turn now = turn(*this, one, other);
     push_pair(*this, exerted(*this, now, theta(now), one, other), push);
+}
+
+template <class MotionOf, class Push>
+void TorsionSpring::damp(const MotionOf& motion, const Push& push) const {
+    if (!is_damped()) return;
+    TorsionSpring damper = *this;
+    damper.stiffness = 0;
+    const Motion one = motion(first), other = motion(second);
+    push_pair(*this, exerted(damper, turn(*this, one, other), angle, one, other), push);
 }
 
 template <class MotionOf, class AngleOf>

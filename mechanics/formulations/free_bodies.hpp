@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -32,8 +33,12 @@ class FreeBodies : public System, public SpaceAxes {
     int mass_block() const override { return 6; }
     void mass(const Real* q, Real* blocks) const override;
     void solve_mass(const Real* q, const Real* f, Real* a) const override;
+    /// Without v, at rest.
     void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override;
     void gyroscopic_force(const Real* q, const Real* v, Real* f) const override;
+    void conservative_force(const Real& t, const Real* q, Real* f) const override { applied_force(t, q, nullptr, f); }
+    void dissipative_force(const Real& t, const Real* q, const Real* v, Real* f) const override;
+    bool is_dissipative() const override { return has_dampers(model_); }
     bool has_potential() const override { return is_conservative(model_); }
     Real potential(const Real& t, const Real* q) const override;
 
@@ -150,6 +155,14 @@ void FreeBodies<Coordinates>::applied_force(const Real& t, const Real* q, const 
         store(Vec3(Vec3::Zero()), f + 6 * i + 3);
     }
     each_wrench(t, q, v, [&](int body, const Wrench& wrench) { add_wrench(q, body, wrench.force, wrench.torque, f); });
+}
+
+template <class Coordinates>
+void FreeBodies<Coordinates>::dissipative_force(const Real&, const Real* q, const Real* v, Real* f) const {
+    std::fill_n(f, this->velocities(), Real(0));
+    for_each_damping(
+        model_, [&](int body) { return Layout::motion(q, v, body); },
+        [&](int body, const Wrench& wrench) { add_wrench(q, body, wrench.force, wrench.torque, f); });
 }
 
 template <class Coordinates>

@@ -153,12 +153,15 @@ TEST_CASE("a joint that the formulation eliminates has the same reaction", "[cam
     for (const bool reversed : {false, true}) {
         if (reversed) top["joints"][0]["between"] = {"beam", "ground"};
         std::vector<ReportedReaction> reactions;
-        for (const Cell& cell : cells_of(top.dump().c_str(), {"SO3xR3", "SO3"}, "quad"))
+        for (const Cell& cell : cells_of(top.dump().c_str(), {"SO3xR3", "SO3", "S3"}, "quad"))
             reactions.push_back(engine_binary128().run(cell, nullptr, {}).final->reactions.at(0));
+        REQUIRE(reactions.size() == 3);
         for (std::size_t k = 0; k < 3; ++k) {
-            CHECK(std::abs(reactions[0].force[k].value - reactions[1].force[k].value) < 1e-9);
             CHECK(std::abs(reactions[0].force[k].value) > 1e-3);
-            CHECK(reactions[1].torque[k].value == 0);
+            for (std::size_t i = 1; i < 3; ++i) {
+                CHECK(std::abs(reactions[0].force[k].value - reactions[i].force[k].value) < 1e-9);
+                CHECK(reactions[i].torque[k].value == 0);
+            }
         }
     }
 }

@@ -18,6 +18,7 @@
 namespace places {
 
 using namespace kreisel;
+using dense::tolerance;
 
 /// A group and where its rotation vectors lie in the algebra.
 struct Named {
@@ -112,6 +113,9 @@ class Maps {
     VecX Ad(const VecX& a, const VecX& v) const {
         return algebra([&](Real* out) { g.Ad(a.data(), v.data(), out); });
     }
+    VecX coAd(const VecX& a, const VecX& p) const {
+        return algebra([&](Real* out) { g.coAd(a.data(), p.data(), out); });
+    }
     VecX dexp(const VecX& u, const VecX& v) const {
         return algebra([&](Real* out) { g.dexp(u.data(), v.data(), out); });
     }
@@ -121,12 +125,23 @@ class Maps {
     VecX dcayinv_left(const VecX& u, const VecX& v) const {
         return algebra([&](Real* out) { g.dcayinv_left(u.data(), v.data(), out); });
     }
+    VecX dexpinv_left_transpose(const VecX& u, const VecX& p) const {
+        return algebra([&](Real* out) { REQUIRE(g.dexpinv_left_transpose(u.data(), p.data(), out)); });
+    }
+    VecX dcayinv_left_transpose(const VecX& u, const VecX& p) const {
+        return algebra([&](Real* out) { g.dcayinv_left_transpose(u.data(), p.data(), out); });
+    }
     Real orthogonality_defect(const VecX& a) const { return g.orthogonality_defect(a.data()); }
-    /// The matrix of [u, .].
-    MatX ad(const VecX& u) const {
+    /// The matrix of a linear map of the algebra.
+    template <class Map>
+    MatX matrix(Map map) const {
         MatX A(g.dim(), g.dim());
-        for (int i = 0; i < g.dim(); ++i) A.col(i) = bracket(u, VecX::Unit(g.dim(), i));
+        for (int i = 0; i < g.dim(); ++i) A.col(i) = map(VecX(VecX::Unit(g.dim(), i)));
         return A;
+    }
+    /// That of [u, .].
+    MatX ad(const VecX& u) const {
+        return matrix([&](const VecX& v) { return bracket(u, v); });
     }
 
     const Group& g;

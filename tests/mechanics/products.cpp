@@ -4,6 +4,7 @@
 // of the same system.
 #include <Eigen/Cholesky>
 
+#include "tests/judges/forwarding_system.hpp"
 #include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
@@ -54,19 +55,10 @@ std::string products_objection(System& s, const Real& t, const std::vector<Real>
 }
 
 /// A system without products of its own: those of the base class, from dense matrices with one entry spoilt.
-class Spoilt final : public System {
+class Spoilt final : public ForwardingSystem {
   public:
-    Spoilt(System& healthy, bool in_jacobian)
-        : System(std::shared_ptr<const Group>(std::shared_ptr<void>(), &healthy.group())),
-          healthy_(healthy),
-          in_jacobian_(in_jacobian) {}
-    int constraints() const override { return healthy_.constraints(); }
-    int mass_block() const override { return healthy_.mass_block(); }
-    Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
-        return healthy_.accelerations(t, q, v, dv, lambda);
-    }
-    void mass(const Real* q, Real* blocks) const override { healthy_.mass(q, blocks); }
-    void jacobian(const Real& t, const Real* q, Real* C) const override { healthy_.jacobian(t, q, C); }
+    Spoilt(System& healthy, bool in_jacobian) : ForwardingSystem(healthy), in_jacobian_(in_jacobian) {}
+    void solve_mass(const Real* q, const Real* f, Real* a) const override { System::solve_mass(q, f, a); }
     void apply_jacobian(const Real& t, const Real* q, const Real* v, Real* product) const override {
         System::apply_jacobian(t, q, v, product);
         if (in_jacobian_) product[0] += Real(1) / 1000;
@@ -77,7 +69,6 @@ class Spoilt final : public System {
     }
 
   private:
-    System& healthy_;
     bool in_jacobian_;
 };
 

@@ -45,7 +45,7 @@ std::string difference(const Model& model, const Model& other, const Units& u, c
     if (here.status != there.status) return "status";
     if (here.rank.rank != there.rank.rank || here.rank.redundant != there.rank.redundant) return "rank";
     if (here.rank.condition != there.rank.condition) return "condition";
-    const Eigen::Index block = formulation == "SO3" ? 3 : 6;
+    const Eigen::Index block = make_system(model, formulation)->mass_block();
     for (Eigen::Index i = 0; i < here.a.size(); ++i) {
         const bool linear = block == 6 && i % 6 < 3;
         if (here.a[i] * (linear ? u.acceleration() : Real(1 / (u.T() * u.T()))) != there.a[i]) return "acceleration";

@@ -3,47 +3,13 @@
 
 #include "mechanics/formulation.hpp"
 #include "mechanics/joints/joint_rows.hpp"
+#include "tests/judges/forwarding_system.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 namespace metamorphic {
 
 namespace {
-
-/// A system that forwards to another one.
-class Forwarding : public System {
-  public:
-    explicit Forwarding(std::unique_ptr<System> inner)
-        : System(std::shared_ptr<const Group>(std::shared_ptr<void>(), &inner->group())), inner_(std::move(inner)) {}
-
-    int constraints() const override { return inner_->constraints(); }
-    int position_constraints() const override { return inner_->position_constraints(); }
-    Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
-        return inner_->accelerations(t, q, v, dv, lambda);
-    }
-    Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override {
-        return inner_->solve_kkt(t, q, f, c, a, lambda);
-    }
-    int mass_block() const override { return inner_->mass_block(); }
-    void mass(const Real* q, Real* blocks) const override { inner_->mass(q, blocks); }
-    void position_residual(const Real& t, const Real* q, Real* phi) const override {
-        inner_->position_residual(t, q, phi);
-    }
-    void velocity_residual(const Real& t, const Real* q, const Real* v, Real* rate) const override {
-        inner_->velocity_residual(t, q, v, rate);
-    }
-    void jacobian(const Real& t, const Real* q, Real* C) const override { inner_->jacobian(t, q, C); }
-    void row_scale(Real* scale) const override { inner_->row_scale(scale); }
-    int bodies() const override { return inner_->bodies(); }
-    void read(const Real* y, BodyState* states) const override { inner_->read(y, states); }
-    void write(const BodyState* states, Real* y) const override { inner_->write(states, y); }
-    Status begin_step(const Real& t, const Real& h, const Real* y) override { return inner_->begin_step(t, h, y); }
-    Status end_step(Status result, const Real& t, Real* y) override { return inner_->end_step(result, t, y); }
-    void read_angles(const Real* q, SpringAngle* angles) const override { inner_->read_angles(q, angles); }
-
-  protected:
-    std::unique_ptr<System> inner_;
-};
 
 class AbsoluteProjection final : public Projection {
   public:
@@ -72,16 +38,18 @@ class AbsoluteProjection final : public Projection {
 };
 
 /// In SO3xR3. The model's own torsion springs have been taken away; theirs act here, between the ground and a body.
-class ForgetfulSprings final : public Forwarding {
+class ForgetfulSprings final : public ForwardingSystem {
   public:
     ForgetfulSprings(std::unique_ptr<System> inner, std::vector<TorsionSpring> springs)
-        : Forwarding(std::move(inner)), springs_(std::move(springs)), states_(static_cast<std::size_t>(bodies())) {}
+        : ForwardingSystem(std::move(inner)),
+          springs_(std::move(springs)),
+          states_(static_cast<std::size_t>(bodies())) {}
 
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
         VecX torques = VecX::Zero(velocities()), none = VecX::Zero(constraints()), more(velocities());
         std::vector<Real> y(q, q + state_group().size());
         std::copy_n(v, velocities(), this->v(y.data()));
-        inner_->read(y.data(), states_.data());
+        inner().read(y.data(), states_.data());
         for (const TorsionSpring& spring : springs_) {
             const BodyState& s = states_[static_cast<std::size_t>(spring.second)];
             const Vec3 first = s.R * spring.axes_second.col(0), axis = spring.axes_first.col(2);
@@ -89,9 +57,9 @@ class ForgetfulSprings final : public Forwarding {
             const Real torque = -spring.stiffness * (theta - spring.angle) - spring.damping * axis.dot(s.R * s.omega);
             torques.segment<3>(6 * spring.second + 3) += s.R.transpose() * axis * torque;
         }
-        const Status status = inner_->solve_kkt(t, q, torques.data(), none.data(), more.data(), nullptr);
+        const Status status = inner().solve_kkt(t, q, torques.data(), none.data(), more.data(), nullptr);
         if (status != Status::ok) return status;
-        const Status answer = inner_->accelerations(t, q, v, dv, lambda);
+        const Status answer = inner().accelerations(t, q, v, dv, lambda);
         Eigen::Map<VecX>(dv, velocities()) += more;
         return answer;
     }
@@ -101,13 +69,13 @@ class ForgetfulSprings final : public Forwarding {
     std::vector<BodyState> states_;
 };
 
-class ReversedRollingRow final : public Forwarding {
+class ReversedRollingRow final : public ForwardingSystem {
   public:
     ReversedRollingRow(std::unique_ptr<System> inner, const Model& model)
-        : Forwarding(std::move(inner)), model_(model) {}
+        : ForwardingSystem(std::move(inner)), model_(model) {}
 
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
-        const Status status = inner_->accelerations(t, q, v, dv, lambda);
+        const Status status = inner().accelerations(t, q, v, dv, lambda);
         std::size_t row = 0;
         for (const Joint& joint : model_.joints) {
             if (joint.type == "rolling" && lambda) lambda[row] = -lambda[row];

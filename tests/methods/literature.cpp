@@ -90,7 +90,7 @@ TEST_CASE("on a pivoted body the formulations give the same rotation at equal h"
     for (const Method& entry : methods()) {
         if (!entry.description.formulations.empty() || entry.description.own_multipliers) continue;
         std::vector<std::vector<BodyState>> ends;
-        for (const char* formulation : {"SO3", "SO3xR3", "SE3"}) {
+        for (const char* formulation : {"SO3", "S3", "SO3xR3", "SE3"}) {
             Trip trip(standard("forced_heavy_top"), formulation, entry);
             REQUIRE(trip.run(1, 256) == Status::ok);
             ends.push_back(trip.bodies());

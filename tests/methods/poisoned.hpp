@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "mechanics/system.hpp"
+#include "tests/judges/forwarding_system.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -13,60 +13,69 @@ inline namespace KREISEL_PRECISION {
 inline const Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 inline const Real infinite = std::numeric_limits<Real>::infinity();
 
-class PoisonedSystem final : public System {
+class PoisonedSystem final : public ForwardingSystem {
   public:
     enum class What { nothing, acceleration, mass, applied, gyroscopic, position, velocity, jacobian };
 
-    explicit PoisonedSystem(System& healthy)
-        : System(std::shared_ptr<const Group>(std::shared_ptr<void>(), &healthy.group())), healthy_(healthy) {}
+    /// `healthy` outlives this object.
+    explicit PoisonedSystem(System& healthy) : ForwardingSystem(healthy) {}
 
     What what = What::nothing;
     Real poison = 0;
 
-    int constraints() const override { return healthy_.constraints(); }
-    int mass_block() const override { return healthy_.mass_block(); }
-    void row_scale(Real* scale) const override { healthy_.row_scale(scale); }
-    void position_scale(const Real* q, Real* size) const override { healthy_.position_scale(q, size); }
     /// A system that meets NaN reports it.
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
-        const Status status = healthy_.accelerations(t, q, v, dv, lambda);
+        const Status status = ForwardingSystem::accelerations(t, q, v, dv, lambda);
         return what == What::acceleration ? Status::non_finite : status;
-    }
-    Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override {
-        return healthy_.solve_kkt(t, q, f, c, a, lambda);
     }
     bool mass_is_constant() const override { return false; }
     void mass(const Real* q, Real* blocks) const override {
-        healthy_.mass(q, blocks);
+        ForwardingSystem::mass(q, blocks);
         spoil(What::mass, blocks, velocities() * mass_block());
     }
     void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override {
-        healthy_.applied_force(t, q, v, f);
+        ForwardingSystem::applied_force(t, q, v, f);
         spoil(What::applied, f, velocities());
     }
     void gyroscopic_force(const Real* q, const Real* v, Real* f) const override {
-        healthy_.gyroscopic_force(q, v, f);
+        ForwardingSystem::gyroscopic_force(q, v, f);
         spoil(What::gyroscopic, f, velocities());
     }
     void position_residual(const Real& t, const Real* q, Real* phi) const override {
-        healthy_.position_residual(t, q, phi);
+        ForwardingSystem::position_residual(t, q, phi);
         spoil(What::position, phi, constraints());
     }
     void velocity_residual(const Real& t, const Real* q, const Real* v, Real* residual) const override {
-        healthy_.velocity_residual(t, q, v, residual);
+        ForwardingSystem::velocity_residual(t, q, v, residual);
         spoil(What::velocity, residual, constraints());
     }
     void jacobian(const Real& t, const Real* q, Real* C) const override {
-        healthy_.jacobian(t, q, C);
+        ForwardingSystem::jacobian(t, q, C);
         spoil(What::jacobian, C, constraints() * velocities());
+    }
+
+    // From the matrices and forces above, poison included.
+    void solve_mass(const Real* q, const Real* f, Real* a) const override { System::solve_mass(q, f, a); }
+    void apply_jacobian(const Real& t, const Real* q, const Real* v, Real* product) const override {
+        System::apply_jacobian(t, q, v, product);
+    }
+    void apply_jacobian_transpose(const Real& t, const Real* q, const Real* lambda, Real* f) const override {
+        System::apply_jacobian_transpose(t, q, lambda, f);
+    }
+    void complement_diagonal(const Real& t, const Real* q, Real* diagonal) const override {
+        System::complement_diagonal(t, q, diagonal);
+    }
+    void conservative_force(const Real& t, const Real* q, Real* f) const override {
+        System::conservative_force(t, q, f);
+    }
+    void dissipative_force(const Real& t, const Real* q, const Real* v, Real* f) const override {
+        System::dissipative_force(t, q, v, f);
     }
 
   private:
     void spoil(What which, Real* values, int count) const {
         if (what == which) values[count - 1] = poison;
     }
-
-    System& healthy_;
 };
 
 }  // namespace KREISEL_PRECISION

@@ -37,7 +37,8 @@ inline bool spins_fast(const Model& model) {
                        [](const Body& body) { return body.start.omega.norm() > 50; });
 }
 
-/// A method, a projection and a system, stepping.
+/// A method, a projection and a system, stepping. Its parts are open, where those of a Simulation are not: tests repeat
+/// steps, spoil states between them, exchange the projection, and look at states that a SingularPassage would refuse.
 struct Trip {
     Trip(const Model& m, const std::string& formulation, const Method& method, const OptionValues& options,
          const std::string& projector = "none", const OptionValues& projection_options = {})

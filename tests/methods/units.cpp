@@ -78,23 +78,10 @@ bool same(const std::vector<BodyState>& here, const std::vector<BodyState>& ther
 }
 
 /// A system whose row scales are all one metre, whatever the mechanism.
-class InMetres final : public System {
+class InMetres final : public ForwardingSystem {
   public:
-    explicit InMetres(System& true_one)
-        : System(std::shared_ptr<const Group>(std::shared_ptr<void>(), &true_one.group())), true_(true_one) {}
-    int constraints() const override { return true_.constraints(); }
-    Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
-        return true_.accelerations(t, q, v, dv, lambda);
-    }
-    Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override {
-        return true_.solve_kkt(t, q, f, c, a, lambda);
-    }
-    void position_residual(const Real& t, const Real* q, Real* phi) const override {
-        true_.position_residual(t, q, phi);
-    }
-
-  private:
-    System& true_;
+    using ForwardingSystem::ForwardingSystem;
+    void row_scale(Real* scale) const override { System::row_scale(scale); }
 };
 
 /// Largest position row relative to its scale after the projection of a parallelogram moved off its joints by 1e-5 of

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "mechanics/start.hpp"
+#include "tests/judges/forwarding_system.hpp"
 #include "tests/problems/states.hpp"
 
 using namespace kreisel;
@@ -20,6 +21,9 @@ enum class Fault {
     velocity_row,        ///< a velocity row is not C v + b
     bias_missing,        ///< xi without its centripetal term
     force_sign,          ///< the applied force is reversed
+    damping_sign,        ///< the dissipative force is reversed
+    conservative_off,    ///< the conservative force is off by 1e-6 relative
+    dampers_denied,      ///< the system says that it has none
     gyroscopic_missing,  ///< no gyroscopic term
     multiplier_sign,     ///< lambda of the other convention
     acceleration_off,    ///< v' is off by 1e-6 relative
@@ -27,78 +31,75 @@ enum class Fault {
 };
 
 /// A system of the library except for the fault.
-class Broken final : public System {
+class Broken final : public ForwardingSystem {
   public:
     Broken(const Model& model, const std::string& formulation, Fault fault)
-        : Broken(make_system(model, formulation), fault) {}
+        : ForwardingSystem(make_system(model, formulation)), fault_(fault) {
+        if (fault == Fault::integral_drifts) declare_height_constant();
+    }
 
-    int constraints() const override { return inner_->constraints(); }
     Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
-        const Status status = inner_->accelerations(t, q, v, dv, lambda);
+        const Status status = ForwardingSystem::accelerations(t, q, v, dv, lambda);
         if (fault_ == Fault::acceleration_off) dv[velocities() - 1] *= 1 + Real(1) / 1000000;
         if (lambda && fault_ == Fault::multiplier_sign) Eigen::Map<VecX>(lambda, constraints()) *= -1;
         return status;
     }
-    int mass_block() const override { return inner_->mass_block(); }
     void mass(const Real* q, Real* blocks) const override {
-        inner_->mass(q, blocks);
+        ForwardingSystem::mass(q, blocks);
         if (fault_ == Fault::mass_asymmetric) blocks[1] += Real(1) / 1000;
         if (fault_ == Fault::mass_indefinite) blocks[mass_block() * mass_block() - 1] *= -1;
     }
     void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override {
-        inner_->applied_force(t, q, v, f);
+        ForwardingSystem::applied_force(t, q, v, f);
         if (fault_ == Fault::force_sign) Eigen::Map<VecX>(f, velocities()) *= -1;
     }
+    void conservative_force(const Real& t, const Real* q, Real* f) const override {
+        ForwardingSystem::conservative_force(t, q, f);
+        if (fault_ == Fault::conservative_off) Eigen::Map<VecX>(f, velocities()) *= 1 + Real(1) / 1000000;
+    }
+    void dissipative_force(const Real& t, const Real* q, const Real* v, Real* f) const override {
+        ForwardingSystem::dissipative_force(t, q, v, f);
+        if (fault_ == Fault::damping_sign) Eigen::Map<VecX>(f, velocities()) *= -1;
+    }
+    bool is_dissipative() const override {
+        return fault_ != Fault::dampers_denied && ForwardingSystem::is_dissipative();
+    }
     void gyroscopic_force(const Real* q, const Real* v, Real* f) const override {
-        inner_->gyroscopic_force(q, v, f);
+        ForwardingSystem::gyroscopic_force(q, v, f);
         if (fault_ == Fault::gyroscopic_missing) Eigen::Map<VecX>(f, velocities()).setZero();
     }
-    void position_residual(const Real& t, const Real* q, Real* phi) const override {
-        inner_->position_residual(t, q, phi);
-    }
     void jacobian(const Real& t, const Real* q, Real* C) const override {
-        inner_->jacobian(t, q, C);
+        ForwardingSystem::jacobian(t, q, C);
         Real& entry = C[4 * constraints()];  // of the rotation columns
         if (fault_ == Fault::jacobian_sign) entry = -entry;
         if (fault_ == Fault::jacobian_small) entry *= 1 + Real(1) / 1000000;
     }
-    void velocity_bias(const Real& t, const Real* q, Real* b) const override { inner_->velocity_bias(t, q, b); }
     void velocity_residual(const Real& t, const Real* q, const Real* v, Real* r) const override {
-        inner_->velocity_residual(t, q, v, r);
+        ForwardingSystem::velocity_residual(t, q, v, r);
         if (fault_ == Fault::velocity_row) r[0] += v[3] / 1000;
     }
     void acceleration_bias(const Real& t, const Real* q, const Real* v, Real* xi) const override {
-        inner_->acceleration_bias(t, q, v, xi);
+        ForwardingSystem::acceleration_bias(t, q, v, xi);
         if (fault_ == Fault::bias_missing) Eigen::Map<VecX>(xi, constraints()).setZero();
     }
-    bool has_potential() const override { return inner_->has_potential(); }
-    Real potential(const Real& t, const Real* q) const override { return inner_->potential(t, q); }
-    int bodies() const override { return inner_->bodies(); }
-    void read(const Real* y, BodyState* bodies) const override { inner_->read(y, bodies); }
-    void write(const BodyState* bodies, Real* y) const override { inner_->write(bodies, y); }
 
   private:
-    Broken(std::unique_ptr<System> inner, Fault fault)
-        : System(std::shared_ptr<const Group>(&inner->group(), [](const Group*) {})),
-          inner_(std::move(inner)),
-          fault_(fault) {
-        auto integrals = inner_->integrals();
-        if (fault == Fault::integral_drifts)
-            integrals.push_back({"height", "m", "none", [](const MotionState& s) { return s.bodies[0].x[2]; },
-                                 [](const MotionState&) { return Real(1); }});
-        set_integrals(std::move(integrals));
+    void declare_height_constant() {
+        auto all = integrals();
+        all.push_back({"height", "m", "none", [](const MotionState& s) { return s.bodies[0].x[2]; },
+                       [](const MotionState&) { return Real(1); }});
+        set_integrals(std::move(all));
     }
 
-    std::unique_ptr<System> inner_;
     Fault fault_;
 };
 
 using Check = std::string (*)(System&, const At&);
 
-/// Whether `check` complains about the fault at some state of the double pendulum. (A top on a joint to ground has
-/// xi = 0 on SE3, and one with its lever along an axis has zeros in C: such faults would not be faults.)
-bool rejects(Check check, Fault fault, const std::string& formulation) {
-    const Model model = models::standard("double_pendulum");
+/// Whether `check` complains about the fault at some state of a model, the double pendulum as a rule. (A top on a joint
+/// to ground has xi = 0 on SE3, and one with its lever along an axis has zeros in C: such faults would not be faults.)
+bool rejects(Check check, Fault fault, const std::string& formulation,
+             const Model& model = models::standard("double_pendulum")) {
     Broken system(model, formulation, fault);
     for (const states::Pose& pose : states::poses(model, 4))
         if (!check(system, states::in_coordinates(system, pose)).empty()) return true;
@@ -136,6 +137,19 @@ TEST_CASE("every check rejects a system with a fault, and only that", "[problems
                 CHECK(rejects(control.check, fault, formulation));
             }
         }
+}
+
+TEST_CASE("a wrong part of a force is rejected", "[problems][control]") {
+    const Model model = models::damped("revolute");
+    for (const char* formulation : {"SO3xR3", "SE3"}) {
+        INFO(formulation);
+        CHECK_FALSE(rejects(force_parts_add_up, Fault::none, formulation, model));
+        for (const Fault fault :
+             {Fault::force_sign, Fault::damping_sign, Fault::conservative_off, Fault::dampers_denied}) {
+            INFO("fault " << static_cast<int>(fault));
+            CHECK(rejects(force_parts_add_up, fault, formulation, model));
+        }
+    }
 }
 
 TEST_CASE("formulations that differ are rejected", "[problems][control]") {

@@ -44,6 +44,7 @@ TEST_CASE("the velocity rows are C v + b with b = dPhi/dt", "[problems]") { hold
 TEST_CASE("C v' - xi is the derivative of C v + b", "[problems]") { holds(bias_is_derivative); }
 TEST_CASE("accelerations and multipliers solve the index-1 system", "[problems]") { holds(accelerations_solve_kkt); }
 TEST_CASE("the applied force is minus the gradient of the potential", "[problems]") { holds(force_is_gradient); }
+TEST_CASE("forces are conservative and dissipative ones", "[problems]") { holds(force_parts_add_up); }
 TEST_CASE("first integrals are constant along the exact field", "[problems]") { holds(integrals_are_constant); }
 
 TEST_CASE("every problem starts on its joints", "[problems]") {

@@ -80,11 +80,14 @@ class Shift final : public Group {
     void inverse(const Real*, Real*) const override {}
     void log(const Real*, Real*) const override {}
     void Ad(const Real*, const Real*, Real*) const override {}
+    void coAd(const Real*, const Real*, Real*) const override {}
     void dexp(const Real*, const Real*, Real*) const override {}
     void append_exp(const Real*, const Real*, Real*) const override {}
     void append_cay(const Real*, const Real*, Real*) const override {}
     bool dexpinv_left(const Real*, const Real*, Real*) const override { return true; }
     void dcayinv_left(const Real*, const Real*, Real*) const override {}
+    bool dexpinv_left_transpose(const Real*, const Real*, Real*) const override { return true; }
+    void dcayinv_left_transpose(const Real*, const Real*, Real*) const override {}
     Real orthogonality_defect(const Real*) const override { return 0; }
 };
 

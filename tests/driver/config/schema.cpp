@@ -144,8 +144,10 @@ std::vector<json> shipped_configs() {
             "figure": [{"kind": "drift", "title": "t", "select": {"formulation": "SE3", "steps": [2, 4]},
                         "metric": ["defect.position"], "facet": "method", "columns": 3},
                        {"kind": "invariants", "name": "energy", "relative": true},
-                       {"kind": "components", "name": "c", "body": "top", "until": 0.5, "quantity": "omega", "stacked": true},
-                       {"kind": "motion", "name": "m", "view": [60, 30], "instants": 5, "radius": 1, "lever": [0, 0, 1]}]})"),
+                       {"kind": "components", "name": "c", "body": "top", "until": 0.5, "quantity": "omega",
+                        "stacked": true},
+                       {"kind": "motion", "name": "m", "view": [60, 30], "instants": 5, "radius": 1,
+                        "lever": [0, 0, 1]}]})"),
                                  mechanism_with("/project_initial", "true"),
                                  mechanism_with("/joints/0", R"({"type": "rolling", "between": ["ground", "rod"],
         "points": [[0, 0, 0], [0, 0, 1]], "axes": [[0, 0, 1], [1, 0, 0]], "radius": 1})")};

@@ -169,6 +169,23 @@ std::string force_is_gradient(System& s, const At& at) {
     return "";
 }
 
+std::string force_parts_add_up(System& s, const At& at) {
+    const int n = s.velocities();
+    const VecX v = Eigen::Map<const VecX>(velocity(s, at), n), rest = VecX::Zero(n);
+    VecX applied(n), at_rest(n), conservative(n), dissipative(n);
+    s.applied_force(at.t, at.y.data(), v.data(), applied.data());
+    s.applied_force(at.t, at.y.data(), rest.data(), at_rest.data());
+    s.conservative_force(at.t, at.y.data(), conservative.data());
+    s.dissipative_force(at.t, at.y.data(), v.data(), dissipative.data());
+    const Real size = conservative.norm() + dissipative.norm();
+    const std::string complaint =
+        compare("the sum of both parts", conservative + dissipative, applied, tolerance, size);
+    if (!complaint.empty()) return complaint;
+    if (conservative != at_rest) return "the conservative part is not what acts at rest";
+    if (!s.is_dissipative()) return dissipative.isZero(0) ? "" : "a dissipative force without dampers";
+    return dissipative.dot(v) <= tolerance * dissipative.norm() * v.norm() ? "" : "dampers feed energy in";
+}
+
 std::string integrals_are_constant(System& s, const At& at) {
     const int n = s.velocities();
     const VecX v = Eigen::Map<const VecX>(velocity(s, at), n);

@@ -31,6 +31,9 @@ std::string bias_is_derivative(System& s, const At& at);
 std::string accelerations_solve_kkt(System& s, const At& at);
 /// Without constraints, the applied force is minus the left derivative of the potential, where there is one.
 std::string force_is_gradient(System& s, const At& at);
+/// The applied force is its conservative part, which acts at rest, and a dissipative one, which takes energy out and is
+/// zero where there are no dampers.
+std::string force_parts_add_up(System& s, const At& at);
 /// Every first integral has a vanishing derivative along the vector field. Meant for states that satisfy the joints.
 std::string integrals_are_constant(System& s, const At& at);
 

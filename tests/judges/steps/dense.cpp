@@ -23,6 +23,12 @@ MatX skew(const VecX& w) {
     return W - MatX(W.transpose());
 }
 
+/// Of a quaternion stored as (w, v): R = I + 2 w hat(v) + 2 hat(v)^2.
+MatX rotation_of(const Real* q) {
+    const MatX V = skew(Eigen::Map<const VecX>(q + 1, 3));
+    return MatX::Identity(3, 3) + MatX(2 * q[0] * V) + 2 * MatX(V * V);
+}
+
 /// Bernoulli numbers B_0 ... B_n with B_1 = -1/2, from sum_{k<=m} binomial(m+1, k) B_k = 0.
 std::vector<Real> bernoulli(int n) {
     std::vector<Real> B = {1};
@@ -72,13 +78,18 @@ MatrixGroup matrix_so3xr3() {
             .matrix = matrix};
 }
 
+MatrixGroup matrix_s3() {
+    MatrixGroup group = matrix_so3();
+    group.name = "S3", group.group = std::make_shared<Power<S3>>(1), group.matrix = rotation_of;
+    return group;
+}
+
 MatrixGroup matrix_s3xr3() {
     MatrixGroup group = matrix_so3xr3();
-    const auto matrix = [](const Real* q) {  // stored x, then (w, v): R = I + 2 w hat(v) + 2 hat(v)^2
+    const auto matrix = [](const Real* q) {  // stored x, then a quaternion
         MatX g = MatX::Identity(7, 7);
-        const MatX V = skew(Eigen::Map<const VecX>(q + 4, 3));
         g.block(3, 6, 3, 1) = Eigen::Map<const Vec3>(q);
-        g.topLeftCorner(3, 3) += 2 * q[3] * V + 2 * MatX(V * V);
+        g.topLeftCorner(3, 3) = rotation_of(q + 3);
         return g;
     };
     group.name = "S3xR3", group.group = std::make_shared<Power<Pair<Rn<3>, S3>>>(1), group.matrix = matrix;

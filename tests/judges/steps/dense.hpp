@@ -27,6 +27,7 @@ struct MatrixGroup {
 MatrixGroup matrix_so3();
 MatrixGroup matrix_so3xr3();
 /// Rotations by the matrices of their quaternions.
+MatrixGroup matrix_s3();
 MatrixGroup matrix_s3xr3();
 MatrixGroup matrix_se3();
 

@@ -13,7 +13,7 @@ inline namespace KREISEL_PRECISION {
 namespace {
 
 MatrixGroup matrix_group(const std::string& formulation) {
-    for (const MatrixGroup& group : {matrix_so3(), matrix_so3xr3(), matrix_s3xr3(), matrix_se3()})
+    for (const MatrixGroup& group : {matrix_so3(), matrix_s3(), matrix_so3xr3(), matrix_s3xr3(), matrix_se3()})
         if (group.name == formulation) return group;
     throw std::out_of_range("no dense matrices for formulation " + formulation);
 }

@@ -6,6 +6,7 @@
 #include "mechanics/formulation.hpp"
 #include "mechanics/joints/joint_rows.hpp"
 #include "mechanics/model/scales.hpp"
+#include "methods/simulation.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -13,43 +14,47 @@ namespace metamorphic {
 
 namespace {
 
+SimulationParts simulation_parts(const Model& model, const Combination& combination, const Bench& bench) {
+    auto system = bench.system(model, combination.formulation);
+    auto integrator = bench.integrator(*system, combination);
+    auto projection = bench.projection(*system, combination);
+    return {std::move(system), std::move(integrator), std::move(projection)};
+}
+
 /// A run in progress.
 class Run {
   public:
     Run(const Model& model, const Combination& combination, const Bench& bench)
         : model_(model),
-          system_(bench.system(model, combination.formulation)),
-          integrator_(bench.integrator(*system_, combination)),
-          projection_(bench.projection(*system_, combination)),
-          y_(initial_state(*system_, model)),
-          lambda_(static_cast<std::size_t>(system_->constraints())) {
+          simulation_(model, simulation_parts(model, combination, bench)),
+          system_(simulation_.system()),
+          lambda_(static_cast<std::size_t>(system_.constraints())) {
         outcome_.bodies.resize(model.bodies.size());
         observe();
     }
 
     Outcome advance(const Span& span) {
-        Status status = integrator_->start(0, y_.data());
+        Status status = simulation_.restart();
         for (int i = 0; i < span.steps && status == Status::ok; ++i) {
-            if (span.restart && 2 * i == span.steps) status = integrator_->start(span.h * i, y_.data());
-            if (status == Status::ok) status = integrator_->step(span.h * i, span.h, y_.data());
-            if (status == Status::ok) status = projection_->project(span.h * (i + 1), y_.data());
+            if (span.restart && 2 * i == span.steps) status = simulation_.restart();
+            if (status == Status::ok) status = simulation_.step(span.h, span.h * (i + 1));
             observe();
         }
-        if (status == Status::ok) status = find_multipliers(span.h * span.steps);
+        if (status == Status::ok) status = find_multipliers(simulation_.time());
         if (status != Status::ok) outcome_.failure = name(status);
-        if (status == Status::ok) act(span.h * span.steps);
-        std::vector<SpringAngle> springs(static_cast<std::size_t>(system_->torsion_springs()));
-        system_->read_angles(y_.data(), springs.data());
+        if (status == Status::ok) act(simulation_.time());
+        std::vector<SpringAngle> springs(static_cast<std::size_t>(system_.torsion_springs()));
+        system_.read_angles(simulation_.q(), springs.data());
         std::vector<Real> angles;
         for (const SpringAngle& spring : springs) angles.push_back(spring.theta);
-        for (const FirstIntegral& integral : system_->integrals())
+        for (const FirstIntegral& integral : system_.integrals())
             outcome_.integrals[integral.name] = integral.value({outcome_.bodies, angles});
         return std::move(outcome_);
     }
 
   private:
     void observe() {
-        system_->read(y_.data(), outcome_.bodies.data());
+        system_.read(simulation_.q(), outcome_.bodies.data());
         Sizes& sizes = outcome_.sizes;
         for (const BodyState& s : outcome_.bodies) {
             sizes.x = max(sizes.x, Real(s.x.norm())), sizes.v = max(sizes.v, Real(s.v.norm()));
@@ -59,19 +64,19 @@ class Run {
 
     Status find_multipliers(const Real& t) {
         if (lambda_.empty()) return Status::ok;
-        if (const Real* own = integrator_->multipliers()) {
+        if (const Real* own = simulation_.multipliers()) {
             std::copy_n(own, lambda_.size(), lambda_.begin());
             return Status::ok;
         }
-        std::vector<Real> dv(static_cast<std::size_t>(system_->velocities()));
-        return system_->accelerations(t, y_.data(), system_->v(y_.data()), dv.data(), lambda_.data());
+        std::vector<Real> dv(static_cast<std::size_t>(system_.velocities()));
+        return system_.accelerations(t, simulation_.q(), simulation_.v(), dv.data(), lambda_.data());
     }
 
     /// The wrench of each joint on its bodies: minus its part of C^T lambda. Rows without a position level come last.
     void act(const Real& t) {
         outcome_.totals.resize(model_.bodies.size());
         if (lambda_.empty()) return;
-        std::size_t position = 0, velocity = static_cast<std::size_t>(system_->position_constraints());
+        std::size_t position = 0, velocity = static_cast<std::size_t>(system_.position_constraints());
         JointRows rows;
         for (const Joint& joint : model_.joints) {
             write_rows(joint, t, motion_of(outcome_.bodies, joint.first), motion_of(outcome_.bodies, joint.second),
@@ -98,10 +103,9 @@ class Run {
     }
 
     const Model& model_;
-    std::unique_ptr<System> system_;
-    std::unique_ptr<Integrator> integrator_;
-    std::unique_ptr<Projection> projection_;
-    std::vector<Real> y_, lambda_;
+    Simulation simulation_;
+    System& system_;
+    std::vector<Real> lambda_;
     Outcome outcome_;
 };
 

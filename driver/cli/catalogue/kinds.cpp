@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "driver/cli/kinds.hpp"
+#include "driver/cli/catalogue/kinds.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include "driver/cli/rows.hpp"
+#include "driver/cli/catalogue/rows.hpp"
 #include "driver/config/registry.hpp"
 #include "plots/figures/kind.hpp"
 #include "plots/tables/table.hpp"

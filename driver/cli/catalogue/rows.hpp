@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Names with a text each, below a title.
+// Names with a text each, below a title; sources.
 #pragma once
 
 #include <iosfwd>
@@ -14,6 +14,9 @@ using NamedText = std::pair<std::string, std::string>;
 
 /// The names in a column, the texts beside them.
 void print_rows(std::ostream& out, const std::string& title, const std::vector<NamedText>& rows);
+
+/// The keys of a bibliography; nothing if there are none.
+void print_sources(std::ostream& out, const std::vector<std::string>& keys);
 
 /// Of descriptions with `name` and `summary`.
 template <class Description>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "driver/cli/configs.hpp"
+#include "driver/cli/catalogue/configs.hpp"
 
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "driver/cli/rows.hpp"
+#include "driver/cli/catalogue/rows.hpp"
 #include "driver/config/shipped.hpp"
 #include "records/json/diagnostics.hpp"
 #include "records/json/strict.hpp"

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/cli/catalogue/methods.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include "driver/config/options.hpp"
+#include "records/json/writer.hpp"
+
+namespace kreisel {
+
+namespace {
+
+std::string order_text(const Order& order) {
+    if (order == Order(order.configuration)) { return fmt::format("order {}", order.configuration); }
+    return fmt::format("order {} (configuration), {} (velocity), {} (multipliers)", order.configuration, order.velocity,
+                       order.multipliers);
+}
+
+void print_options(std::ostream& out, const std::vector<OptionDescription>& options) {
+    std::vector<NamedText> rows;
+    rows.reserve(options.size());
+    for (const OptionDescription& option : options) {
+        rows.emplace_back(option.name, fmt::format("{}: {} (default {})", option.summary, allowed_values(option),
+                                                   json_value(option.standard)));
+    }
+    if (rows.empty()) {
+        fmt::print(out, "Options: none\n");
+    } else {
+        print_rows(out, "Options", rows);
+    }
+}
+
+std::string stepping_text(const MethodDescription& method) {
+    if (method.implicit) { return "implicit, solved by Newton iteration"; }
+    return fmt::format("explicit, solves of the dynamics per step: {}", method.stages);
+}
+
+}  // namespace
+
+std::vector<NamedText> method_rows(const std::vector<MethodDescription>& methods) {
+    std::vector<NamedText> rows;
+    rows.reserve(methods.size());
+    for (const MethodDescription& method : methods) {
+        rows.emplace_back(method.name, fmt::format("{}; {}", order_text(method.order), method.summary));
+    }
+    return rows;
+}
+
+void describe_method(const MethodDescription& method, std::ostream& out) {
+    fmt::print(out, "{}: {}\n", method.name, method.summary);
+    print_sources(out, method.cites);
+    fmt::print(out, "{}; {}{}{}\n", order_text(method.order), stepping_text(method),
+               method.symmetric ? "; symmetric" : "",
+               method.own_multipliers ? "; multipliers are its own unknowns, projections do not apply" : "");
+    print_options(out, method.options);
+}
+
+void describe_projection(const ProjectionDescription& projection, std::ostream& out) {
+    fmt::print(out, "{}: {}\n", projection.name, projection.summary);
+    print_sources(out, projection.cites);
+    print_options(out, projection.options);
+}
+
+}  // namespace kreisel

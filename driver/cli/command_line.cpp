@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/cli/command_line.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <sstream>
+#include <thread>
+#include <vector>
+
+#include "driver/cli/catalogue.hpp"
+#include "driver/cli/merge.hpp"
+#include "driver/cli/suggestions.hpp"
+#include "driver/cli/verify.hpp"
+#include "driver/config/schema.hpp"
+#include "kreisel_build.hpp"
+#include "plots/plot.hpp"
+#include "plots/table.hpp"
+#include "records/json/diagnostics.hpp"
+#include "records/provenance.hpp"
+
+namespace kreisel {
+
+namespace {
+
+constexpr const char* description =
+    "kreisel: a testbed for Lie-group integrators of constrained multibody systems.\n"
+    "An experiment is one JSON file that crosses problems, formulations, methods, projections and step sizes.\n"
+    "Start with: kreisel list, then kreisel info heavy_top, then kreisel run orders_heavy_top";
+
+constexpr const char* config_help =
+    "JSON files, or names of configs that come with kreisel: NAME is NAME.json\n"
+    "in or below $KREISEL_EXPERIMENTS, by default experiments/ of the sources\n"
+    "kreisel was built from. A file of that path comes first.";
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed, a figure could not be drawn, or "
+    "results\n"
+    "differ (verify, diff);\n"
+    "2 bad config or usage, nothing was run; 3 a file or folder could not be read or written, or is damaged;\n"
+    "4 internal error; 130 interrupted.";
+
+// "I/N".
+void read_shard(const std::string& written, RunSettings& settings) {
+    std::size_t shard = 0, shards = 0;
+    char slash = 0, rest = 0;
+    std::istringstream text(written);
+    const bool good = text >> shard >> slash >> shards && slash == '/' && !(text >> rest);
+    if (!good || shard < 1 || shard > shards || written.find('-') != std::string::npos) {
+        throw UsageError(fmt::format("--shard: expected I/N with 1 <= I <= N, got {}", in_quotes(written)));
+    }
+    settings.shard = shard;
+    settings.shards = shards;
+}
+
+}  // namespace
+
+CommandLine::CommandLine(const Engines& engines, const Terminal& terminal)
+    : engines_(engines), terminal_(terminal), app_(description, "kreisel") {
+    app_.require_subcommand(1);
+    app_.footer(exit_codes);
+    app_.set_version_flag("--version", fmt::format("kreisel {} (commit {}, {}, {} {})", build::version, build::commit,
+                                                   build::compiler, build::build_type, build::flags));
+    add_catalogue();
+    add_planning();
+    add_run();
+    add_results();
+    add_diff();
+}
+
+Exit CommandLine::run(int argc, const char* const* argv) {
+    try {
+        app_.parse(argc, argv);
+    } catch (const CLI::Success& success) {  // --help, --version
+        app_.exit(success, terminal_.out, terminal_.messages);
+        return Exit::ok;
+    } catch (const CLI::ParseError& error) {
+        if (argc > 1 && argv[1][0] != '-') { require_command(app_, argv[1]); }
+        const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+        throw UsageError(
+            fmt::format("{}{}\nRun with --help for more information.", error.what(), suggestion(app_, words)));
+    }
+    return action_();
+}
+
+CLI::App* CommandLine::command(const std::string& name, const std::string& text, Action action) {
+    CLI::App* sub = app_.add_subcommand(name, text);
+    sub->callback([this, action = std::move(action)] { action_ = action; });
+    return sub;
+}
+
+void CommandLine::add_catalogue() {
+    CLI::App* list = command(
+        "list", "What there is: problems, methods, projections, formulations, metrics, kinds, figures, tables, configs",
+        [this] {
+            list_topic(engines_.binary64, arguments_.topic, terminal_.out);
+            return Exit::ok;
+        });
+    list->add_option("topic", arguments_.topic, "One of them; all if left out")
+        ->check(CLI::IsMember(catalogue_topics()));
+    CLI::App* info = command(
+        "info", "All about one problem, method, projection, formulation, metric, kind, figure or table", [this] {
+            describe(engines_.binary64, arguments_.name, terminal_.out);
+            return Exit::ok;
+        });
+    info->add_option("name", arguments_.name, "Its name, as kreisel list shows it")->required();
+    command("schema", "The JSON Schema (draft-07) of a config, for editors and checkers", [this] {
+        terminal_.out << config_schema(Registry(engines_.binary64)).dump(2) << "\n";
+        return Exit::ok;
+    });
+}
+
+void CommandLine::add_planning() {
+    CLI::App* check = command("check", "Checks configs and their physics without running anything",
+                              [this] { return check_command(arguments_.configs, engines_, terminal_); });
+    check->add_option("config", arguments_.configs, config_help)->required();
+    CLI::App* plan = command("plan", "Shows the cells a config leads to, and why some are skipped", [this] {
+        return plan_command(arguments_.configs.front(), arguments_.json, engines_, terminal_);
+    });
+    plan->add_option("config", arguments_.configs, config_help)->required()->expected(1);
+    plan->add_flag("--json", arguments_.json, "Print JSON instead of a table");
+}
+
+void CommandLine::add_run() {
+    CLI::App* run =
+        command("run", "Runs configs: one journal line per finished cell, then results.jsonl and results.csv", [this] {
+            read_shard(arguments_.shard, arguments_.settings);
+            arguments_.settings.build = build_id();
+            arguments_.settings.terminal = isatty(STDERR_FILENO) != 0;
+            return run_command(arguments_.configs, arguments_.output, arguments_.settings, engines_, terminal_);
+        });
+    RunSettings& settings = arguments_.settings;
+    settings.workers = std::max(1U, std::thread::hardware_concurrency());
+    run->add_option("config", arguments_.configs, config_help)->required();
+    run->add_option(
+        "-o,--output", arguments_.output,
+        "Folder for the results (default: results/<name>); with several configs, one folder in it for each");
+    run->add_option("-j,--jobs", settings.workers, "Cells computed at the same time (default: all processors)")
+        ->check(CLI::Range(1U, 4096U));
+    CLI::Option* resume =
+        run->add_flag("--resume", settings.resume, "Keep what an earlier run of this build has finished");
+    run->add_flag("--overwrite", settings.overwrite, "Remove the results of an earlier run first")->excludes(resume);
+    run->add_option("--shard", arguments_.shard, "I/N: run only the I-th of N parts; kreisel merge puts them together");
+}
+
+void CommandLine::add_results() {
+    const auto add_folder = [this](CLI::App* sub) {
+        sub->add_option("folder", arguments_.folder, "A folder that kreisel run has written")->required();
+    };
+    CLI::App* merge = command(
+        "merge", "Puts the journals of shards together into results.jsonl and results.csv",
+        [this] { return merge_command(arguments_.folders, arguments_.output, build_id(), engines_, terminal_); });
+    merge->add_option("folder", arguments_.folders, "Folders that kreisel run --shard has written")->required();
+    merge->add_option("-o,--output", arguments_.output, "Folder for the results (default: the first folder)");
+    add_folder(command("table", "Tables from results", [this] { return table_command(arguments_.folder); }));
+    add_folder(command("plot", "Figures from results", [this] { return plot_command(arguments_.folder); }));
+    CLI::App* verify = command("verify", "Computes some cells again and compares them byte for byte", [this] {
+        return verify_command(arguments_.folder, arguments_.cells, arguments_.seed, build_id(), engines_, terminal_);
+    });
+    add_folder(verify);
+    verify->add_option("--cells", arguments_.cells, "How many, chosen at random (default: 20)");
+    verify->add_option("--seed", arguments_.seed, "Seed of that choice (default: 1)");
+}
+
+void CommandLine::add_diff() {
+    DiffSettings& settings = arguments_.diff;
+    CLI::App* diff = command("diff", "Compares the results in two folders, cell by cell",
+                             [this] { return diff_command(arguments_.diff, terminal_.out, terminal_.messages); });
+    diff->add_option("A", settings.a, "A folder that kreisel run has written")->required();
+    diff->add_option("B", settings.b, "Another one")->required();
+    diff->add_option("--csv", settings.csv, "Write every difference to this file");
+    diff->add_option("--within", settings.within,
+                     "Take final states and metrics for the same up to this fraction of the scale of their\n"
+                     "quantity in the cell, and leave out counts, constraints, references and samples");
+    diff->footer(
+        "Cells are matched by what was run, not by their hash. Times, hosts and builds are not compared.\n"
+        "Exit codes: 0 the same; 1 different; 2 bad usage; 3 a folder holds no results, or is damaged.");
+}
+
+}  // namespace kreisel

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The command line: its commands, their options, and what each calls.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "driver/cli/commands.hpp"
+#include "driver/cli/diff.hpp"
+
+namespace kreisel {
+
+class CommandLine {
+  public:
+    /// Both outlive this object.
+    CommandLine(const Engines& engines, const Terminal& terminal);
+
+    /// Carries out a command line. Throws UsageError for one that cannot be read, with the nearest name where a command
+    /// or option is mistyped, and what the command throws.
+    Exit run(int argc, const char* const* argv);
+
+  private:
+    using Action = std::function<Exit()>;
+
+    /// The values set by the command line.
+    struct Arguments {
+        std::string topic, name, shard = "1/1";
+        Paths configs, folders;
+        std::filesystem::path folder, output;
+        RunSettings settings;
+        DiffSettings diff;
+        bool json = false;
+        std::size_t cells = 20;
+        unsigned seed = 1;
+    };
+
+    CLI::App* command(const std::string& name, const std::string& text, Action action);
+    void add_catalogue();
+    void add_planning();
+    void add_run();
+    void add_results();
+    void add_diff();
+
+    const Engines& engines_;
+    const Terminal& terminal_;
+    CLI::App app_;
+    Arguments arguments_;
+    Action action_;
+};
+
+}  // namespace kreisel
