@@ -9,7 +9,11 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-const Tableau& tableau_of(const std::string& name) { return method(name).factory.scheme->tableau; }
+const Tableau& tableau_of(const std::string& name) {
+    const Scheme& scheme = *method(name).factory.scheme;
+    if (const auto* products = scheme.as<CrouchGrossmanScheme>()) return products->tableau;
+    return scheme.as<MuntheKaasScheme>()->tableau;
+}
 
 /// A control that claims to be the registered method `original`.
 Control control(const std::string& original, const std::string& fault, Factory factory, int true_order,
