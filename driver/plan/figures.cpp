@@ -7,6 +7,7 @@
 
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
+#include "records/json/diagnostics.hpp"
 #include "support/nearest.hpp"
 #include "support/pattern.hpp"
 
@@ -126,7 +127,7 @@ class FigureCheck {
 
 void check_figures(const Document& document, const Plan& plan, const std::vector<std::string>& metrics,
                    Diagnostics& sink) {
-    if (plan.config.figure.is_null()) { return; }
+    if (plan.config.figure.empty()) { return; }
     Diagnostics quiet(document);  // the shape was checked when the config was read
     const auto figures = read_figures(Node(document.value.at("figure"), "/figure", quiet), plan.config.name);
     FigureCheck check(document, plan, metrics, sink);
