@@ -25,7 +25,7 @@ const std::vector<BadConfig>& bad_configs() {
         {R"({"name": "tab\tname"})", "/name", "without control characters"},
         {R"({"description": 1})", "/description", "a text"},
         {R"({"kind": "convergance"})", "/kind", "did you mean \"convergence\"?"},
-        {R"({"kind": "work_precision"})", "/kind", "\"convergence\""},
+        {R"({"kind": "work_percision"})", "/kind", "did you mean \"work_precision\"?"},
         {R"({"kind": "scaling", "time": {"steps": null, "tolerance": 1e-6}})", "/time/tolerance", "steps of one size"},
         {R"({"kind": "scaling", "metrics": ["defect.*"]})", "/metrics", "measures only the steps"},
         {R"({"kind": "scaling", "output": {"samples": 1}})", "/output/samples", "measures only the steps"},
@@ -189,6 +189,16 @@ const std::vector<BadConfig>& bad_configs() {
          "a formulation of this experiment"},
         {R"({"figure": {"kind": "convergence", "select": {"steps": [8, 9]}}})", "/figure/select/steps/1",
          "steps of this experiment"},
+        {R"({"time": {"tolerance": 1e-3}, "figure": {"kind": "convergence", "select": {"tolerance": 1e-4}}})",
+         "/figure/select/tolerance", "a tolerance of this experiment, got 0.0001"},
+        {R"({"figure": {"kind": "convergence", "x": "evalutions"}})", "/figure/x", "did you mean \"evaluations\"?"},
+        {R"({"figure": {"kind": "convergence", "x": "cpu"}})", "/figure/x", "a kind of experiment that measures it"},
+        {R"({"figure": {"kind": "convergence", "x": "brackets"}})", "/figure/x", "that counts them"},
+        {R"({"figure": {"kind": "convergence", "x": "rejected"}})", "/figure/x", "tolerances in"},
+        {R"({"time": {"steps": null, "tolerance": 1e-3}, "figure": {"kind": "work_precision", "x": "h"}})", "/figure/x",
+         "steps of one size"},
+        {R"({"figure": {"kind": "work_precision", "labels": "no"}})", "/figure/labels", "true or false"},
+        {R"({"figure": {"kind": "work_precision", "metric": "cost.step"}})", "/figure/metric", "defect.*"},
     };
     return all;
 }

@@ -146,6 +146,13 @@ std::vector<json> shipped_configs() {
                        {"kind": "invariants", "name": "energy", "relative": true},
                        {"kind": "components", "name": "c", "body": "top", "until": 0.5, "quantity": "omega", "stacked": true},
                        {"kind": "motion", "name": "m", "view": [60, 30], "instants": 5, "radius": 1, "lever": [0, 0, 1]}]})"),
+                                 json::parse(R"({"name": "w", "kind": "work_precision", "problems": ["heavy_top"],
+        "methods": ["fake/pair", "rkmk/rk4"], "output": {"samples": 4, "dense": false},
+        "time": {"end": 1, "steps": [4, 8], "tolerance": {"from": 1e-3, "levels": 4, "factor": 100}, "controller": "pid"},
+        "figure": [{"kind": "work_precision", "x": "cpu", "labels": true, "metric": ["error.position", "invariant.energy"]},
+                   {"kind": "convergence", "name": "c", "x": "evaluations", "select": {"tolerance": [1e-3, 1e-5]}}]})"),
+                                 json::parse(R"({"name": "t", "kind": "convergence", "problems": ["heavy_top"],
+        "methods": ["fake/pair"], "time": {"end": 1, "tolerance": [1e-3, 1e-4]}})"),
                                  mechanism_with("/project_initial", "true"),
                                  mechanism_with("/joints/0", R"({"type": "rolling", "between": ["ground", "rod"],
         "points": [[0, 0, 0], [0, 0, 1]], "axes": [[0, 0, 1], [1, 0, 0]], "radius": 1})")};
