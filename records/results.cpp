@@ -14,6 +14,7 @@
 #include "records/journal.hpp"
 #include "records/json/strict.hpp"
 #include "records/json/writer.hpp"
+#include "records/kinds/kind.hpp"
 #include "records/manifest.hpp"
 #include "records/metrics/catalogue.hpp"
 #include "support/errors.hpp"
@@ -98,7 +99,9 @@ std::vector<std::string> split(const std::string& text, char separator) {
 // What differs from run to run is only in the journals.
 void add_times(const std::filesystem::path& folder, Results& results) {
     const auto is_timed = [](const ResultRow& row) { return row.bodies > 0; };
-    const bool timed = std::any_of(results.rows.begin(), results.rows.end(), is_timed);
+    const ExperimentKind* kind = find_experiment_kind(results.kind);
+    const bool timed =
+        (kind != nullptr && kind->repeated) || std::any_of(results.rows.begin(), results.rows.end(), is_timed);
     if (results.config.empty() || !timed) { return; }
     const JournalContents journals = read_journals(folder, read_manifest(folder / "manifest.json").build);
     results.damage.insert(results.damage.end(), journals.complaints.begin(), journals.complaints.end());
@@ -108,6 +111,7 @@ void add_times(const std::filesystem::path& folder, Results& results) {
         const CellTimes& times = found->second.times;
         if (times.step_s) { row.cost["step_s"] = *times.step_s; }
         if (times.memory) { row.cost["memory"] = *times.memory; }
+        if (times.run_s) { row.cost["run_s"] = *times.run_s; }
     }
 }
 
@@ -178,7 +182,9 @@ ResultRow result_row(const CellRecord& record) {
                   .steps = identity.steps,
                   .bodies = outcome.bodies,
                   .h = identity.h,
+                  .tolerance = identity.tolerance,
                   .t_end = identity.t_end,
+                  .controller = identity.controller,
                   .t_reached = outcome.t_reached,
                   .has_trajectory = !outcome.trajectory.empty()};
     for (const auto& [name, number] : outcome.metrics) { row.metrics[name] = number.value; }
@@ -199,7 +205,8 @@ ResultRow read_result_line(const std::string& line) {
     for (const std::string* told : {&row.formulation, &row.method, &row.projection, &row.precision}) {
         if (told->empty()) { throw std::invalid_argument("it does not say all of what was run"); }
     }
-    if (!(row.steps > 0 && row.h != 0 && row.t_end != 0)) { throw std::invalid_argument("it does not tell its steps"); }
+    const bool tells_steps = row.adaptive() || (row.steps > 0 && row.h != 0);
+    if (!tells_steps || row.t_end == 0) { throw std::invalid_argument("it does not tell its steps"); }
     return row;
 }
 

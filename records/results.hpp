@@ -19,10 +19,11 @@ struct ResultRow {
     std::string cell, problem, series, label, formulation, method, projection, precision, status, detail;
     std::map<std::string, std::string> options, projection_options;
     JsonValue parameters;
-    long steps = 0;
+    long steps = 0;   ///< of one size; 0 where they are chosen to a tolerance
     long bodies = 0;  ///< 0 if the line does not have it
-    double h = 0, t_end = 0;
-    double t_reached = 0;  ///< of a failed cell, s
+    double h = 0, tolerance = 0, t_end = 0;
+    std::string controller;  ///< of steps to a tolerance
+    double t_reached = 0;    ///< of a failed cell, s
     std::map<std::string, double> metrics;
     std::map<std::string, double> reference_error;  ///< by error.* metric; empty without a reference
     double reference_horizon = 0;                   ///< s; 0 without a reference
@@ -30,11 +31,12 @@ struct ResultRow {
     double lost_share = 0;                          ///< by how much
     bool past_horizon = false;                      ///< it ends past that: errors are accurate to 1 % only
     std::map<std::string, double> scale;            ///< by error.* metric: size of the final state, same unit
-    std::map<std::string, double> cost;             ///< of timed cells, from the journals: "step_s", "memory"
+    std::map<std::string, double> cost;             ///< counts; from the journals "step_s", "memory", "run_s"
     std::map<std::string, int> declared_order;      ///< by error.* metric; empty where the method declares none
     bool has_trajectory = false;
 
     bool ok() const { return status == "ok"; }
+    bool adaptive() const { return tolerance > 0; }
 };
 
 struct Results {
@@ -46,7 +48,7 @@ struct Results {
     Units units;                      ///< of the metrics, as far as the manifest or older names tell
 };
 
-/// Reads DIR/results.jsonl and DIR/manifest.json, and for timed cells the times in DIR/journal*.jsonl. A
+/// Reads DIR/results.jsonl and DIR/manifest.json, and for kinds that measure times those in DIR/journal*.jsonl. A
 /// damaged line is skipped and named in `damage`. Throws FileError where results.jsonl cannot be read.
 Results read_results(const std::filesystem::path& folder);
 

@@ -141,8 +141,8 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
                    count_cells(plan, campaign->finished(), settings));
     Progress progress(messages, plan.config.name, settings.terminal);
     const auto start = std::chrono::steady_clock::now();
-    // Concurrent timed cells would measure each other's memory and share the caches.
-    const unsigned workers = plan.config.is_timed() ? 1 : settings.workers;
+    // Concurrent cells would measure each other's memory and share the caches.
+    const unsigned workers = plan.config.runs_alone() ? 1 : settings.workers;
     report.workers_left_behind = run_workers(campaign, workers, settings.grace, progress);
     if (const auto error = campaign->error()) { std::rethrow_exception(error); }
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

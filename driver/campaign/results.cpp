@@ -5,6 +5,7 @@
 
 #include "driver/config/resolved.hpp"
 #include "driver/plan/text.hpp"
+#include "records/cell/stepping.hpp"
 #include "records/cell/table.hpp"
 #include "support/files.hpp"
 #include "support/number_text.hpp"
@@ -75,10 +76,10 @@ std::string failure_text(const PlannedCell& planned, const CellOutcome& outcome)
     const auto with_options = [](const std::string& name, const OptionValues& options) {
         return options.empty() ? name : name + " " + options_text(options);
     };
-    return fmt::format("{} at t = {}: {} on {} {}, projection {}, {}, {} steps: {}", outcome.status,
+    return fmt::format("{} at t = {}: {} on {} {}, projection {}, {}, {}: {}", outcome.status,
                        brief_text(outcome.t_reached), with_options(cell.method, cell.options), planned.label,
                        cell.formulation, with_options(cell.projection, cell.projection_options), planned.precision,
-                       cell.steps, outcome.detail.empty() ? "no details" : outcome.detail);
+                       stepping_text(cell), outcome.detail.empty() ? "no details" : outcome.detail);
 }
 
 }  // namespace kreisel

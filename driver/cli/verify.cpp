@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "driver/campaign/work.hpp"
+#include "records/cell/stepping.hpp"
 #include "records/json/writer.hpp"
 #include "records/reference_store.hpp"
 #include "records/trajectory_file.hpp"
@@ -144,8 +145,8 @@ Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsi
                                                                                                 : "different";
         if (!what.empty()) {
             ++different;
-            fmt::print(terminal.out, "{}: {} {} on {}, {} steps: {}\n", planned.hash, planned.cell.formulation,
-                       planned.cell.method, planned.label, planned.cell.steps, what);
+            fmt::print(terminal.out, "{}: {} {} on {}, {}: {}\n", planned.hash, planned.cell.formulation,
+                       planned.cell.method, planned.label, stepping_text(planned.cell), what);
         }
     }
     fmt::print(terminal.out, "{} of {} cells computed again (seed {}), {} differ or are missing\n", indices.size(),

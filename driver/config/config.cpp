@@ -80,6 +80,11 @@ bool Config::is_timed() const {
     return known != nullptr && known->timed;
 }
 
+bool Config::is_repeated() const {
+    const ExperimentKind* known = find_experiment_kind(kind);
+    return known != nullptr && known->repeated;
+}
+
 const std::vector<std::string>& config_keys() {
     static const std::vector<std::string> keys = {"name",     "description",  "kind",    "precision",
                                                   "problems", "formulations", "methods", "projections",
@@ -100,9 +105,7 @@ Config read_config(const Document& document, const Registry& registry) {
     read_problems(root, registry, config);
     config.formulations = read_names(root, "formulations", "formulation", names_of(registry.formulations), {"SO3xR3"});
     read_methods(root, registry, config);
-    if (const auto time = root.require("time", "an object with \"end\" and \"steps\" or \"step\"")) {
-        read_time(*time, config);
-    }
+    if (const auto time = root.require("time", time_expectation)) { read_time(*time, config); }
     read_measurements(root, config);
     sink.raise();
     return config;

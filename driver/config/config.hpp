@@ -3,14 +3,15 @@
 // A config as read and resolved: every name known, every default filled in, every option list multiplied out.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "driver/config/registry.hpp"
-#include "records/json/diagnostics.hpp"
 
 namespace kreisel {
+
+struct Document;  // records/json/diagnostics.hpp
+class Diagnostics;
 
 struct ProblemEntry {
     std::string name;
@@ -40,13 +41,20 @@ struct Config {
     std::vector<OptionedEntry> methods;
     std::vector<OptionedEntry> projections;
     double t_end = 0;
-    std::vector<long> steps;
+    std::vector<long> steps;         ///< of one size; empty where there are only tolerances
+    std::vector<double> tolerances;  ///< to which methods choose their steps; may be empty
+    std::string controller = "pi";   ///< of steps to a tolerance
     long samples = 0;
+    bool dense = true;  ///< samples to a tolerance may fall between steps
     std::vector<std::string> metrics;
     bool metrics_given = false;  ///< false: the defaults of the kind apply
-    nlohmann::json figure;       ///< as written; null if absent
-    /// True if cells measure the time and memory of their steps; they then run one at a time.
+    std::string figure;          ///< as written, JSON; empty if absent
+    /// True if cells measure the time and memory of their steps, and nothing else.
     bool is_timed() const;
+    /// True if cells are run again for the time of their steps.
+    bool is_repeated() const;
+    /// True if cells run one at a time, because times are measured.
+    bool runs_alone() const { return is_timed() || is_repeated(); }
 };
 
 /// Reads a config. Throws UsageError with every error found; physical validity is checked when the plan is made.

@@ -59,6 +59,19 @@ std::string optioned_text(const OptionedEntry& entry) {
     return object.text();
 }
 
+std::string count_text(long value) { return fmt::format("{}", value); }
+
+std::string time_text(const Config& config) {
+    ObjectWriter time;
+    time.member("end", json_number(config.t_end));
+    if (!config.steps.empty()) { time.member("steps", list_text(config.steps, count_text)); }
+    if (!config.tolerances.empty()) {
+        time.member("tolerance", list_text(config.tolerances, json_number));
+        time.member("controller", json_text(config.controller));
+    }
+    return time.text();
+}
+
 }  // namespace
 
 std::string resolved_config(const Config& config) {
@@ -70,13 +83,12 @@ std::string resolved_config(const Config& config) {
     object.member("formulations", json_value(config.formulations));
     object.member("methods", list_text(config.methods, optioned_text));
     object.member("projections", list_text(config.projections, optioned_text));
-    const auto count = [](long value) { return fmt::format("{}", value); };
-    object.member(
-        "time",
-        ObjectWriter().member("end", json_number(config.t_end)).member("steps", list_text(config.steps, count)).text());
-    object.member("metrics", json_value(config.metrics));
-    object.member("output", ObjectWriter().member("samples", count(config.samples)).text());
-    if (!config.figure.is_null()) { object.member("figure", config.figure.dump()); }
+    object.member("time", time_text(config)).member("metrics", json_value(config.metrics));
+    ObjectWriter output;
+    output.member("samples", count_text(config.samples));
+    if (!config.dense) { output.member("dense", "false"); }
+    object.member("output", output.text());
+    if (!config.figure.empty()) { object.member("figure", config.figure); }
     return object.text();
 }
 

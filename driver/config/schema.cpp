@@ -8,6 +8,7 @@
 #include "driver/config/reading/measurements.hpp"
 #include "driver/config/schema/problem.hpp"
 #include "driver/config/schema/terms.hpp"
+#include "driver/config/time.hpp"
 #include "plots/figures/schema.hpp"
 #include "records/json/node.hpp"
 #include "records/kinds/kind.hpp"
@@ -65,13 +66,28 @@ Schema optioned_entries(const std::vector<Description>& all) {
     return entries(names, all, optioned_object<Description>);
 }
 
+Schema tolerance() {
+    const Schema one = {{"type", "number"}, {"exclusiveMinimum", 0}, {"exclusiveMaximum", 1}};
+    const Schema geometric =
+        object({{"from", one}, {"levels", integer(1, 64)}, {"factor", integer(2, 1000)}}, {"from", "levels"});
+    return {{"anyOf", {one, list(one), geometric}}};
+}
+
 Schema time() {
     const Schema geometric =
         object({{"from", integer(1, largest_count)}, {"levels", integer(1, 64)}, {"factor", integer(2, 1000)}},
                {"from", "levels"});
     const Schema steps = {{"anyOf", {integer(1, largest_count), list(integer(1, largest_count)), geometric}}};
-    Schema time = object({{"end", positive()}, {"steps", steps}, {"step", one_or_list(positive())}}, {"end"});
-    time["oneOf"] = {{{"required", {"steps"}}}, {{"required", {"step"}}}};
+    Schema time = object({{"end", positive()},
+                          {"steps", steps},
+                          {"step", one_or_list(positive())},
+                          {"tolerance", tolerance()},
+                          {"controller", choice(step_controllers())}},
+                         {"end"});
+    const auto has = [](const char* key) { return Schema{{"required", Schema::array({key})}}; };
+    time["anyOf"] = Schema::array({has("steps"), has("step"), has("tolerance")});
+    time["not"] = {{"required", {"steps", "step"}}};
+    time["dependencies"] = {{"controller", Schema::array({"tolerance"})}};
     return time;
 }
 
@@ -83,11 +99,13 @@ std::vector<std::string> timed_kinds() {
     return names;
 }
 
-// A kind whose cells are not timed, or no measurements besides the steps.
+// A kind whose cells are not timed, or no measurements besides the steps, which are of one size.
 Schema not_timed() { return {{"properties", {{"kind", {{"not", {{"enum", timed_kinds()}}}}}}}}; }
 Schema measures_nothing_else() {
     return {{"properties",
-             {{"metrics", {{"maxItems", 0}}}, {"output", {{"properties", {{"samples", {{"maximum", 0}}}}}}}}}};
+             {{"metrics", {{"maxItems", 0}}},
+              {"output", {{"properties", {{"samples", {{"maximum", 0}}}}}}},
+              {"time", {{"not", {{"required", Schema::array({"tolerance"})}}}}}}}};
 }
 
 }  // namespace
@@ -109,7 +127,7 @@ nlohmann::ordered_json config_schema(const Registry& registry) {
                 {"projections", optioned_entries(registry.projections)},
                 {"time", time()},
                 {"metrics", list(text(100), 0)},
-                {"output", object({{"samples", integer(0, most_samples)}}, {})},
+                {"output", object({{"samples", integer(0, most_samples)}, {"dense", {{"type", "boolean"}}}}, {})},
                 {"figure", {{"anyOf", {figure, list(figure, 0)}}}}},
                {"name", "kind", "problems", "methods", "time"});
     config["anyOf"] = Schema::array({not_timed(), measures_nothing_else()});

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace kreisel {
 
 namespace {
 
 constexpr double whole_tolerance = 1e-9;  // how far end/step may be from a whole number, relative to it
+constexpr const char* tolerance_expectation = "a tolerance greater than 0 and less than 1";
 
 void add_steps(const Node& node, long steps, Config& config) {
     if (std::find(config.steps.begin(), config.steps.end(), steps) != config.steps.end()) {
@@ -71,28 +73,85 @@ void read_step_sizes(const Node& node, Config& config) {
     }
 }
 
+void add_tolerance(const Node& node, double tolerance, Config& config) {
+    if (std::find(config.tolerances.begin(), config.tolerances.end(), tolerance) != config.tolerances.end()) {
+        node.error("each tolerance once", fmt::format("{} again", tolerance));
+        return;
+    }
+    config.tolerances.push_back(tolerance);
+}
+
+std::optional<double> read_tolerance(const Node& node) {
+    const auto tolerance = node.positive(tolerance_expectation);
+    if (!tolerance || *tolerance < 1) { return tolerance; }
+    node.mismatch(tolerance_expectation);
+    return std::nullopt;
+}
+
+// Decimals such as 1e-07, which a quotient may miss by its rounding.
+double to_15_digits(double value) { return std::strtod(fmt::format("{:.14e}", value).c_str(), nullptr); }
+
+void read_geometric_tolerances(const Node& node, Config& config) {
+    node.only_keys({"from", "levels", "factor"});
+    const auto from_node = node.require("from", "the largest tolerance");
+    const auto levels_node = node.require("levels", "how many tolerances there are");
+    const auto factor_node = node.find("factor");
+    const auto from = from_node ? read_tolerance(*from_node) : std::nullopt;
+    const auto levels = levels_node ? levels_node->count(1, 64, "a number of levels") : std::nullopt;
+    const auto factor = factor_node ? factor_node->count(2, 1000, "a factor") : std::optional(10L);
+    if (!from || !levels || !factor) { return; }
+    for (long level = 0; level < *levels; ++level) {
+        const double divisor = std::pow(static_cast<double>(*factor), static_cast<double>(level));
+        const double tolerance = level == 0 ? *from : to_15_digits(*from / divisor);
+        if (!(tolerance > 0)) {
+            node.error("a tolerance above 0 at the finest level", fmt::format("{} / {}^{}", *from, *factor, level));
+            return;
+        }
+        add_tolerance(node, tolerance, config);
+    }
+}
+
+void read_tolerances(const Node& node, Config& config) {
+    if (node.is_object()) { return read_geometric_tolerances(node, config); }
+    const auto entries = node.is_array() ? node.elements("a tolerance, or a list of them") : node.elements_or_self();
+    for (const Node& entry : entries.value_or(std::vector<Node>())) {
+        if (const auto tolerance = read_tolerance(entry)) { add_tolerance(entry, *tolerance, config); }
+    }
+}
+
+void read_controller(const Node& time, Config& config) {
+    const auto node = time.find("controller");
+    if (!node) { return; }
+    config.controller = node->name("a controller", step_controllers()).value_or(config.controller);
+    if (!time.find("tolerance")) { node->error("\"tolerance\" beside it, to which it chooses the steps", "none"); }
+}
+
 }  // namespace
 
+const std::vector<std::string>& step_controllers() {
+    static const std::vector<std::string> names = {"elementary", "pi", "pid"};
+    return names;
+}
+
 void read_time(const Node& time, Config& config) {
-    const std::string expected = "an object with \"end\" and \"steps\" or \"step\"";
-    if (!time.require_object(expected)) { return; }
-    if (const auto tolerance = time.find("tolerance")) {
-        tolerance->error("\"steps\" or \"step\"", "\"tolerance\", for which this version has no adaptive method");
-    }
-    time.only_keys({"end", "steps", "step", "tolerance"});
+    if (!time.require_object(time_expectation)) { return; }
+    time.only_keys({"end", "steps", "step", "tolerance", "controller"});
     if (const auto end = time.require("end", "the end time, greater than 0 (s)")) {
         config.t_end = end->positive("an end time greater than 0 (s)").value_or(0);
     }
     const auto steps = time.find("steps");
     const auto step = time.find("step");
+    const auto tolerance = time.find("tolerance");
+    if (tolerance) { read_tolerances(*tolerance, config); }
+    read_controller(time, config);
     if (steps && step) {
         step->error("either \"steps\" or \"step\"", "both");
     } else if (steps) {
         read_steps(*steps, config);
     } else if (step) {
         read_step_sizes(*step, config);
-    } else if (!time.find("tolerance")) {
-        time.error(expected, "neither \"steps\" nor \"step\"");
+    } else if (!tolerance) {
+        time.error(time_expectation, "neither \"steps\" nor \"step\" nor \"tolerance\"");
     }
 }
 

@@ -8,7 +8,12 @@
 
 namespace kreisel {
 
-/// Reads "time" into t_end and steps.
+inline constexpr const char* time_expectation = R"(an object with "end" and "steps", "step" or "tolerance")";
+
+/// The rules by which steps are chosen to a tolerance.
+const std::vector<std::string>& step_controllers();
+
+/// Reads "time" into t_end, steps, tolerances and controller.
 void read_time(const Node& time, Config& config);
 
 }  // namespace kreisel

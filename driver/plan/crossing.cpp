@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver/plan/crossing.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <set>
 
+#include "driver/plan/identify.hpp"
 #include "driver/plan/metric_names.hpp"
+#include "records/json/diagnostics.hpp"
 #include "records/json/writer.hpp"
 #include "support/hash.hpp"
 
 namespace kreisel {
 
 namespace {
-
-constexpr double quad_cost = 40;  // relative to double, roughly: used only to order the work
 
 void name_reference(PlannedCell& planned, Plan& plan) {
     const Cell& cell = planned.cell;
@@ -27,50 +24,36 @@ void name_reference(PlannedCell& planned, Plan& plan) {
     plan.references.insert({planned.reference, {cell.problem, cell.parameters, cell.t_end, content}});
 }
 
-// Everything that determines the numbers, with keys and lists in a fixed order; not the label.
-std::string content_of(const PlannedCell& planned) {
-    const Cell& cell = planned.cell;
-    std::vector<std::string> metrics = cell.metrics;
-    std::sort(metrics.begin(), metrics.end());
-    ObjectWriter object;
-    object.member("problem", json_text(cell.problem))
-        .member("parameters", json_value(cell.parameters))
-        .member("formulation", json_text(cell.formulation))
-        .member("method", json_text(cell.method))
-        .member("options", json_value(cell.options))
-        .member("projection", json_text(cell.projection))
-        .member("projection_options", json_value(cell.projection_options))
-        .member("precision", json_text(planned.precision))
-        .member("t_end", json_number(cell.t_end))
-        .member("steps", fmt::format("{}", cell.steps))
-        .member("samples", fmt::format("{}", cell.samples))
-        .member("metrics", json_value(metrics));
-    if (cell.timed) { object.member("timed", "true"); }
-    return object.text();
-}
+// Constant steps, or a tolerance.
+struct Stepping {
+    long steps = 0;
+    double tolerance = 0;
+    std::string skip_reason = "";
+};
 
-CellIdentity identity_of(const PlannedCell& planned, const Order& order) {
-    const Cell& cell = planned.cell;
-    return {planned.hash,
-            cell.problem,
-            planned.label,
-            planned.series,
-            parse_exactly(json_value(cell.parameters)),
-            cell.formulation,
-            cell.method,
-            cell.options,
-            order,
-            cell.projection,
-            cell.projection_options,
-            planned.precision,
-            cell.steps,
-            cell.t_end / static_cast<double>(cell.steps),
-            cell.t_end};
+// What of the config's steps and tolerances a method takes; if it takes none of them, all, with the reason.
+std::vector<Stepping> steppings_of(const MethodDescription& method, const Config& config) {
+    const bool takes_steps = !method.own_control, takes_tolerances = method.own_control || method.estimate > 0;
+    const bool none = (!takes_steps || config.steps.empty()) && (!takes_tolerances || config.tolerances.empty());
+    std::vector<Stepping> all;
+    for (const long steps : config.steps) {
+        if (takes_steps) { all.push_back({.steps = steps}); }
+        if (none) { all.push_back({.steps = steps, .skip_reason = "it chooses its steps itself, to a tolerance"}); }
+    }
+    for (const double tolerance : config.tolerances) {
+        if (takes_tolerances) { all.push_back({.tolerance = tolerance}); }
+        if (none) {
+            all.push_back({.tolerance = tolerance,
+                           .skip_reason = "it has no estimate of its error to choose steps by: constant steps only"});
+        }
+    }
+    return all;
 }
 
 class Crossing {
   public:
-    Crossing(const Engines& engines, Diagnostics& sink, Plan& plan) : engines_(engines), sink_(sink), plan_(plan) {}
+    Crossing(const Engines& engines, Diagnostics& sink, Plan& plan)
+        : engines_(engines), methods_(engines.binary64.methods()), sink_(sink), plan_(plan) {}
 
     void cross() {
         const Config& config = plan_.config;
@@ -90,7 +73,7 @@ class Crossing {
                   const OptionedEntry& projection) {
         const Config& config = plan_.config;
         for (const std::string& precision : config.precisions) {
-            for (const long steps : config.steps) {
+            for (const Stepping& stepping : steppings_of(*find_named(methods_, method.name), config)) {
                 PlannedCell planned;
                 planned.cell = {.problem = problem.name,
                                 .parameters = problem.parameters,
@@ -100,13 +83,18 @@ class Crossing {
                                 .projection = projection.name,
                                 .projection_options = projection.options,
                                 .t_end = config.t_end,
-                                .steps = steps,
+                                .steps = stepping.steps,
+                                .tolerance = stepping.tolerance,
+                                .controller = config.controller,
+                                .dense = config.dense,
                                 .samples = config.samples,
                                 .metrics = config.metrics,
-                                .timed = config.is_timed()};
+                                .timed = config.is_timed(),
+                                .repeated = config.is_repeated()};
                 planned.series = problem.series;
                 planned.label = problem.label;
                 planned.precision = precision;
+                planned.skip_reason = stepping.skip_reason;
                 add(std::move(planned), problem, method, projection);
             }
         }
@@ -115,13 +103,11 @@ class Crossing {
     void add(PlannedCell planned, const ProblemEntry& problem, const OptionedEntry& method,
              const OptionedEntry& projection) {
         const SystemSummary& system = plan_.systems.at({problem.label, planned.cell.formulation});
-        planned.hash = hash_text(content_of(planned));
         const Engine& engine = engines_.of(planned.precision);
-        planned.identity = identity_of(planned, engine.declared_order(method.name, method.options));
-        planned.skip_reason =
-            system.skip_reason.empty() ? ask(planned, problem, method, projection) : system.skip_reason;
-        planned.weight =
-            static_cast<double>(planned.cell.steps) * std::max(1, system.bodies) * (planned.quad() ? quad_cost : 1);
+        identify(planned, engine.declared_order(method.name, method.options));
+        if (!system.skip_reason.empty()) { planned.skip_reason = system.skip_reason; }
+        if (planned.skip_reason.empty()) { planned.skip_reason = ask(planned, problem, method, projection); }
+        planned.weight = weight_of(planned, system.bodies);
         if (planned.skip_reason.empty() && asks_for_errors(planned.cell.metrics)) { name_reference(planned, plan_); }
         plan_.cells.push_back(std::move(planned));
     }
@@ -144,6 +130,7 @@ class Crossing {
     }
 
     const Engines& engines_;
+    const std::vector<MethodDescription> methods_;
     Diagnostics& sink_;
     Plan& plan_;
     std::set<std::string> reported_;

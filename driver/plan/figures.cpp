@@ -7,6 +7,7 @@
 
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
+#include "records/json/diagnostics.hpp"
 #include "support/nearest.hpp"
 #include "support/pattern.hpp"
 
@@ -35,6 +36,9 @@ std::vector<std::string> selectable(const std::string& key, const Config& config
         for (const ProblemEntry& problem : config.problems) {
             values.insert(values.end(), {problem.label, problem.series, problem.name});
         }
+    }
+    if (key == "tolerance") {
+        for (const double tolerance : config.tolerances) { values.push_back(fmt::format("{}", tolerance)); }
     }
     if (key == "formulation") { values = config.formulations; }
     if (key == "precision") { values = config.precisions; }
@@ -68,6 +72,7 @@ class FigureCheck {
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             check_metric(kind, drawn[i], place(figure.pointer + "/metric", i));
         }
+        check_abscissa(figure);
         for (const auto& [key, values] : figure.select) {
             for (std::size_t i = 0; i < values.size(); ++i) { check_selection(figure, key, values[i], i); }
         }
@@ -107,13 +112,29 @@ class FigureCheck {
         sink_.add({pointer, "one of " + listed(kind.metrics), in_quotes(metric), nearest_name(metric, kind.metrics)});
     }
 
+    // Whether some cell of the experiment will have what is drawn against.
+    void check_abscissa(const Figure& figure) {
+        const std::string x = figure.drawn_against();
+        const bool counted = config_.is_repeated() || !config_.tolerances.empty();
+        std::string expected;
+        if (x == "cpu" && !config_.is_repeated()) { expected = "a kind of experiment that measures it"; }
+        if (in_list({"exponentials", "brackets", "newton_iterations"}, x) && !counted) {
+            expected = "a kind of experiment that counts them, or tolerances";
+        }
+        if (in_list({"tolerance", "rejected"}, x) && config_.tolerances.empty()) {
+            expected = "tolerances in \"time\"";
+        }
+        if (x == "h" && config_.steps.empty()) { expected = "steps of one size in \"time\""; }
+        if (!expected.empty()) { sink_.add({place(figure.pointer + "/x", 0), expected, in_quotes(x)}); }
+    }
+
     void check_selection(const Figure& figure, const std::string& key, const std::string& value, std::size_t i) {
         const auto values = selectable(key, config_);
         const bool with_options = (key == "method" || key == "projection") && value.find(' ') != std::string::npos;
         if (in_list(values, value) || with_options) { return; }
         sink_.add({place(fmt::format("{}/select/{}", figure.pointer, key), i),
-                   fmt::format("a {} of this experiment", key), key == "steps" ? value : in_quotes(value),
-                   nearest_name(value, values)});
+                   fmt::format("a {} of this experiment", key),
+                   key == "steps" || key == "tolerance" ? value : in_quotes(value), nearest_name(value, values)});
     }
 
     const Document& document_;
@@ -126,7 +147,7 @@ class FigureCheck {
 
 void check_figures(const Document& document, const Plan& plan, const std::vector<std::string>& metrics,
                    Diagnostics& sink) {
-    if (plan.config.figure.is_null()) { return; }
+    if (plan.config.figure.empty()) { return; }
     Diagnostics quiet(document);  // the shape was checked when the config was read
     const auto figures = read_figures(Node(document.value.at("figure"), "/figure", quiet), plan.config.name);
     FigureCheck check(document, plan, metrics, sink);

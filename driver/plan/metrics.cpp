@@ -7,6 +7,7 @@
 #include <set>
 
 #include "driver/plan/metric_names.hpp"
+#include "records/json/diagnostics.hpp"
 #include "records/metrics/catalogue.hpp"
 #include "support/nearest.hpp"
 #include "support/pattern.hpp"

@@ -9,6 +9,7 @@
 #include "driver/plan/crossing.hpp"
 #include "driver/plan/figures.hpp"
 #include "driver/plan/metrics.hpp"
+#include "records/json/diagnostics.hpp"
 #include "records/kinds/kind.hpp"
 #include "support/nearest.hpp"
 

@@ -22,7 +22,7 @@ Row row_of(const PlannedCell& planned) {
             options_text(cell.options),
             cell.projection + (cell.projection_options.empty() ? "" : " ") + options_text(cell.projection_options),
             planned.precision,
-            fmt::format("{}", cell.steps),
+            cell.tolerance > 0 ? fmt::format("to {}", cell.tolerance) : fmt::format("{}", cell.steps),
             planned.skip_reason.empty() ? "" : "skipped: " + planned.skip_reason};
 }
 

@@ -14,6 +14,12 @@ std::string told(const RecordedCell& cell, const std::string& name) {
     return found == cell.identity.end() ? "" : found->second;
 }
 
+/// "1000", or "to 1e-06 by pi".
+std::string told_steps(const RecordedCell& cell) {
+    const std::string tolerance = told(cell, "tolerance");
+    return tolerance.empty() ? told(cell, "steps") : fmt::format("to {} by {}", tolerance, told(cell, "controller"));
+}
+
 /// "coordinates=exp dexpinv=exact" of the members "options.coordinates" and "options.dexpinv".
 std::string told_options(const RecordedCell& cell, const std::string& prefix) {
     std::string text;
@@ -48,7 +54,7 @@ std::vector<std::string> short_cell(const RecordedCell& cell) {
             name_and_options(told(cell, "method"), told_options(cell, "options.")),
             name_and_options(told(cell, "projection"), told_options(cell, "projection_options.")),
             told(cell, "precision"),
-            told(cell, "steps"),
+            told_steps(cell),
             told(cell, "t_end")};
 }
 
@@ -68,7 +74,7 @@ std::vector<std::string> full_cell(const RecordedCell& cell) {
             told(cell, "projection"),
             told_options(cell, "projection_options."),
             told(cell, "precision"),
-            told(cell, "steps"),
+            told_steps(cell),
             told(cell, "t_end")};
 }
 

@@ -22,9 +22,10 @@ struct FigureError : std::runtime_error {
 struct FigureSpec {
     std::string pointer;  ///< where it stands in the config; empty for a standard figure
     std::string kind;
-    std::string name;                                        ///< file name without extension
-    std::string title;                                       ///< above the figure; empty: none
-    std::map<std::string, std::vector<std::string>> select;  ///< values by axis, and "steps"; empty: all cells
+    std::string name;   ///< file name without extension
+    std::string title;  ///< above the figure; empty: none
+    std::map<std::string, std::vector<std::string>>
+        select;  ///< values by axis, "steps" and "tolerance"; empty: all cells
 };
 
 /// A kind of figure derives from it: its members are the keys of the kind, with their defaults.
@@ -37,6 +38,9 @@ class Figure : public FigureSpec {
 
     /// The metrics that it draws, as asked for; empty for a kind without.
     virtual std::vector<std::string> drawn_metrics() const { return {}; }
+
+    /// What it draws them against, of those of plots/laws/abscissa.hpp; empty: the standard one of the kind, or its own.
+    virtual std::string drawn_against() const { return ""; }
 
     /// Writes plotdata/<name>.gp, the settings for the script of the kind, and its data files. Throws FigureError,
     /// FileError.

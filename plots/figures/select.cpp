@@ -24,6 +24,7 @@ std::vector<ResultRow> selected_rows(const FigureSpec& spec, const Results& resu
         const bool chosen = std::all_of(spec.select.begin(), spec.select.end(), [&](const auto& entry) {
             const auto& [key, values] = entry;
             if (key == "steps") { return has(values, fmt::format("{}", row.steps)); }
+            if (key == "tolerance") { return has(values, fmt::format("{}", row.tolerance)); }
             if (key == "problem") {
                 return has(values, row.label) || has(values, row.series) || has(values, row.problem);
             }

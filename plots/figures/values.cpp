@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "plots/tables/names.hpp"
@@ -24,17 +25,24 @@ Schema text_schema() {
 
 Schema one_or_many(const Schema& one) { return {{"anyOf", {one, {{"type", "array"}, {"items", one}}}}}; }
 
-std::optional<std::string> read_metric(const Node& node, const std::string& family, const std::string& expected) {
+std::optional<std::string> read_metric(const Node& node, const Names& families, const std::string& expected) {
     const auto metric = node.text(expected, longest_metric);
     if (!metric) { return std::nullopt; }
-    const bool plain = metric->starts_with(family) && metric->size() > family.size() &&
-                       metric->find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.") == std::string::npos;
+    const bool of_family = std::any_of(families.begin(), families.end(), [&](const std::string& family) {
+        return metric->starts_with(family) && metric->size() > family.size();
+    });
+    const bool plain =
+        of_family && metric->find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.") == std::string::npos;
     if (plain) { return metric; }
     node.mismatch(expected);
     return std::nullopt;
 }
 
 std::optional<std::string> read_selected(const Node& node, const std::string& key) {
+    if (key == "tolerance") {
+        const auto tolerance = node.positive("a tolerance, or a list of them");
+        return tolerance ? std::optional(fmt::format("{}", *tolerance)) : std::nullopt;
+    }
     if (key != "steps") { return node.text("a name, or a list of names"); }
     const auto steps = node.count(1, largest_count, "steps");
     return steps ? std::optional(fmt::format("{}", *steps)) : std::nullopt;
@@ -42,7 +50,7 @@ std::optional<std::string> read_selected(const Node& node, const std::string& ke
 
 Names selection_keys() {
     Names keys = CellNames::axes();
-    keys.emplace_back("steps");
+    keys.insert(keys.end(), {"steps", "tolerance"});
     return keys;
 }
 
@@ -121,26 +129,33 @@ Type<std::array<double, n>> numbers(const std::string& expected) {
 template Type<std::array<double, 2>> numbers(const std::string& expected);
 template Type<std::array<double, 3>> numbers(const std::string& expected);
 
-Type<Names> metrics(const std::string& family) {
-    const bool vowel = std::string_view("aeiou").find(family.front()) != std::string_view::npos;
-    const std::string expected = fmt::format("{} metric {}*, or a list of them", vowel ? "an" : "a", family);
-    std::string pattern = "^" + family.substr(0, family.size() - 1) + "\\.[a-z0-9_.]+$";
+Type<Names> metrics(const std::string& family) { return metrics(Names{family}); }
+
+Type<Names> metrics(const Names& families) {
+    std::string several, alternatives;
+    for (const std::string& family : families) {
+        several += (several.empty() ? "" : " or ") + family + "*";
+        alternatives += (alternatives.empty() ? "" : "|") + family.substr(0, family.size() - 1);
+    }
+    const bool vowel = std::string_view("aeiou").find(several.front()) != std::string_view::npos;
+    const std::string expected = fmt::format("{} metric {}, or a list of them", vowel ? "an" : "a", several);
+    if (families.size() > 1) { alternatives = "(" + alternatives + ")"; }
+    std::string pattern = "^" + alternatives + "\\.[a-z0-9_.]+$";
     const Schema one = {{"type", "string"}, {"maxLength", longest_metric}, {"pattern", std::move(pattern)}};
     return {expected, one_or_many(one), [=](const Node& node) {
                 Names names;
                 for (const Node& entry : node.elements_or_self()) {
-                    if (const auto metric = read_metric(entry, family, expected)) { names.push_back(*metric); }
+                    if (const auto metric = read_metric(entry, families, expected)) { names.push_back(*metric); }
                 }
                 return std::optional(names);
             }};
 }
 
 Type<Selection> selection() {
-    const Schema steps = {{"type", "integer"}, {"minimum", 1}, {"maximum", largest_count}};
     Schema properties = Schema::object();
-    for (const std::string& key : selection_keys()) {
-        properties[key] = one_or_many(key == "steps" ? steps : text_schema());
-    }
+    for (const std::string& key : selection_keys()) { properties[key] = one_or_many(text_schema()); }
+    properties["steps"] = one_or_many({{"type", "integer"}, {"minimum", 1}, {"maximum", largest_count}});
+    properties["tolerance"] = one_or_many({{"type", "number"}, {"exclusiveMinimum", 0}});
     return {"an object of names or lists of names: keys " + listed(selection_keys()),
             {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}},
             read_selection};

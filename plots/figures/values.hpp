@@ -44,7 +44,9 @@ extern template Type<std::array<double, 2>> numbers(const std::string& expected)
 extern template Type<std::array<double, 3>> numbers(const std::string& expected);
 /// A metric whose name begins with `family`, such as "error.", or a list of them.
 Type<Names> metrics(const std::string& family);
-/// Values, one or a list, by axis and "steps".
+/// The same for metrics of any of these families.
+Type<Names> metrics(const Names& families);
+/// Values, one or a list, by axis, "steps" and "tolerance".
 Type<Selection> selection();
 
 }  // namespace kreisel::figure_value

@@ -10,21 +10,19 @@ namespace kreisel {
 const ResultRow* finest(const CellGroup& group) {
     const ResultRow* best = nullptr;
     for (const ResultRow* row : group.rows) {
-        if (row->ok() && (best == nullptr || row->steps > best->steps)) { best = row; }
+        if (!row->ok()) { continue; }
+        const bool finer = best == nullptr || row->steps > best->steps || row->tolerance < best->tolerance;
+        best = finer ? row : best;
     }
     return best;
 }
 
-ObservedOrder order_of(const CellGroup& group, const std::string& metric) {
-    std::vector<ErrorPoint> points;
+OrderLimits limits_of(const CellGroup& group, const std::string& metric) {
     OrderLimits limits;
     limits.epsilon = epsilon_of(group.front().precision);
     for (const ResultRow* row : group.rows) {
-        const auto error = row->metrics.find(metric);
-        if (!row->ok() || error == row->metrics.end()) { continue; }
-        points.push_back({row->steps, row->h, error->second});
         const auto bound = row->reference_error.find(metric);
-        if (bound != row->reference_error.end()) {
+        if (row->ok() && row->metrics.contains(metric) && bound != row->reference_error.end()) {
             limits.reference_error = std::max(limits.reference_error, bound->second);
         }
     }
@@ -32,7 +30,17 @@ ObservedOrder order_of(const CellGroup& group, const std::string& metric) {
         const auto scale = best->scale.find(metric);
         if (scale != best->scale.end()) { limits.scale = scale->second; }
     }
-    return observed_order(std::move(points), limits);
+    return limits;
+}
+
+ObservedOrder order_of(const CellGroup& group, const std::string& metric) {
+    std::vector<ErrorPoint> points;
+    for (const ResultRow* row : group.rows) {
+        const auto error = row->metrics.find(metric);
+        if (!row->ok() || row->adaptive() || error == row->metrics.end()) { continue; }
+        points.push_back({row->steps, row->h, error->second});
+    }
+    return observed_order(std::move(points), limits_of(group, metric));
 }
 
 std::vector<std::string> error_metrics(const std::vector<ResultRow>& rows) {

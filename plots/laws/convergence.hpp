@@ -8,11 +8,15 @@
 
 namespace kreisel {
 
-/// The errors of one metric over the cells of a group that are ok and hold it, and their observed order. The scale is
-/// the size of the final state of the finest cell; the reference's error is the largest of the group.
+/// Scale: the size of the final state of the finest cell. Error of the reference: the largest of the cells that are ok
+/// and hold the metric.
+OrderLimits limits_of(const CellGroup& group, const std::string& metric);
+
+/// The errors of one metric over the cells of a group that are ok and hold it, and their observed order. Steps to a
+/// tolerance have none, and no points here.
 ObservedOrder order_of(const CellGroup& group, const std::string& metric);
 
-/// The cell with most steps of those that are ok; null where none is.
+/// The cell with most steps, or with the smallest tolerance, of those that are ok; null where none is.
 const ResultRow* finest(const CellGroup& group);
 
 /// The error.* metrics that occur, in the order of the contract.

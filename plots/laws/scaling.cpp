@@ -30,8 +30,9 @@ std::vector<ResultRow> by_series(std::vector<ResultRow> rows) {
 }
 
 std::vector<CellGroup> scaling_curves(const std::vector<ResultRow>& rows) {
-    std::vector<CellGroup> curves = grouped(
-        rows, [](const ResultRow& a, const ResultRow& b) { return same_but_for_size(a, b) && a.steps == b.steps; });
+    std::vector<CellGroup> curves = grouped(rows, [](const ResultRow& a, const ResultRow& b) {
+        return same_but_for_size(a, b) && a.steps == b.steps && a.tolerance == b.tolerance;
+    });
     for (CellGroup& curve : curves) {
         std::stable_sort(curve.rows.begin(), curve.rows.end(),
                          [](const ResultRow* a, const ResultRow* b) { return a->bodies < b->bodies; });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plots/tables/cells.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -39,6 +41,12 @@ std::vector<std::string> plain_metrics(const std::vector<ResultRow>& rows, const
     }
     return found;
 }
+
+std::string steps_cell(const ResultRow& row) {
+    return row.adaptive() ? fmt::format("to {}", row.tolerance) : fmt::format("{}", row.steps);
+}
+
+double step_size(const ResultRow& row) { return row.adaptive() ? std::numeric_limits<double>::quiet_NaN() : row.h; }
 
 double value_or_nan(const std::map<std::string, double>& values, const std::string& name) {
     const auto found = values.find(name);

@@ -23,6 +23,11 @@ std::vector<std::string> with(std::vector<std::string> head, const std::vector<s
 /// The metrics with this prefix ("defect.", "invariant.") and no further suffix, in the order of first appearance.
 std::vector<std::string> plain_metrics(const std::vector<ResultRow>& rows, const std::string& prefix);
 
+/// The steps of a cell in a table: "1000", or "to 1e-06".
+std::string steps_cell(const ResultRow& row);
+/// Their size, s; NaN where they are not of one size.
+double step_size(const ResultRow& row);
+
 /// The value of a metric or of a cost; NaN where it is absent.
 double value_or_nan(const std::map<std::string, double>& values, const std::string& name);
 

@@ -97,7 +97,7 @@ TextTable table_of(const std::string& label, bool single, const std::vector<Cell
     const auto axes = names.varying_axes({});
     for (const CellGroup& group : groups) {
         const ResultRow& row = group.front();
-        if (row.label != label || row.status == "skipped") { continue; }
+        if (row.label != label || row.status == "skipped" || row.adaptive()) { continue; }
         const auto column = std::find(table.columns.begin(), table.columns.end(), row.formulation);
         const auto index = static_cast<std::size_t>(column - table.columns.begin());
         if (column == table.columns.end()) { table.columns.push_back(row.formulation); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One row per cell: solves of the dynamics and projection iterations, in all and per step.
+// One row per cell: solves of the dynamics and projection iterations, in all and per step (of those accepted).
 #include <fmt/format.h>
 
 #include "plots/tables/cells.hpp"
@@ -22,11 +22,10 @@ TextTable cost_table(const Results& results) {
         const double evaluations = row.cost.at("evaluations");
         const auto found = row.cost.find("projection_iterations");
         const double iterations = found == row.cost.end() ? 0 : found->second;
-        const auto steps = static_cast<double>(row.steps);
-        add_row(
-            table, names, row,
-            {fmt::format("{}", row.steps), fmt::format("{}", evaluations), fmt::format("{:.3g}", evaluations / steps),
-             fmt::format("{}", iterations), fmt::format("{:.3g}", iterations / steps)});
+        const double steps = row.adaptive() ? value_or_nan(row.cost, "accepted") : static_cast<double>(row.steps);
+        add_row(table, names, row,
+                {fmt::format("{}", steps), fmt::format("{}", evaluations), fmt::format("{:.3g}", evaluations / steps),
+                 fmt::format("{}", iterations), fmt::format("{:.3g}", iterations / steps)});
     }
     return table;
 }

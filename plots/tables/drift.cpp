@@ -31,7 +31,7 @@ TextTable drift_table(const Results& results, const std::filesystem::path& folde
         const auto trajectory = row.has_trajectory ? read_trajectory(folder, row) : TrajectoryTable{};
         for (const std::string& name : metrics) {
             if (!row.metrics.contains(name)) { continue; }
-            std::vector<std::string> cells = {fmt::format("{}", row.steps), number(row.h), name.substr(7),
+            std::vector<std::string> cells = {steps_cell(row), number(step_size(row)), name.substr(7),
                                               number(value_or_nan(row.metrics, name)),
                                               number(value_or_nan(row.metrics, name + ".final"))};
             for (std::string& cell : growth_cells(growth_of(trajectory, name, row.precision))) {

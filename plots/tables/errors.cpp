@@ -3,6 +3,8 @@
 // Errors of the final states of a convergence study.
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "plots/laws/convergence.hpp"
 #include "plots/tables/cells.hpp"
 #include "plots/tables/table.hpp"
@@ -11,16 +13,30 @@ namespace kreisel {
 
 namespace {
 
-std::vector<std::string> errors_row(const ResultRow& row, const std::vector<std::string>& metrics,
-                                    std::string (*number)(double)) {
-    std::vector<std::string> cells = {fmt::format("{}", row.steps), number(row.h)};
+// How its steps are given: a tolerance where some cell has one, beside it their number and size.
+std::vector<std::string> steps_titles(bool tolerances) {
+    return tolerances ? std::vector<std::string>{"steps", "h [s]", "tolerance"}
+                      : std::vector<std::string>{"steps", "h [s]"};
+}
+
+std::vector<std::string> steps_cells(const ResultRow& row, bool tolerances, std::string (*number)(double)) {
+    const double absent = std::numeric_limits<double>::quiet_NaN();
+    std::vector<std::string> cells = {row.adaptive() ? number(absent) : fmt::format("{}", row.steps),
+                                      number(step_size(row))};
+    if (tolerances) { cells.push_back(number(row.adaptive() ? row.tolerance : absent)); }
+    return cells;
+}
+
+std::vector<std::string> errors_of_row(const ResultRow& row, const std::vector<std::string>& metrics,
+                                       std::string (*number)(double)) {
+    std::vector<std::string> cells;
     for (const std::string& metric : metrics) { cells.push_back(number(value_or_nan(row.metrics, metric))); }
     return cells;
 }
 
-// Marks the errors of a row that ends past the horizon of its reference; the first two cells are not errors.
+// Marks the errors of a row that ends past the horizon of its reference.
 std::vector<std::string> marked(std::vector<std::string> cells, const ResultRow& row) {
-    for (std::size_t i = 2; i < cells.size() && row.past_horizon; ++i) { cells[i] += cells[i] == "-" ? "" : "*"; }
+    for (std::size_t i = 0; i < cells.size() && row.past_horizon; ++i) { cells[i] += cells[i] == "-" ? "" : "*"; }
     return cells;
 }
 
@@ -37,13 +53,15 @@ std::vector<std::string> with_units(const std::vector<std::string>& metrics, con
 TextTable errors_in_full(const Results& results) {
     const CellNames names(results.rows);
     const auto metrics = error_metrics(results.rows);
+    const bool tolerances = has_adaptive_cells(results);
     TextTable table{"errors", "Errors of the final state: " + results.name, {}, {}};
-    table.columns =
-        with(with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics, results.units)), {"past_horizon"});
+    table.columns = with(with(CellNames::axes(), steps_titles(tolerances)),
+                         with(with_units(metrics, results.units), {"past_horizon"}));
     for (const CellGroup& group : group_by_method(results.rows)) {
         for (const ResultRow* row : group.rows) {
             if (!row->ok()) { continue; }
-            table.rows.push_back(with(identity(names, *row), errors_row(*row, metrics, exact_number)));
+            table.rows.push_back(with(with(identity(names, *row), steps_cells(*row, tolerances, exact_number)),
+                                      errors_of_row(*row, metrics, exact_number)));
             table.rows.back().emplace_back(row->past_horizon ? "yes" : "");
         }
     }
@@ -55,19 +73,21 @@ TextTable errors_in_brief(const Results& results) {
     const CellNames names(results.rows);
     const auto metrics = error_metrics(results.rows);
     TextTable table{"errors", "Errors of the final state, finest step: " + results.name, {}, {}};
+    const bool tolerances = has_adaptive_cells(results);
     bool past = false;
-    table.columns = with(with(CellNames::axes(), {"steps", "h [s]"}), with_units(metrics, results.units));
+    table.columns = with(with(CellNames::axes(), steps_titles(tolerances)), with_units(metrics, results.units));
     for (const CellGroup& group : group_by_method(results.rows)) {
         const ResultRow* best = finest(group);
         if (best == nullptr) { continue; }
-        table.rows.push_back(with(identity(names, *best), marked(errors_row(*best, metrics, short_number), *best)));
+        table.rows.push_back(with(with(identity(names, *best), steps_cells(*best, tolerances, short_number)),
+                                  marked(errors_of_row(*best, metrics, short_number), *best)));
         past = past || best->past_horizon;
     }
     if (past) {
         table.notes.emplace_back(
             "An asterisk marks errors past the horizon of the reference: they are above 100 times its uncertainty.");
     }
-    return without_constant_columns(table, with(CellNames::axes(), {"steps", "h [s]"}));
+    return without_constant_columns(table, with(CellNames::axes(), steps_titles(tolerances)));
 }
 
 std::vector<TablePair> errors_tables(const Results& results, const std::filesystem::path& /*folder*/) {

@@ -21,8 +21,8 @@ TextTable invariants_table(const Results& results, std::string (*number)(double)
         if (row.status == "skipped") { continue; }
         for (const std::string& name : plain_metrics({row}, "invariant.")) {
             add_row(table, names, row,
-                    {fmt::format("{}", row.steps), number(row.h), name.substr(10),
-                     number(value_or_nan(row.metrics, name)), number(value_or_nan(row.metrics, name + ".relative")),
+                    {steps_cell(row), number(step_size(row)), name.substr(10), number(value_or_nan(row.metrics, name)),
+                     number(value_or_nan(row.metrics, name + ".relative")),
                      number(value_or_nan(row.metrics, name + ".slope")),
                      number(value_or_nan(row.metrics, name + ".slope_error"))});
         }

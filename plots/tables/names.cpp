@@ -45,6 +45,7 @@ CellNames::CellNames(const std::vector<ResultRow>& rows) : rows_(rows) {
     for (const ResultRow& row : rows) {
         by_name[row.method].push_back(&row.options);
         by_name["projection " + row.projection].push_back(&row.projection_options);
+        (row.adaptive() ? adaptive_ : constant_).insert(row.method);
     }
     for (const auto& [name, options] : by_name) { varying_options_[name] = varying(options); }
 }
@@ -57,7 +58,11 @@ const std::vector<std::string>& CellNames::axes() {
 std::string CellNames::axis(const ResultRow& row, const std::string& axis) const {
     if (axis == "problem") { return row.label; }
     if (axis == "formulation") { return row.formulation; }
-    if (axis == "method") { return with_options(row.method, row.options, varying_options_.at(row.method)); }
+    if (axis == "method") {
+        const bool both = adaptive_.contains(row.method) && constant_.contains(row.method);
+        return with_options(row.method, row.options, varying_options_.at(row.method)) +
+               (both && row.adaptive() ? " adaptive" : "");
+    }
     if (axis == "projection") {
         return with_options(row.projection, row.projection_options,
                             varying_options_.at("projection " + row.projection));
@@ -102,7 +107,7 @@ std::vector<CellGroup> grouped(const std::vector<ResultRow>& rows, bool (*same)(
 bool same_but_for_size(const ResultRow& a, const ResultRow& b) {
     return a.problem == b.problem && a.label == b.label && a.formulation == b.formulation && a.method == b.method &&
            a.options == b.options && a.projection == b.projection && a.projection_options == b.projection_options &&
-           a.precision == b.precision;
+           a.precision == b.precision && a.adaptive() == b.adaptive() && a.controller == b.controller;
 }
 
 std::vector<CellGroup> group_by_method(const std::vector<ResultRow>& rows) {

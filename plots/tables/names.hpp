@@ -3,6 +3,7 @@
 // How tables and figures name cells and quantities.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,8 @@
 
 namespace kreisel {
 
-/// Names of cells relative to the cells beside them: a method is shown with those of its options that vary.
+/// Names of cells relative to the cells beside them: a method is shown with those of its options that vary, and as
+/// "adaptive" where it has both constant steps and tolerances.
 class CellNames {
   public:
     explicit CellNames(const std::vector<ResultRow>& rows);
@@ -27,9 +29,10 @@ class CellNames {
   private:
     const std::vector<ResultRow>& rows_;
     std::map<std::string, std::vector<std::string>> varying_options_;  ///< by method, and by projection
+    std::set<std::string> adaptive_, constant_;                        ///< methods with such steps
 };
 
-/// Rows that differ in their number of steps only, in the order of first appearance.
+/// Rows that differ in their number of steps or their tolerance only, in the order of first appearance.
 struct CellGroup {
     std::vector<const ResultRow*> rows;
     const ResultRow& front() const { return *rows.front(); }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // One row per cell that is not ok, with its reason.
-#include <fmt/format.h>
-
 #include "plots/tables/cells.hpp"
 #include "plots/tables/table.hpp"
 
@@ -14,7 +12,7 @@ TextTable not_ok_table(const Results& results) {
     const CellNames names(results.rows);
     TextTable table = cell_table("not_ok", "Cells failed or skipped: " + results.name, {"steps", "status", "reason"});
     for (const ResultRow& row : results.rows) {
-        if (!row.ok()) { add_row(table, names, row, {fmt::format("{}", row.steps), row.status, row.detail}); }
+        if (!row.ok()) { add_row(table, names, row, {steps_cell(row), row.status, row.detail}); }
     }
     return table;
 }

@@ -18,6 +18,10 @@ bool has_errors(const Results& results) { return !error_metrics(results.rows).em
 
 bool has_no_errors(const Results& results) { return !has_errors(results); }
 
+bool has_adaptive_cells(const Results& results) {
+    return std::any_of(results.rows.begin(), results.rows.end(), [](const ResultRow& row) { return row.adaptive(); });
+}
+
 bool has_timed_cells(const Results& results) {
     return std::any_of(results.rows.begin(), results.rows.end(), [](const ResultRow& row) { return row.bodies > 0; });
 }

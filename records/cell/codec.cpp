@@ -14,7 +14,10 @@ namespace {
 /// The times of a cost by name.
 template <class Times>
 auto* time_named(const std::string& name, Times& times) {
-    return name == "step_s" ? &times.step_s : name == "memory" ? &times.memory : nullptr;
+    return name == "step_s"   ? &times.step_s
+           : name == "memory" ? &times.memory
+           : name == "run_s"  ? &times.run_s
+                              : nullptr;
 }
 
 template <class Value>
@@ -197,6 +200,7 @@ void add_times(const CellTimes& times, ObjectWriter& object) {
     object.member("cpu_s", json_number(times.cpu_s));
     if (times.step_s) { object.member("step_s", json_number(*times.step_s)); }
     if (times.memory) { object.member("memory", json_number(*times.memory)); }
+    if (times.run_s) { object.member("run_s", json_number(*times.run_s)); }
 }
 
 bool read_time(const JsonMember& member, CellTimes& times) {

@@ -39,6 +39,24 @@ ReferenceNote note_of(const Reference& reference, double t_end) {
 
 Number counted(long count) { return {static_cast<double>(count), fmt::format("{}", count)}; }
 
+// A cell of constant steps has the counts that it has always had, unless its kind is about costs.
+std::vector<std::pair<std::string, Number>> counts_of(const Cell& cell, const Cost& cost) {
+    std::vector<std::pair<std::string, Number>> counts = {
+        {"evaluations", counted(cost.evaluations)},
+        {"projection_iterations", counted(cost.projection_iterations)},
+        {"output_evaluations", counted(cost.output_evaluations)}};
+    if (cell.tolerance > 0) {
+        counts.emplace_back("accepted", counted(cost.accepted));
+        counts.emplace_back("rejected", counted(cost.rejected));
+    }
+    if (cell.tolerance > 0 || cell.repeated) {
+        counts.emplace_back("exponentials", counted(cost.exponentials));
+        counts.emplace_back("brackets", counted(cost.brackets));
+        counts.emplace_back("newton_iterations", counted(cost.newton_iterations));
+    }
+    return counts;
+}
+
 bool sum_holds(const std::string& journal_line) {
     const auto sum_at = journal_line.rfind(sum_key);
     if (sum_at == std::string::npos) { return false; }
@@ -50,7 +68,9 @@ bool sum_holds(const std::string& journal_line) {
 
 CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
                      const std::string& trajectory_sum) {
-    CellRecord record{planned.identity, {}, {outcome.cost.cpu_s, outcome.cost.step_s, outcome.cost.memory}};
+    const Cost& cost = outcome.cost;
+    CellRecord record{planned.identity, {}, {cost.cpu_s, cost.step_s, cost.memory, {}}};
+    if (planned.cell.repeated) { record.times.run_s = cost.run_s; }
     CellOutcome& result = record.outcome;
     result.status = outcome.status;
     result.detail = outcome.detail;
@@ -64,9 +84,7 @@ CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const R
     if (reference != nullptr) { result.reference = note_of(*reference, planned.cell.t_end); }
     result.trajectory = trajectory_sum.empty() ? "" : trajectory_file(planned.hash);
     result.trajectory_sum = trajectory_sum;
-    result.counts = {{"evaluations", counted(outcome.cost.evaluations)},
-                     {"projection_iterations", counted(outcome.cost.projection_iterations)},
-                     {"output_evaluations", counted(outcome.cost.output_evaluations)}};
+    result.counts = counts_of(planned.cell, cost);
     return record;
 }
 

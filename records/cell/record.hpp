@@ -27,8 +27,11 @@ struct CellIdentity {
     std::string projection;
     OptionValues projection_options;
     std::string precision;
-    long steps = 0;
-    double h = 0, t_end = 0;  ///< s
+    long steps = 0;  ///< of one size; 0 where they are chosen to a tolerance
+    double h = 0;    ///< s; of steps of one size
+    double tolerance = 0;
+    std::string controller;  ///< of steps to a tolerance
+    double t_end = 0;        ///< s
 
     bool quad() const { return precision == "quad"; }
     bool operator==(const CellIdentity&) const = default;
@@ -62,6 +65,7 @@ struct CellOutcome {
 struct CellTimes {
     double cpu_s = 0;
     std::optional<double> step_s, memory;  ///< of a timed cell: s, bytes
+    std::optional<double> run_s;           ///< all steps of a repeated cell, s
 };
 
 struct CellRecord {

@@ -77,6 +77,10 @@ std::map<std::string, std::string> identity_of_record(const CellIdentity& cell) 
                                                    {"precision", cell.precision}};
     std::erase_if(identity, [](const auto& one) { return one.second.empty(); });  // not told
     if (cell.steps > 0) { identity["steps"] = fmt::format("{}", cell.steps); }
+    if (cell.tolerance > 0) {
+        identity["tolerance"] = exact_text(cell.tolerance);
+        identity["controller"] = cell.controller;
+    }
     if (cell.t_end != 0) { identity["t_end"] = exact_text(cell.t_end); }
     for (const JsonMember& parameter : cell.parameters.members) {
         identity["parameters." + parameter.name] = canonical(parameter.value);

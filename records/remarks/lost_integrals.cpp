@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "records/cell/stepping.hpp"
+
 namespace kreisel {
 
 namespace {
@@ -18,9 +20,9 @@ std::string note_of(const std::string& label, const Group& group) {
     const ResultRow& row = *group.worst;
     return fmt::format(
         "{}: {} of {} cells end ok with more than 1 % of a first integral lost, {} by {:.3g} % at most ({}, {}, "
-        "projection {}, {} steps): their other numbers are no more accurate",
+        "projection {}, {}): their other numbers are no more accurate",
         label, group.lost, group.ended, row.lost_integral, 100 * row.lost_share, row.method, row.formulation,
-        row.projection, row.steps);
+        row.projection, stepping_text(row));
 }
 
 }  // namespace

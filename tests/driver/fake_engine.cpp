@@ -45,12 +45,13 @@ void sleep_milliseconds(long count) { std::this_thread::sleep_for(std::chrono::m
 
 // Simulates the steps, `pause` milliseconds each, and samples; false if asked to stop.
 bool work(const Cell& cell, long pause, const std::stop_token& stop, SampleSink* samples) {
-    const long stride = cell.samples > 0 && samples != nullptr ? cell.steps / cell.samples : 0;
+    const long steps = cell.tolerance > 0 ? std::max(1L, cell.samples) : cell.steps;
+    const long stride = cell.samples > 0 && samples != nullptr ? steps / cell.samples : 0;
     if (stride > 0) { samples->begin({{"t", "s"}, {"x1", "m"}}); }
-    for (long i = 0; i <= cell.steps; ++i) {
+    for (long i = 0; i <= steps; ++i) {
         if (pause > 0 && i > 0) { sleep_milliseconds(pause); }
         if (pause > 0 && stop.stop_requested()) { return false; }
-        const double t = cell.t_end * static_cast<double>(i) / static_cast<double>(cell.steps);
+        const double t = cell.t_end * static_cast<double>(i) / static_cast<double>(steps);
         if (stride > 0 && i % stride == 0) { samples->add(fmt::format("{},{}", t, std::sin(t))); }
     }
     return true;
@@ -125,7 +126,9 @@ std::vector<MethodDescription> FakeEngine::methods() const {
             {"fake/slow", 1, {}},
             {"fake/deaf", 1, {}},
             {"fake/throws", 1, {}},
-            {"fake/throws_int", 1, {}}};
+            {"fake/throws_int", 1, {}},
+            {.name = "fake/pair", .order = 4, .summary = "a pair", .stages = 6, .estimate = 4},
+            {.name = "fake/own", .order = 4, .summary = "a control of its own", .own_control = true}};
 }
 
 std::vector<ProjectionDescription> FakeEngine::projections() const {
@@ -186,13 +189,19 @@ Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std:
     ++runs;
     Outcome outcome;
     outcome.cost.cpu_s = 1e-3 * runs;  // differs from run to run, as times do
-    outcome.cost.evaluations = 4 * cell.steps;
+    const long steps = cell.tolerance > 0 ? std::lround(10 * std::pow(cell.tolerance, -0.25)) : cell.steps;
+    outcome.cost.evaluations = 4 * steps;
+    outcome.cost.exponentials = 3 * steps;
+    outcome.cost.brackets = steps;
+    outcome.cost.accepted = steps;
+    outcome.cost.rejected = cell.tolerance > 0 ? steps / 8 : 0;
+    if (cell.repeated) { outcome.cost.run_s = 1e-6 * static_cast<double>(steps) * (1 + 0.01 * runs); }
     if (!work(cell, cell.method == "fake/slow" ? 1 : 0, stop, cell.timed ? nullptr : samples)) {
         outcome.status = "interrupted";
         return outcome;
     }
     if (cell.method == "fake/deaf") { sleep_milliseconds(cell.steps); }
-    outcome.steps_done = cell.steps;
+    outcome.steps_done = steps;
     outcome.t_reached = cell.t_end;
     outcome.bodies = 1;
     if (cell.timed) {
@@ -201,12 +210,12 @@ Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std:
         return misbehave(cell, outcome);
     }
     outcome.final = state_at(cell.t_end, mass_of(cell.parameters));
-    const double error = std::pow(static_cast<double>(cell.steps), -4);
+    const double error = cell.tolerance > 0 ? cell.tolerance : std::pow(static_cast<double>(steps), -4);
     if (reference != nullptr &&
         (cell.t_end <= reference->horizon || error > 100 * reference->error.at("error.position").value)) {
         outcome.metrics.emplace_back("error.position", number(error));
     }
-    outcome.metrics.emplace_back("invariant.energy", number(1.0 / static_cast<double>(cell.steps)));
+    outcome.metrics.emplace_back("invariant.energy", number(1.0 / static_cast<double>(steps)));
     return misbehave(cell, outcome);
 }
 

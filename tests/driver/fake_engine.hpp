@@ -13,7 +13,8 @@ namespace kreisel {
 /// Methods: rkmk/rk4 and rkmk/midpoint (options coordinates, dexpinv), baseline/rk4_quaternion (a flag; skipped on
 /// SE3), fake/relaxed (a real option), fake/nan (fails half way), fake/infinite (reports an infinite metric), fake/slow
 /// (one millisecond per step, checks stop requests, samples on the way), fake/deaf (ignores stop requests),
-/// fake/throws, fake/throws_int.
+/// fake/throws, fake/throws_int, fake/pair (has an estimate of its error, which is the tolerance), fake/own (chooses
+/// its steps itself).
 class FakeEngine final : public Engine {
   public:
     std::vector<ProblemDescription> problems() const override;

@@ -17,7 +17,9 @@ namespace {
 void describe_experiment(const ExperimentKind& kind, std::ostream& out) {
     fmt::print(out, "{}, a kind of experiments: {}\n", kind.name, kind.summary);
     fmt::print(out, "Metrics: {} by default{}\n", kind.metrics.empty() ? "none" : listed(kind.metrics),
-               kind.timed ? "; cells are timed, run one at a time, and measure nothing else" : "");
+               kind.timed      ? "; cells are timed, run one at a time, and measure nothing else"
+               : kind.repeated ? "; cells run one at a time, and again for the CPU time of their steps"
+                               : "");
     fmt::print(out, "Figure: {} by default\n", in_quotes(kind.figure));
 }
 

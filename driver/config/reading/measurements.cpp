@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "plots/figures/spec.hpp"
 #include "records/kinds/kind.hpp"
@@ -15,14 +16,16 @@ namespace {
 void read_output(const Node& root, Config& config) {
     const auto output = root.find("output");
     if (!output || !output->require_object("an object with \"samples\"")) { return; }
-    output->only_keys({"samples"});
+    output->only_keys({"samples", "dense"});
+    if (const auto dense = output->find("dense")) { config.dense = dense->flag().value_or(true); }
     const auto node = output->find("samples");
     const auto samples = node ? node->count(0, most_samples, "a number of samples") : std::nullopt;
     config.samples = samples.value_or(0);
     for (const long steps : config.steps) {
         if (config.samples > 0 && steps % config.samples != 0) {
-            node->error("a number that divides every number of steps, since samples are not interpolated",
-                        fmt::format("{}, which does not divide {}", config.samples, steps));
+            node->error(
+                "a number that divides every number of steps, since samples of constant steps are not interpolated",
+                fmt::format("{}, which does not divide {}", config.samples, steps));
             return;
         }
     }
@@ -60,13 +63,16 @@ void check_timed(const Node& root, const Config& config) {
         root.find("output")->find("samples")->error("0: this kind measures only the steps",
                                                     fmt::format("{}", config.samples));
     }
+    if (!config.tolerances.empty()) {
+        root.find("time")->find("tolerance")->error("steps of one size: this kind measures a step", "a tolerance");
+    }
 }
 
 void read_figure(const Node& root, Config& config) {
     const auto node = root.find("figure");
     if (!node) { return; }
     read_figures(*node, config.name);
-    config.figure = node->json();
+    config.figure = node->json().dump();
 }
 
 }  // namespace

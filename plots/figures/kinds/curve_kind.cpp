@@ -28,19 +28,25 @@ std::string facet_title(const std::string& facet, const std::string& value) {
     return value == "none" && facet == "projection" ? "no projection" : enhanced_escape(value);
 }
 
+std::string steps_remark(const ResultRow& row) {
+    return row.adaptive() ? fmt::format("tolerance {}", row.tolerance) : fmt::format("h = {:.3g} s", row.h);
+}
+
 // Names of groups in a legend, with step sizes if these are named and vary; equal names have equal styles in
 // all panels.
 class Legends {
   public:
     Legends(const std::vector<ResultRow>& rows, const CellNames& names, const std::string& facet, bool names_steps)
         : names_(names), axes_(names.varying_axes(facet.empty() ? std::vector<std::string>{} : std::vector{facet})) {
-        const auto other = [&](const ResultRow& row) { return row.steps != rows.front().steps; };
+        const auto other = [&](const ResultRow& row) {
+            return row.steps != rows.front().steps || row.tolerance != rows.front().tolerance;
+        };
         with_steps_ = names_steps && std::any_of(rows.begin(), rows.end(), other);
     }
 
     std::string name(const ResultRow& row) const {
         std::string text = axes_.empty() && with_steps_ ? "" : names_.legend(row, axes_);
-        if (with_steps_) { text += fmt::format("{}h = {:.3g} s", text.empty() ? "" : ", ", row.h); }
+        if (with_steps_) { text += (text.empty() ? "" : ", ") + steps_remark(row); }
         return text;
     }
     int style(const std::string& name) {
@@ -85,8 +91,10 @@ PanelFigure CurveKind::panels(const Results& results, const std::filesystem::pat
     return figure;
 }
 
-std::vector<FigureKey> curve_keys(const std::string& family) {
-    return {figure_key("metric", &CurveKind::metrics, figure_value::metrics(family), "what is drawn, a panel each"),
+std::vector<FigureKey> curve_keys(const std::string& family) { return curve_keys(std::vector{family}); }
+
+std::vector<FigureKey> curve_keys(const std::vector<std::string>& families) {
+    return {figure_key("metric", &CurveKind::metrics, figure_value::metrics(families), "what is drawn, a panel each"),
             figure_key("facet", &CurveKind::facet, figure_value::axis(), "one panel for each value of an axis"),
             figure_key("columns", &CurveKind::columns, figure_value::count(1, 4, "panels beside each other"),
                        "panels beside each other")};

@@ -48,8 +48,9 @@ class CurveKind : public PanelKind {
     virtual bool names_steps() const { return false; }
 };
 
-/// The keys of such kinds, whose metrics are of a family such as "error.".
+/// The keys of such kinds, whose metrics are of a family such as "error.", or of several.
 std::vector<FigureKey> curve_keys(const std::string& family);
+std::vector<FigureKey> curve_keys(const std::vector<std::string>& families);
 
 /// Axis label of a metric in enhanced text, with its unit.
 std::string metric_label(const std::string& metric, const Units& units);
