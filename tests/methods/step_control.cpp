@@ -9,7 +9,7 @@
 #include "mechanics/model/scales.hpp"
 #include "methods/simulation.hpp"
 #include "tests/mechanics/models/scaled.hpp"
-#include "tests/methods/stepping.hpp"
+#include "tests/methods/controlled_trip.hpp"
 
 using namespace stepping;
 
@@ -23,41 +23,6 @@ std::vector<const Method*> estimating() {
         if (entry.description.estimate > 0) found.push_back(&entry);
     return found;
 }
-
-/// A stepper of a method on a model with all it needs, and the states it has been through.
-class ControlledTrip {
-  public:
-    using Bind = std::function<std::unique_ptr<Stepper>(const Method&, System&, Projection&, const Accuracy&)>;
-
-    ControlledTrip(const Model& model, const std::string& formulation, const Method& entry, const Accuracy& accuracy,
-                   const std::string& projector = "none", const Bind& bind = standard)
-        : system(make_system(model, formulation)),
-          project(projection(projector).make(*system, default_options(projection(projector).description.options))),
-          stepper(bind(entry, *system, *project, accuracy)),
-          y(initial_state(*system, model)) {}
-
-    static std::unique_ptr<Stepper> standard(const Method& entry, System& system, Projection& project,
-                                             const Accuracy& accuracy) {
-        return bind_stepper(entry, system, project, accuracy, default_options(entry.description.options));
-    }
-
-    Status run(const Real& t_end) {
-        times = {0}, states = {y};
-        Real t = 0;
-        Status status = stepper->start(t, t_end, y.data());
-        while (status == Status::ok && t < t_end) {
-            status = stepper->step(t, t_end, y.data());
-            times.push_back(t), states.push_back(y);
-        }
-        return status;
-    }
-
-    std::unique_ptr<System> system;
-    std::unique_ptr<Projection> project;
-    std::unique_ptr<Stepper> stepper;
-    std::vector<Real> y, times;
-    std::vector<std::vector<Real>> states;
-};
 
 Accuracy accuracy_for(const Model& model) { return {.tolerance = tolerance, .length = extent(model)}; }
 
