@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The base methods of extrapolation: the explicit midpoint rule over a step by H in n (even) substeps h = H/n. Two lifts
-// of it to TG; each gives its result as coordinates u in a linear space in which
+// The base methods of extrapolation: the explicit midpoint rule over a step by H in n (even) substeps h = H/n, lifted to
+// TG in two ways; each gives its result as coordinates u in a linear space in which
 //   u(h) = u(0) + e_1 h^2 + e_2 h^4 + ...,
 // so that Aitken-Neville extrapolation in h^2 gives order 2k from k of them [gragg1965].
 //
@@ -16,8 +16,8 @@
 //   a+ = a exp(2h F(b exp(h F(a)))),   b+ = b exp(h F(a)) exp(h F(a+)),   a_0 = b_0 = y_n,
 // on pairs, which is symmetric: exchanging the ends, and h by -h, gives the same equations. The error of a_k therefore
 // has an expansion in h^2 [hairer1993, Thm II.8.10], in any coordinates of the pairs. Its coordinates are
-// u = log(a^{-1} y), a the result of the first row: fixed during a step and near all others, so that no row, however long
-// the step, meets the limits of a chart.
+// u = log(a^{-1} y), a the result of the first row: fixed during a step and near all others, so that a step meets no
+// limit of a chart, however far it turns.
 #pragma once
 
 #include "lie/real.hpp"

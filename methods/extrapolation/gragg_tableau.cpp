@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// With h = H/n, z_0 = 0, z_1 = h k_1, z_{i+1} = z_{i-1} + 2 h f(z_i), an even z sums the slopes at odd ones before it with
-// weight 2/n, an odd z those at even ones, where k_1, common to all rows of substeps, counts half. And
+// With h = H/n, z_0 = 0, z_1 = h k_1, z_{i+1} = z_{i-1} + 2 h f(z_i), an even z sums the slopes at odd ones before it
+// with weight 2/n, an odd z those at even ones, where k_1, common to all rows of substeps, counts half. And
 //   T_kk = sum_j w_j T_{j,1},   w_j = prod_{i != j} n_j^2 / (n_j^2 - n_i^2),
 // the polynomial in h^2 through all rows at h = 0 in Lagrange's form; T_{k,k-1} is the same without the first row.
 #include "methods/extrapolation/gragg_tableau.hpp"

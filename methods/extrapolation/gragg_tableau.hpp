@@ -6,8 +6,8 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// The explicit Runge-Kutta pair that the extrapolation of Gragg's rule amounts to: rows of 2, 4, ..., 2k substeps, b of
-/// T_kk and b^ of T_{k,k-1}. Exact up to k = 6 at least.
+/// The explicit Runge-Kutta pair that the extrapolation of Gragg's rule amounts to: k rows of 2, 4, ..., 2k substeps,
+/// b of T_kk and b^ of T_{k,k-1}. Exact up to k = 6 at least.
 Tableau gragg_tableau(int columns);
 
 }  // namespace KREISEL_PRECISION
