@@ -3,9 +3,10 @@
 
 #include "engine/observers/conservation.hpp"
 #include "engine/observers/errors.hpp"
-#include "engine/observers/samples.hpp"
 #include "engine/observers/timing.hpp"
-#include "methods/simulation.hpp"
+#include "engine/pace.hpp"
+#include "engine/sampler.hpp"
+#include "methods/contract/method.hpp"
 #include "problems/problem.hpp"
 #include "support/number_text.hpp"
 
@@ -35,6 +36,17 @@ std::string where_not_finite(const std::vector<BodyState>& states, const Model& 
     return "finiteness of the state";
 }
 
+Setup setup_of(const Cell& cell) {
+    return {cell.formulation,        cell.method,    cell.options, cell.projection, cell.projection_options,
+            decimal(cell.tolerance), cell.controller};
+}
+
+/// Whether samples may fall between steps: they are of order p - 1 at least, or steps are cut short for them.
+bool interpolates(const Cell& cell) {
+    const Order order = method(cell.method).factory.order(cell.options, method(cell.method).description.order);
+    return cell.tolerance > 0 && cell.dense && order.configuration <= Interpolant::order + 1;
+}
+
 /// A simulation and its observers: all objects of one cell.
 class Run {
   public:
@@ -42,13 +54,17 @@ class Run {
     Outcome execute(const Reference* reference, const std::stop_token& stop);
 
   private:
-    Real time(long step) const { return step == cell_.steps ? t_end_ : Real(h_ * Real(step)); }
-    bool observes() const { return !step_metrics_.idle() || !integral_metrics_.idle() || samples_; }
-    void observe(long step);
+    bool observes() const { return !step_metrics_.idle() || !integral_metrics_.idle() || sampler_; }
+    void observe();
+    void advance(bool observing, const std::stop_token& stop);
+    void observe_step();
+    void measure(const std::stop_token& stop);
     void time_steps(const std::stop_token& stop);
-    void advance(const std::stop_token& stop);
-    [[gnu::cold]] void fail(Status status, long step, const std::string& where, const std::string& reason = "");
-    [[gnu::cold]] void fail_not_finite(long step);
+    RepeatedTimes repeat(const std::stop_token& stop);
+    void count_work();
+    std::string place(long step) const;
+    [[gnu::cold]] void fail(Status status, const std::string& where, const std::string& reason = "");
+    [[gnu::cold]] void fail_not_finite();
     void finish(const Reference* reference);
     void report_end(const Real& t, const Reference* reference);
 
@@ -56,111 +72,141 @@ class Run {
     double heap_before_;
     Simulation simulation_;
     double memory_;
+    const std::vector<Real> start_;
+    Pace pace_;
     Observation observation_;
     StepMetrics step_metrics_;
     IntegralMetrics integral_metrics_;
     std::optional<JointForces> joint_forces_;
     std::optional<Conservation> conservation_;
-    std::optional<Samples> samples_;
-    Real t_end_, h_;
-    long evaluations_ = 0;  // of the steps of one run
+    std::optional<Sampler> sampler_;
     Outcome outcome_;
 };
 
 Run::Run(const Cell& cell, SampleSink* sink)
     : cell_(cell),
       heap_before_(heap_bytes()),
-      simulation_(problem(cell.problem).build(Parameters(cell.parameters)),
-                  {cell.formulation, cell.method, cell.options, cell.projection, cell.projection_options}),
+      simulation_(problem(cell.problem).build(Parameters(cell.parameters)), setup_of(cell)),
       memory_(heap_bytes() - heap_before_),
+      start_(simulation_.state()),
+      pace_(cell, simulation_),
       observation_(simulation_.system()),
       step_metrics_(simulation_.system(), cell.metrics),
-      integral_metrics_(simulation_.system(), cell.metrics),
-      t_end_(decimal(cell.t_end)),
-      h_(t_end_ / Real(cell.steps)) {
+      integral_metrics_(simulation_.system(), cell.metrics) {
     outcome_.constraints = to_summary(simulation_.system().constraint_rank());
     outcome_.bodies = simulation_.system().bodies();
     observation_.move_to(simulation_.time(), simulation_.state().data());
     if (!cell.timed || cell.samples > 0) joint_forces_.emplace(simulation_.system(), simulation_.model());
     if (!cell.timed) conservation_.emplace(observation_);
     if (cell.samples > 0)
-        samples_.emplace(Sampled{simulation_.model(), *joint_forces_, step_metrics_, integral_metrics_},
-                         cell.steps / cell.samples, sink);
+        sampler_.emplace(cell, simulation_,
+                         Sampled{simulation_.model(), *joint_forces_, step_metrics_, integral_metrics_},
+                         interpolates(cell), sink);
 }
 
 Outcome Run::execute(const Reference* reference, const std::stop_token& stop) {
     const double begin = thread_seconds();
-    observe(0);
-    if (cell_.timed)
-        time_steps(stop);
-    else
-        advance(stop);
+    cell_.timed ? time_steps(stop) : measure(stop);
     finish(reference);
     outcome_.cost.cpu_s = thread_seconds() - begin;
+    if (cell_.repeated && outcome_.status == "ok") outcome_.cost.run_s = repeat(stop).fastest();
     return std::move(outcome_);
 }
 
-void Run::observe(long step) {
+void Run::measure(const std::stop_token& stop) {
+    observe();
+    if (sampler_) sampler_->begin(observation_);
+    advance(observes(), stop);
+    count_work();
+}
+
+void Run::observe() {
     observation_.move_to(simulation_.time(), simulation_.state().data());
     step_metrics_.observe(observation_);
     integral_metrics_.observe(observation_);
-    if (samples_) samples_->observe(step, observation_, simulation_.multipliers());
 }
 
-/// Runs several times from the start; the evaluations counted are those of one run.
+/// The work counted is that of the first run.
 void Run::time_steps(const std::stop_token& stop) {
     if (memory_ > 0) outcome_.cost.memory = memory_;
-    const std::vector<Real> start = simulation_.state();
-    RepeatedTimes times;
-    while (outcome_.status == "ok" && !times.reliable()) {
-        simulation_.restart(0, start);
-        const double begin = thread_seconds();
-        advance(stop);
-        times.add(thread_seconds() - begin);
-        if (evaluations_ == 0) evaluations_ = simulation_.system().evaluations();
-    }
-    if (outcome_.status == "ok") outcome_.cost.step_s = times.fastest() / static_cast<double>(cell_.steps);
+    const RepeatedTimes times = repeat(stop);
+    if (outcome_.status != "ok") return;
+    outcome_.cost.run_s = times.fastest();
+    outcome_.cost.step_s = times.fastest() / static_cast<double>(outcome_.steps_done);
 }
 
-void Run::advance(const std::stop_token& stop) {
-    if (const Status status = simulation_.restart(); status != Status::ok)
-        return fail(status, 0, "start", simulation_.system().reason(status));
+/// Runs several times from the start, without observers.
+RepeatedTimes Run::repeat(const std::stop_token& stop) {
+    RepeatedTimes times;
+    while (outcome_.status == "ok" && !times.reliable()) {
+        simulation_.restart(0, start_);
+        const double begin = thread_seconds();
+        advance(false, stop);
+        times.add(thread_seconds() - begin);
+        if (cell_.timed && outcome_.cost.evaluations == 0) count_work();
+    }
+    return times;
+}
+
+void Run::advance(bool observing, const std::stop_token& stop) {
+    outcome_.steps_done = 0;
+    if (const Status status = pace_.begin(); status != Status::ok)
+        return fail(status, simulation_.failed_part(), simulation_.failure_reason());
     const std::vector<Real>& y = simulation_.state();
-    const long steps = cell_.steps;
-    const bool observing = observes();
-    for (long i = 0; i < steps; ++i) {
-        if (i % 256 == 0 && stop.stop_requested()) {
+    const bool sampling = observing && sampler_;
+    while (!pace_.arrived()) {
+        if (outcome_.steps_done % 256 == 0 && stop.stop_requested()) {
             outcome_.status = "interrupted";
             return;
         }
-        if (const Status status = simulation_.step(h_, time(i + 1)); status != Status::ok)
-            return fail(status, i, simulation_.failed_part(), simulation_.failure_reason());
-        if (!all_finite(y)) return fail_not_finite(i);
-        outcome_.steps_done = i + 1;
-        if (observing) observe(i + 1);
+        if (sampling) sampler_->remember();
+        const Status status = pace_.step(sampling ? sampler_->limit() : pace_.t_end());
+        if (status != Status::ok) return fail(status, simulation_.failed_part(), simulation_.failure_reason());
+        if (!all_finite(y)) return fail_not_finite();
+        outcome_.steps_done = pace_.steps_done();
+        if (observing) observe_step();
     }
 }
 
-void Run::fail(Status status, long step, const std::string& where, const std::string& reason) {
+void Run::observe_step() {
+    if (sampler_) sampler_->between(observation_);
+    observe();
+    if (sampler_) sampler_->at_end(pace_.steps_done(), observation_);
+}
+
+std::string Run::place(long step) const {
+    const std::string from = ", from t = " + brief_text(to_double(pace_.time(step))) + " s";
+    return "step " + std::to_string(step + 1) + (pace_.to_tolerance() ? "" : " of " + std::to_string(cell_.steps)) +
+           from;
+}
+
+void Run::fail(Status status, const std::string& where, const std::string& reason) {
     outcome_.status = name(status);
-    outcome_.detail = where + " failed in step " + std::to_string(step + 1) + " of " + std::to_string(cell_.steps) +
-                      ", from t = " + brief_text(to_double(time(step))) + " s";
+    outcome_.detail = where + " failed in " + place(outcome_.steps_done);
     if (!reason.empty()) outcome_.detail += ": " + reason;
 }
 
-void Run::fail_not_finite(long step) {
-    fail(Status::non_finite, step, where_not_finite(simulation_.bodies(), simulation_.model()));
+void Run::fail_not_finite() { fail(Status::non_finite, where_not_finite(simulation_.bodies(), simulation_.model())); }
+
+void Run::count_work() {
+    Cost& cost = outcome_.cost;
+    cost.evaluations = simulation_.system().evaluations();
+    cost.exponentials = simulation_.work().exponentials;
+    cost.brackets = simulation_.work().brackets;
+    cost.newton_iterations = simulation_.work().newton_iterations;
+    cost.projection_iterations = simulation_.projection().iterations();
+    cost.accepted = outcome_.steps_done;
+    cost.rejected = simulation_.stepper() ? simulation_.stepper()->rejected() : 0;
 }
 
 void Run::finish(const Reference* reference) {
-    const Real t = time(outcome_.steps_done);
+    const Real t = pace_.time(outcome_.steps_done);
     const bool finished = outcome_.status == "ok";
     outcome_.t_reached = to_double(t);
-    outcome_.cost.evaluations = cell_.timed ? evaluations_ : simulation_.system().evaluations();
-    outcome_.cost.projection_iterations = simulation_.projection().iterations();
     if (finished && !cell_.timed) report_end(t, reference);
     outcome_.cost.output_evaluations = observation_.evaluations();
     if (joint_forces_) outcome_.cost.output_evaluations += joint_forces_->evaluations();
+    if (sampler_) outcome_.cost.output_evaluations += sampler_->evaluations();
     // A run that failed in its first step has measured only its start.
     if (!finished && outcome_.steps_done == 0) return;
     step_metrics_.report(finished, outcome_.metrics);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods/simulation.hpp"
 
+#include "mechanics/model/scales.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
@@ -8,13 +10,18 @@ Simulation::Simulation(Model model, const Setup& setup)
     : setup_(setup), model_(std::move(model)), system_(make_system(model_, setup.formulation)) {
     const Method& entry = method(setup.method);
     const ProjectionMethod& projector = kreisel::projection(setup.projection);
-    integrator_ = entry.bind(*system_, with_defaults(setup.options, entry.description.options));
     projection_ = projector.make(*system_, with_defaults(setup.projection_options, projector.description.options));
     if (SingularPassage::is_possible(model_)) {
         auto passage = std::make_unique<SingularPassage>(*system_, model_, std::move(projection_));
         passage_ = passage.get();
         projection_ = std::move(passage);
     }
+    const OptionValues options = with_defaults(setup.options, entry.description.options);
+    if (setup.tolerance > 0)
+        stepper_ =
+            bind_stepper(entry, *system_, *projection_, {setup.tolerance, extent(model_), setup.controller}, options);
+    else
+        integrator_ = entry.bind(*system_, options);
     y_ = initial_state(*system_, model_);
 }
 
@@ -27,6 +34,16 @@ std::vector<BodyState> Simulation::bodies() const {
 Status Simulation::restart(const Real& t, const std::vector<Real>& y) {
     t_ = t, y_ = y;
     return restart();
+}
+
+Status Simulation::restart() {
+    const Status status = integrator_ ? integrator_->start(t_, y_.data()) : Status::ok;
+    return status == Status::ok ? status : fail(status, "start", system_->reason(status));
+}
+
+Status Simulation::restart_to(const Real& t_end) {
+    const Status status = stepper_->start(t_, t_end, y_.data());
+    return status == Status::ok ? status : fail(status, "start", system_->reason(status));
 }
 
 Status Simulation::fail(Status status, const std::string& part, const std::string& reason) {
@@ -43,6 +60,11 @@ Status Simulation::fail_after(Status status) {
     if (passage_ && !passage_->reason().empty())
         return fail(status, "state after a step of " + setup_.method, passage_->reason());
     return fail(status, "projection " + setup_.projection, system_->reason(status));
+}
+
+Status Simulation::fail_in_stride(Status status) {
+    const bool passing = passage_ && !passage_->reason().empty();
+    return fail(status, stepper_->failed_part(), passing ? passage_->reason() : system_->reason(status));
 }
 
 }  // namespace KREISEL_PRECISION

@@ -6,8 +6,11 @@
 //   Simulation top(model, {.formulation = "SO3xR3", .method = "rkmk/rk4", .projection = "position_velocity"});
 //   if (top.advance(1, 1000) != Status::ok) std::cerr << top.failure();
 //   std::cout << top.bodies()[0].x;
+//
+// With a tolerance the method chooses its steps: {.method = "rkmk/dopri5", .tolerance = 1e-8}, and top.advance(1).
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +18,7 @@
 #include "mechanics/formulation.hpp"
 #include "methods/contract/integrator.hpp"
 #include "methods/contract/projection.hpp"
+#include "methods/control/stepper.hpp"
 #include "methods/passage.hpp"
 
 namespace kreisel {
@@ -26,6 +30,8 @@ struct Setup {
     OptionValues options = {};
     std::string projection = "none";
     OptionValues projection_options = {};
+    Real tolerance = 0;             ///< 0: steps of a given size; else see methods/control/stepper.hpp
+    std::string controller = "pi";  ///< of steps to a tolerance: elementary, pi, pid
 };
 
 class Simulation {
@@ -47,12 +53,17 @@ class Simulation {
     const Real* v() const { return system_->v(y_.data()); }  ///< velocities, in the coordinates of the formulation
     std::vector<BodyState> bodies() const;
     /// The method's own multipliers after the last step, or null (Integrator::multipliers).
-    const Real* multipliers() const { return integrator_->multipliers(); }
+    const Real* multipliers() const { return integrator_ ? integrator_->multipliers() : nullptr; }
+    /// Null where steps have a given size.
+    const Stepper* stepper() const { return stepper_.get(); }
+    const Work& work() const { return stepper_ ? stepper_->work() : integrator_->work(); }
 
     /// From the state y at time t on: what the method remembers of earlier steps is dropped. Needed before the first
     /// step of a user's own loop; `advance` does it by itself.
     Status restart(const Real& t, const std::vector<Real>& y);
-    Status restart() { return integrator_->start(t_, y_.data()); }
+    Status restart();
+    /// The same before steps to a tolerance, which lead to t_end.
+    Status restart_to(const Real& t_end);
 
     /// One step by h (s), then the projection; the time is t + h, or `end` if given, which avoids accumulated
     /// round-off. On any status but ok the time stays, and `failure` names the part that gave it.
@@ -65,13 +76,32 @@ class Simulation {
         return Status::ok;
     }
 
+    /// One step that the method chooses, not beyond `limit`; t is `limit` where it gets there.
+    Status stride(const Real& limit) {
+        const Status status = stepper_->step(t_, limit, y_.data());
+        return status == Status::ok ? status : fail_in_stride(status);
+    }
+
+    /// To t_end (s) in steps that the method chooses; `observe(simulation)` is called after each of them.
+    template <std::invocable<const Simulation&> Observer>
+    Status advance(const Real& t_end, Observer observe) {
+        if (const Status status = restart_to(t_end); status != Status::ok) return status;
+        while (t_ != t_end) {
+            if (const Status status = stride(t_end); status != Status::ok) return status;
+            observe(*this);
+        }
+        return Status::ok;
+    }
+    Status advance(const Real& t_end) {
+        return advance(t_end, [](const Simulation&) {});
+    }
+
     /// `steps` steps from the time of the simulation to t_end (s), at the times t + i h. `observe(simulation)` is
     /// called after each of them.
     template <class Observer>
     Status advance(const Real& t_end, long steps, Observer observe) {
         const Real begin = t_, h = (t_end - begin) / Real(steps);
-        if (const Status status = restart(); status != Status::ok)
-            return fail(status, "start", system_->reason(status));
+        if (const Status status = restart(); status != Status::ok) return status;
         for (long i = 1; i <= steps; ++i) {
             if (const Status status = step(h, i == steps ? t_end : Real(begin + h * Real(i))); status != Status::ok)
                 return status;
@@ -95,12 +125,14 @@ class Simulation {
     [[gnu::cold]] Status fail_in_step(Status status);
     /// After a step that has succeeded.
     [[gnu::cold]] Status fail_after(Status status);
+    [[gnu::cold]] Status fail_in_stride(Status status);
 
     Setup setup_;
     Model model_;
     std::unique_ptr<System> system_;
     std::unique_ptr<Integrator> integrator_;
     std::unique_ptr<Projection> projection_;
+    std::unique_ptr<Stepper> stepper_;    // where there is a tolerance, and then there is no integrator
     SingularPassage* passage_ = nullptr;  // the projection, where the model has closed loops
     Real t_ = 0;
     std::vector<Real> y_;

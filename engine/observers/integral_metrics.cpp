@@ -17,21 +17,29 @@ IntegralMetrics::IntegralMetrics(System& system, const std::vector<std::string>&
     }
 }
 
-void IntegralMetrics::observe(Observation& now) {
+void IntegralMetrics::begin(const MotionState& state) {
+    for (Entry& entry : entries_) {
+        entry.start = entry.source->value(state);
+        // A start value below the round-off of its terms is zero, and relative values are undefined.
+        entry.has_relative = abs(entry.start) > 100 * epsilon * entry.source->size(state);
+    }
+    started_ = true;
+}
+
+void IntegralMetrics::look(Observation& now) {
     if (entries_.empty()) return;
     const MotionState state = now.motion();
+    for (Entry& entry : entries_) entry.now = entry.source->value(state) - entry.start;
+}
+
+void IntegralMetrics::observe(Observation& now) {
+    if (entries_.empty()) return;
+    if (!started_) begin(now.motion());
+    look(now);
     for (Entry& entry : entries_) {
-        const Real value = entry.source->value(state);
-        if (!started_) {
-            entry.start = value;
-            // A start value below the round-off of its terms is zero, and relative values are undefined.
-            entry.has_relative = abs(value) > 100 * epsilon * entry.source->size(state);
-        }
-        entry.now = value - entry.start;
         keep_worst(entry.worst, abs(entry.now));
         entry.fit.add(now.t(), entry.now);
     }
-    started_ = true;
 }
 
 void IntegralMetrics::report(bool finished, MeasuredMetrics& all) const {

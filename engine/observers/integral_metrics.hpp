@@ -19,6 +19,8 @@ class IntegralMetrics {
     bool idle() const { return entries_.empty(); }
     /// The first call fixes the initial values.
     void observe(Observation& now);
+    /// Of a later state that is not the end of a step, for its sample: it enters neither maximum nor slope.
+    void look(Observation& now);
     /// Adds the requested values to `all`. Of an unfinished run only the maxima, which hold for the part that was run:
     /// there is no final value, and slopes over different spans are not comparable.
     void report(bool finished, MeasuredMetrics& all) const;
@@ -34,6 +36,8 @@ class IntegralMetrics {
         bool has_relative = false;
         LineFit fit = {};
     };
+    void begin(const MotionState& state);
+
     std::vector<std::string> patterns_;
     std::vector<Entry> entries_;
     bool started_ = false;

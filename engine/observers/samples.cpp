@@ -39,7 +39,7 @@ class SampleLine {
 
 }  // namespace
 
-Samples::Samples(Sampled sources, long every, SampleSink* sink) : sources_(sources), every_(every), sink_(sink) {
+Samples::Samples(Sampled sources, SampleSink* sink) : sources_(sources), sink_(sink) {
     if (sink_) sink_->begin(columns());
 }
 

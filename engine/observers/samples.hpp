@@ -17,25 +17,21 @@ inline namespace KREISEL_PRECISION {
 struct Sampled {
     const Model& model;
     JointForces& joint_forces;
-    const StepMetrics& step_metrics;
-    const IntegralMetrics& integral_metrics;
+    StepMetrics& step_metrics;
+    IntegralMetrics& integral_metrics;
 };
 
 class Samples {
   public:
-    /// Writes the columns. `every`: steps from one sample to the next; `sink` may be null.
-    Samples(Sampled sources, long every, SampleSink* sink);
-    /// Takes a sample after this step, if it is one of those. `multipliers`: the method's own, or null.
-    void observe(long step, Observation& now, const Real* multipliers) {
-        if (step % every_ == 0) take(now, multipliers);
-    }
+    /// Writes the columns; `sink` may be null.
+    Samples(Sampled sources, SampleSink* sink);
+    /// Takes a sample. `multipliers`: the method's own, or null. The metrics are those that were observed last.
+    void take(Observation& now, const Real* multipliers);
 
   private:
-    void take(Observation& now, const Real* multipliers);
     std::vector<Column> columns() const;
 
     Sampled sources_;
-    long every_;
     SampleSink* sink_;
 };
 

@@ -18,11 +18,13 @@ StepMetrics::StepMetrics(System& system, const std::vector<std::string>& pattern
             entries_.push_back({&metric});
 }
 
+void StepMetrics::look(Observation& now) {
+    for (Entry& entry : entries_) entry.now = entry.metric->of_step(now);
+}
+
 void StepMetrics::observe(Observation& now) {
-    for (Entry& entry : entries_) {
-        entry.now = entry.metric->of_step(now);
-        keep_worst(entry.worst, entry.now);
-    }
+    look(now);
+    for (Entry& entry : entries_) keep_worst(entry.worst, entry.now);
 }
 
 void StepMetrics::report(bool finished, MeasuredMetrics& all) const {

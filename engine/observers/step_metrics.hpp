@@ -18,6 +18,8 @@ class StepMetrics {
     StepMetrics(System& system, const std::vector<std::string>& patterns);
     bool idle() const { return entries_.empty(); }
     void observe(Observation& now);
+    /// Of a state that is not the end of a step, for its sample: it enters no maximum.
+    void look(Observation& now);
     /// Adds the requested values to `all`. Of an unfinished run only the maxima, which hold for the part that was run.
     /// A metric that could not be measured after some step is left out.
     void report(bool finished, MeasuredMetrics& all) const;

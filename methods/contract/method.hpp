@@ -55,10 +55,6 @@ struct Method {
     /// The method on a system, which outlives the integrator. Where torsion springs count full turns, a step can return
     /// turn_lost (mechanics/turns.hpp).
     std::unique_ptr<Integrator> bind(System& system, const OptionValues& options) const;
-    /// The method with its steps chosen to a tolerance. Throws std::logic_error for a method without an error estimate
-    /// or a control of its own.
-    std::unique_ptr<Stepper> bind(System& system, Projection& projection, const Accuracy& accuracy,
-                                  const OptionValues& options) const;
 };
 
 const std::vector<Method>& methods();

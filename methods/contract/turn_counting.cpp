@@ -31,7 +31,15 @@ class TurnCounting final : public Integrator {
         return status;
     }
 
+    Status attempt(const Real& t, const Real& h, const Real* y, Real* y_new, Real* error) override {
+        Status status = system_.begin_step(t, h, y);
+        if (status == Status::ok) status = method_->attempt(t, h, y, y_new, error);
+        return system_.end_step(status, t + h, y_new);
+    }
+    void accept(bool moved) override { method_->accept(moved); }
+
     const Real* multipliers() const override { return method_->multipliers(); }
+    const Work& work() const override { return method_->work(); }
 
   private:
     System& system_;

@@ -12,6 +12,7 @@
 #include "mechanics/system.hpp"
 #include "methods/control/controller.hpp"
 #include "methods/control/error_norm.hpp"
+#include "methods/control/fitted_step.hpp"
 #include "methods/control/stepper.hpp"
 
 namespace kreisel {
@@ -19,10 +20,9 @@ inline namespace KREISEL_PRECISION {
 
 class StepControl final : public Stepper {
   public:
-    /// `estimate` is r of the error estimate O(h^r), `name` that of the method for messages. System and projection
-    /// outlive this; a null projection is none.
-    StepControl(System& system, std::unique_ptr<Integrator> method, Projection* projection, const Accuracy& accuracy,
-                int estimate, std::string name);
+    /// `description` is that of the method, which declares an estimate. System and projection outlive this.
+    StepControl(System& system, Projection& projection, std::unique_ptr<Integrator> method, const Accuracy& accuracy,
+                const MethodDescription& description);
 
     Status start(const Real& t, const Real& t_end, const Real* y) override;
     Status step(Real& t, const Real& limit, Real* y) override;
@@ -30,24 +30,25 @@ class StepControl final : public Stepper {
     const Work& work() const override { return method_->work(); }
 
   private:
-    /// The step to take from t: the proposed one, or what is left to the limit, or half of that where the proposed one
-    /// would leave a tiny rest.
-    Real fitted(const Real& t, const Real& limit) const;
-    /// One attempt at y -> new_; its error relative to the tolerance, or the status that it ended in.
+    /// One attempt at y -> new_, with the projection. `error` is relative to the tolerance.
     Status attempt(const Real& t, const Real& h, const Real& end, const Real* y, Real& error);
-    /// The first step, from the slope at the start and one explicit Euler step [hairer1993, Sec. II.4].
+    Status project(const Real& h, const Real& end, Real& error);
+    void accept(const FittedStep& fitted, const Real& error, Real* y);
+    /// Proposes the first step: (tol/100)^(1/r) over the rate of the motion, as if an error were (h rate)^r. What that
+    /// is wrong by, the controller corrects in a step or two.
     Status guess(const Real& t, const Real* y);
 
     System& system_;
     std::unique_ptr<Integrator> method_;
-    Projection* projection_;
+    Projection& projection_;
     ErrorNorm norm_;
     StepSizeController controller_;
-    std::string name_, projected_;
-    std::vector<Real> new_, unprojected_, error_, slope_;
-    Real t_end_ = 0, h_ = 0;
-    int estimate_;
-    bool in_projection_ = false;
+    Real first_;  // size of the first step times the rate of the motion
+    std::string name_;
+    std::vector<Real> new_, unprojected_, error_;
+    Real t_end_ = 0, h_ = 0;      // h_: the size proposed for the next step; 0: none yet
+    bool moved_ = false;          // by the projection of the last attempt
+    bool in_projection_ = false;  // where the last status comes from
 };
 
 }  // namespace KREISEL_PRECISION

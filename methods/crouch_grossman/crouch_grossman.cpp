@@ -41,6 +41,7 @@ class CrouchGrossman final : public Integrator {
             const Real w = h * term.coefficient;
             for (std::size_t j = 0; j < factor_.size(); ++j) factor_[j] = w * K[j];
             system_.state_group().append_exp(y, factor_.data(), y);
+            ++work_.exponentials;
         }
     }
 

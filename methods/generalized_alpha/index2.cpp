@@ -47,7 +47,9 @@ class GeneralisedAlpha final : public Integrator {
             if (const Status status = begin(t, h, y); status != Status::ok) return status;
         h_ = 0;  // until this step has succeeded
         set_relations(system_.v(y));
-        if (const Status status = step_.advance(t, h, y); status != Status::ok) return status;
+        const Status status = step_.advance(t, h, y);
+        work_.newton_iterations = step_.iterations();
+        if (status != Status::ok) return status;
         a_ = a_known_ + a_slope() * step_.rate();
         h_ = h, stepped_ = true;
         return Status::ok;

@@ -121,6 +121,7 @@ Status Newton::plan_newton_step(Progress& progress) {
 Status Newton::take_step(const Progress& progress) {
     before_.swap(r_);
     x_ -= g_;
+    ++iterations_;
     return progress.newton_step && !progress.quiet ? backtrack(progress.before) : evaluate();
 }
 

@@ -34,6 +34,8 @@ class Newton {
     void forget();
     /// Whether it has needed Newton steps: the solution then changes too fast for polynomial prediction.
     bool stiff() const { return stiff_; }
+    /// Since construction.
+    long iterations() const { return iterations_; }
 
   private:
     /// How the iteration is doing, by largest entries.
@@ -72,6 +74,7 @@ class Newton {
     InverseJacobian H_;
     Directions directions_;  // the last p of this solve that H knows
     NewtonStep newton_;
+    long iterations_ = 0;
     bool stiff_ = false;  // has needed a Newton step, and H comes from such steps
     Real residual_ = 0;   // largest entry of r_
     Real best_size_ = 1;  // where best_r_ is

@@ -41,6 +41,7 @@ class StabilisedStep final : public StepRelations, private Equations {
     const VecX& increment() const { return end_.increment(); }  ///< D of the last step
     /// lambda at the end of the last step (N), of least norm where rows are redundant.
     const Real* multipliers() const;
+    long iterations() const { return newton_.iterations(); }  ///< of Newton's method, since construction
 
   private:
     Status residual(const Real* turned, Real* r) override;

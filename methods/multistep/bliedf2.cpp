@@ -46,7 +46,9 @@ class BLieDF2 final : public Integrator {
         step_.velocity_offset = (4 * v_ - previous_v_) / 3;
         step_.increment_slope = Real(4) / 9;
         step_.increment_offset = (2 * step_.velocity_offset + previous_increment_) / 3;
-        if (const Status status = step_.advance(t, h, y); status != Status::ok) return status;
+        const Status status = step_.advance(t, h, y);
+        work_.newton_iterations = step_.iterations();
+        if (status != Status::ok) return status;
         previous_v_ = v_;
         previous_increment_ = step_.increment();
         h_ = h, stepped_ = true;

@@ -51,7 +51,9 @@ class ImplicitMidpoint final : public Integrator, private Equations {
         if (const Status status = guess(); status != Status::ok) return status;
         motion_ = scale_.of_motion(t, h, y);
         measure_remoteness();
-        if (const Status status = solve(); status != Status::ok) {
+        const Status status = solve();
+        work_.newton_iterations = newton_.iterations();
+        if (status != Status::ok) {
             changes_.clear();
             return status;
         }

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine/sampler.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+Sampler::Sampler(const Cell& cell, Simulation& simulation, const Sampled& sources, bool interpolates, SampleSink* sink)
+    : cell_(cell),
+      simulation_(simulation),
+      sources_(sources),
+      samples_(sources, sink),
+      before_(simulation.state()),
+      inside_(before_),
+      t_end_(decimal(cell.t_end)) {
+    if (interpolates) interpolant_.emplace(simulation.system());
+}
+
+Real Sampler::next() const {
+    return taken_ >= cell_.samples ? t_end_ : Real(t_end_ / Real(cell_.samples) * Real(taken_));
+}
+
+void Sampler::begin(Observation& start) {
+    taken_ = 0;
+    take(start);
+}
+
+void Sampler::remember() {
+    if (!interpolant_) return;
+    before_ = simulation_.state();
+    t_before_ = simulation_.time();
+}
+
+void Sampler::between(Observation& now) {
+    const Real end = simulation_.time(), h = end - t_before_;
+    if (!interpolant_ || !(next() < end)) return;
+    const Status status = interpolant_->set(t_before_, h, before_.data(), simulation_.state().data());
+    for (Real t = next(); t < end; t = next()) {
+        if (status != Status::ok) {
+            ++taken_;
+            continue;
+        }
+        interpolant_->at((t - t_before_) / h, inside_.data());
+        now.move_to(t, inside_.data());
+        sources_.step_metrics.look(now);
+        sources_.integral_metrics.look(now);
+        take(now);
+    }
+}
+
+bool Sampler::due(long steps_done) const {
+    if (cell_.steps > 0) return steps_done % (cell_.steps / cell_.samples) == 0;
+    return simulation_.time() == next();
+}
+
+void Sampler::at_end(long steps_done, Observation& now) {
+    if (due(steps_done)) take(now);
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lie/real.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// A step from t to `end`, in the direction of a limit.
+struct FittedStep {
+    Real h, end;
+    bool shortened;  ///< it is not the proposed one, because the limit is near
+};
+
+/// A step of about the proposed size that does not pass the limit: the proposed one; what is left, where that is less,
+/// or up to 1/100 more; or half of what is left, where the proposed one would leave a small rest.
+inline FittedStep fit(const Real& t, const Real& proposed, const Real& limit) {
+    const Real left = limit - t, size = abs(proposed), rest = abs(left);
+    if (rest <= size + size / 100) return {left, limit, rest < size};
+    if (rest < 2 * size) return {left / 2, t + left / 2, true};
+    return {proposed, t + proposed, false};
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "methods/control/step_control.hpp"
+
+#include <algorithm>
+#include <limits>
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+const Real infinity = std::numeric_limits<Real>::infinity();
+
+}  // namespace
+
+StepControl::StepControl(System& system, Projection& projection, std::unique_ptr<Integrator> method,
+                         const Accuracy& accuracy, const MethodDescription& description)
+    : system_(system),
+      method_(std::move(method)),
+      projection_(projection),
+      norm_(system, accuracy),
+      controller_(accuracy.controller, description.estimate),
+      first_(pow(Real(accuracy.tolerance / 100), Real(Real(1) / description.estimate))),
+      name_(description.name),
+      new_(static_cast<std::size_t>(system.state_group().size())),
+      unprojected_(new_),
+      error_(static_cast<std::size_t>(system.state_group().dim())) {}
+
+Status StepControl::start(const Real& t, const Real& t_end, const Real* y) {
+    t_end_ = t_end, h_ = 0, in_projection_ = false;
+    controller_.start();
+    if (const Status status = method_->start(t, y); status != Status::ok) return status;
+    return t_end == t ? Status::ok : guess(t, y);
+}
+
+Status StepControl::guess(const Real& t, const Real* y) {
+    Real* slope = error_.data();
+    if (const Status status = system_.vector_field(t, y, slope); status != Status::ok) return status;
+    const Real rate = norm_.rate(slope), span = t_end_ - t;
+    const Real size = rate > 0 ? min(Real(abs(span)), Real(first_ / rate)) : Real(abs(span));
+    h_ = span < 0 ? -size : size;
+    return Status::ok;
+}
+
+Status StepControl::step(Real& t, const Real& limit, Real* y) {
+    Status last = Status::step_too_small;
+    for (;;) {
+        const FittedStep fitted = fit(t, h_, limit);
+        if (!(abs(fitted.h) > epsilon * max(Real(abs(t)), Real(abs(limit))))) return last;
+        Real error = 0;
+        const Status status = attempt(t, fitted.h, fitted.end, y, error);
+        if (status == Status::ok && error <= 1) {
+            accept(fitted, error, y);
+            t = fitted.end;
+            return Status::ok;
+        }
+        ++rejected_;
+        last = status == Status::ok ? Status::step_too_small : status;
+        h_ = fitted.h * controller_.after_rejection(status == Status::ok ? error : infinity);
+    }
+}
+
+Status StepControl::attempt(const Real& t, const Real& h, const Real& end, const Real* y, Real& error) {
+    in_projection_ = false;
+    if (const Status status = method_->attempt(t, h, y, new_.data(), error_.data()); status != Status::ok)
+        return status;
+    error = norm_(h, y, new_.data(), error_.data());
+    if (!isfinite(error)) return Status::non_finite;
+    return error <= 1 ? project(h, end, error) : Status::ok;
+}
+
+/// What the state is moved by counts as error too: the larger of the two decides.
+Status StepControl::project(const Real& h, const Real& end, Real& error) {
+    in_projection_ = true;
+    std::copy(new_.begin(), new_.end(), unprojected_.begin());
+    if (const Status status = projection_.project(end, new_.data()); status != Status::ok) return status;
+    moved_ = new_ != unprojected_;
+    if (moved_) error = max(error, norm_.distance(h, unprojected_.data(), new_.data()));
+    return isfinite(error) ? Status::ok : Status::non_finite;
+}
+
+void StepControl::accept(const FittedStep& fitted, const Real& error, Real* y) {
+    std::copy(new_.begin(), new_.end(), y);
+    method_->accept(moved_);
+    ++accepted_;
+    const Real next = fitted.h * controller_.after_acceptance(fitted.h, error);
+    // A step cut short at a limit says little of longer ones.
+    if (!fitted.shortened || abs(next) > abs(h_)) h_ = next;
+}
+
+std::string StepControl::failed_part() const {
+    return in_projection_ ? "projection after a step of " + name_ : "step of " + name_;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
