@@ -20,7 +20,10 @@ System::System(std::shared_ptr<const Group> configurations)
     : group_(configurations), state_group_(configurations), poses_(size_of_poses(*configurations)) {}
 
 Status System::solve_kkt(const Real&, const Real*, const Real* f, const Real*, Real* a, Real*) {
-    std::copy_n(f, velocities(), a);  // unit mass, no constraints
+    if (f)
+        std::copy_n(f, velocities(), a);  // unit mass, no constraints
+    else
+        std::fill_n(a, velocities(), Real(0));
     return Status::ok;
 }
 

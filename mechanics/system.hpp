@@ -87,7 +87,7 @@ class System {
 
     /// Solves the index-1 system for v' (n) and lambda (m; may be null).
     virtual Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) = 0;
-    /// Solves [M C^T; C 0] [a; lambda] = [f; c] for given f (n), c (m).
+    /// Solves [M C^T; C 0] [a; lambda] = [f; c] for given f (n; null: zero), c (m).
     virtual Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda);
     /// The same for several right-hand sides at one (t, q): `prepare_kkt` factors, and until any other solve
     /// `solve_prepared` at this (t, q) uses the factors. Where rows are redundant its multipliers are some that yield

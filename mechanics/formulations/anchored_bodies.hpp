@@ -29,10 +29,15 @@ class AnchoredBodies {
 
     /// v' at (q, v) in the gravity of time t.
     Status accelerations(const Gravity& gravity, const Real& t, const Real* q, const Real* v, Real* dv) const;
-    /// [M C^T; C 0] [a; lambda] = [f; c]; lambda may be null.
-    Status solve(const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) const;
+    /// [M C^T; C 0] [a; lambda] = [f; c]; lambda may be null, and so may f, which is then zero.
+    Status solve(const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) const {
+        return f ? solve<true>(q, f, c, a, lambda) : solve<false>(q, f, c, a, lambda);
+    }
 
   private:
+    template <bool forces>
+    Status solve(const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) const;
+
     static constexpr int none = TreeNode::none;
     struct Anchored {
         int joint, sign;
@@ -75,15 +80,20 @@ KREISEL_HOT Status AnchoredBodies<Coordinates>::accelerations(const Gravity& gra
 }
 
 template <class Coordinates>
+template <bool forces>
 KREISEL_HOT Status AnchoredBodies<Coordinates>::solve(const Real* q, const Real* f, const Real* c, Real* a,
                                                       Real* lambda) const {
     Real sum = 0;
     for (const Anchored& body : bodies_) {
         const auto R = Coordinates::Rotations::rotation(q + 3);
-        Vec3 A = body.inverse_mass * Coordinates::to_body(R, vec3(f)), dw = body.J_inverse * vec3(f + 3);
+        Vec3 A = Vec3::Zero(), dw = Vec3::Zero();
+        if constexpr (forces) {
+            A = body.inverse_mass * Coordinates::to_body(R, vec3(f)), dw = body.J_inverse * vec3(f + 3);
+            f += 6;
+        }
         if (body.joint != none) {  // the rows demand the acceleration of the first body's point less the second's
             const Vec3 demanded = body.sign * (R.transpose() * vec3(c + 3 * body.joint));
-            const Vec3 mu = body.S_inverse * (A + dw.cross(body.r) + demanded);
+            const Vec3 mu = body.S_inverse * (forces ? Vec3(A + dw.cross(body.r) + demanded) : demanded);
             A -= body.inverse_mass * mu;
             dw -= body.J_inverse_r * mu;
             if (lambda) store(Vec3(-body.sign * (R * mu)), lambda + 3 * body.joint);
@@ -91,7 +101,7 @@ KREISEL_HOT Status AnchoredBodies<Coordinates>::solve(const Real* q, const Real*
         const Vec3 out = Coordinates::from_body(R, A);
         sum += (out[0] + out[1] + out[2]) + (dw[0] + dw[1] + dw[2]);
         store(out, a), store(dw, a + 3);
-        q += BodyLayout<Coordinates>::pose_size, f += 6, a += 6;
+        q += BodyLayout<Coordinates>::pose_size, a += 6;
     }
     return isfinite(sum) ? Status::ok : Status::non_finite;
 }

@@ -38,7 +38,8 @@ class ArticulatedSolve {
         }
     }
 
-    /// [M C^T; C 0] [a; lambda] = [f; c] at the q that was prepared; lambda may be null.
+    /// [M C^T; C 0] [a; lambda] = [f; c] at the q that was prepared; lambda may be null, and so may f, which is then
+    /// zero.
     KREISEL_HOT Status solve(const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) {
         inward_pass(q, f, c);
         return outward_pass(q, a, lambda);
@@ -59,8 +60,11 @@ class ArticulatedSolve {
         for (std::size_t i = nodes_.size(); i-- > 0;) {
             const ArticulatedBody& body = bodies_[i];
             Node& node = nodes_[i];
-            const Vec3 F = Coordinates::to_space(Layout::rotation(q, body.body), vec3(f + 6 * body.body));
-            Vec3 h = -vec3(f + 6 * body.body + 3) - node.X.transpose() * F, force = -F;
+            Vec3 h = Vec3::Zero(), force = Vec3::Zero();
+            if (f) {
+                const Vec3 F = Coordinates::to_space(Layout::rotation(q, body.body), vec3(f + 6 * body.body));
+                h = -vec3(f + 6 * body.body + 3) - node.X.transpose() * F, force = -F;
+            }
             for (int k = body.child; k != none; k = next(k)) {
                 const Node& child = at(k);
                 const Vec3 pull = child.M * child.c_s + child.f;

@@ -23,7 +23,9 @@ class ConstrainedBodies : public FreeBodies<Coordinates> {
     int position_constraints() const override { return rows_.places().position_rows(); }
     std::vector<ConstraintRow> constraint_rows() const override { return kreisel::constraint_rows(model()); }
     void row_scale(Real* scale) const override { rows_.scale(scale); }
-    void position_scale(const Real* q, Real* size) const override { rows_.position_scale(q, size); }
+    void position_scale(const Real* q, Real* size) const override {
+        spherical_ ? Points::position_scale(model(), q, size) : rows_.position_scale(q, size);
+    }
 
     void position_residual(const Real& t, const Real* q, Real* phi) const override {
         spherical_ ? Points::positions(model(), q, phi) : rows_.positions(t, q, phi);

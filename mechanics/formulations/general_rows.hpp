@@ -7,6 +7,7 @@
 #include <array>
 
 #include "mechanics/formulations/body_layout.hpp"
+#include "mechanics/formulations/point_rows.hpp"
 #include "mechanics/formulations/row_places.hpp"
 #include "mechanics/joints/joint_rows.hpp"
 
@@ -179,12 +180,9 @@ void GeneralRows<Coordinates>::scale(Real* scale) const {
 
 template <class Coordinates>
 void GeneralRows<Coordinates>::position_scale(const Real* q, Real* size) const {
-    const auto reach = [&](int body, const Vec3& r) {
-        return body == ground ? Real(r.norm()) : Real(Layout::position(q, body).norm() + r.norm());
-    };
     for (std::size_t j = 0; j < places_.joints(); ++j) {
         const Joint& joint = model_.joints[j];
-        const Real length = reach(joint.first, joint.r_first) + reach(joint.second, joint.r_second) + joint.length;
+        const Real length = PointRows<Coordinates>::reach(joint, q) + joint.length;
         for (int k = 0; k < places_.position_rows_of_joint(j); ++k)
             size[row(j, k)] = is_direction_row(joint.type, k) ? Real(2) : length;
     }

@@ -114,6 +114,8 @@ template <class Coordinates>
 Status JointedBodies<Coordinates>::solve_prepared(const Real&, const Real*, const Real* f, const Real* c, Real* a,
                                                   Real* lambda) {
     for (BodyNode& node : solver_.nodes()) {
+        node.a.setZero();
+        if (!f) continue;
         Vec6 wrench;
         wrench << Coordinates::to_body(node.motion.R, vec3(f)), vec3(f + 3);
         node.a = node.mobility(wrench / solver_.mass_unit());

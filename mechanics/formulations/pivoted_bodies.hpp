@@ -147,7 +147,7 @@ template <class Coordinates>
 Status PivotedBodies<Coordinates>::solve_kkt(const Real&, const Real*, const Real* f, const Real*, Real* a, Real*) {
     Real sum = 0;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const Vec3 dw = bodies_[i].J_O_inverse * vec3(f + 3 * i);
+        const Vec3 dw = f ? Vec3(bodies_[i].J_O_inverse * vec3(f + 3 * i)) : Vec3(Vec3::Zero());
         sum += dw.sum();
         store(dw, a + 3 * i);
     }

@@ -34,6 +34,22 @@ class PointRows {
         }
     }
 
+    /// Of the points of a joint: the sizes of x and R r of its bodies, whose differences are its rows.
+    static Real reach(const Joint& joint, const Real* q) {
+        const auto of_point = [&](int body, const Vec3& r) {
+            return body == ground ? Real(r.norm()) : Real(Layout::position(q, body).norm() + r.norm());
+        };
+        return of_point(joint.first, joint.r_first) + of_point(joint.second, joint.r_second);
+    }
+
+    /// System::position_scale.
+    static void position_scale(const Model& model, const Real* q, Real* size) {
+        for (const Joint& joint : model.joints) {
+            size[0] = size[1] = size[2] = reach(joint, q);
+            size += 3;
+        }
+    }
+
     /// C v.
     static void velocities(const Model& model, const Real* q, const Real* v, Real* residual) {
         const auto point_velocity = [&](int body, const Vec3& r) -> Vec3 {

@@ -40,9 +40,10 @@ class SphericalBodies final : public ConstrainedBodies<Coordinates> {
         if (anchored_ && !lambda) return anchored_->accelerations(this->model().gravity, t, q, v, dv);
         return forest_accelerations(t, q, v, dv, lambda);
     }
-    Status solve_kkt(const Real& t, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override {
-        const Status status = prepare_kkt(t, q);
-        return status == Status::ok ? solve_prepared(t, q, f, c, a, lambda) : status;
+    Status solve_kkt(const Real&, const Real* q, const Real* f, const Real* c, Real* a, Real* lambda) override {
+        if (anchored_) return anchored_->solve(q, f, c, a, lambda);
+        solve_.prepare(q);
+        return solve_.solve(q, f, c, a, lambda);
     }
     Status prepare_kkt(const Real&, const Real* q) override {
         if (!anchored_) solve_.prepare(q);  // else nothing depends on the configuration

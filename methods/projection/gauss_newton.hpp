@@ -23,12 +23,12 @@ class GaussNewtonProjection : public Projection {
     Status project_velocity(const Real& t, Real* y);
 
   private:
-    Status correction(const Real& t, const Real* q);
-    Real relative_residual() const;
+    Status solve(const Real& t, const Real* q);
+    Real turn_residual();
     bool stands_still() const;
 
     System& system_;
-    std::vector<Real> zero_force_, residual_, terms_, scale_, delta_;
+    std::vector<Real> residual_, terms_, scale_, delta_;
 };
 
 }  // namespace KREISEL_PRECISION

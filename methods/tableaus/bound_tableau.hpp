@@ -42,33 +42,39 @@ struct BoundTableau {
 inline constexpr std::size_t vector_chunk = 4;
 inline std::size_t padded(std::size_t n) { return (n + vector_chunk - 1) / vector_chunk * vector_chunk; }
 
-/// For at least one term, out = h sum_j coefficient_j slope_j over vectors of length n, a multiple of vector_chunk; one
-/// pass for up to four terms.
-inline void combine(const Combination& terms, const Real& h, const Real* slopes, std::size_t n, Real* __restrict out) {
+/// out = h sum_j coefficient_j slope_j over `count` terms and n entries, or that added to out.
+template <std::size_t count, bool more>
+inline void combine_in_one_pass(const Term* terms, const Real& h, const Real* slopes, std::size_t n, Real* out) {
+    Real weights[count];
+    const Real* slope[count];
+    for (std::size_t j = 0; j < count; ++j) weights[j] = h * terms[j].coefficient, slope[j] = slopes + terms[j].offset;
     const std::size_t whole = n / vector_chunk * vector_chunk;  // n, in a form that tells the compiler of the multiple
-    const auto each = [&](auto&& entry) {
-        for (std::size_t k = 0; k < whole; ++k) entry(k);
-    };
+    KREISEL_ELEMENTWISE
+    for (std::size_t k = 0; k < whole; ++k) {
+        Real sum = weights[0] * slope[0][k];
+        if constexpr (more) sum = out[k] + weights[0] * slope[0][k];
+        for (std::size_t j = 1; j < count; ++j) sum += weights[j] * slope[j][k];
+        out[k] = sum;
+    }
+}
+
+/// For at least one term, out = h sum_j coefficient_j slope_j over vectors of length n, a multiple of vector_chunk, in
+/// passes of up to four terms. How many a pass has changes only its cost, but for the first: two products in it may be
+/// fused in either way, so it has one term or four.
+inline void combine(const Combination& terms, const Real& h, const Real* slopes, std::size_t n, Real* out) {
     const Term* term = terms.data();
-    const Term* const end = term + terms.size();
-    const auto slope = [&](const Term& t) { return slopes + t.offset; };
-    if (end - term >= 4) {
-        const Real w0 = h * term[0].coefficient, w1 = h * term[1].coefficient;
-        const Real w2 = h * term[2].coefficient, w3 = h * term[3].coefficient;
-        const Real *k0 = slope(term[0]), *k1 = slope(term[1]), *k2 = slope(term[2]), *k3 = slope(term[3]);
-        each([&](std::size_t k) { out[k] = w0 * k0[k] + w1 * k1[k] + w2 * k2[k] + w3 * k3[k]; });
-        term += 4;
+    std::size_t left = terms.size();
+    if (left >= 4) {
+        combine_in_one_pass<4, false>(term, h, slopes, n, out);
+        term += 4, left -= 4;
     } else {
-        const Real w0 = h * term[0].coefficient;
-        const Real* k0 = slope(term[0]);
-        each([&](std::size_t k) { out[k] = w0 * k0[k]; });
-        term += 1;
+        combine_in_one_pass<1, false>(term, h, slopes, n, out);
+        term += 1, left -= 1;
     }
-    for (; term != end; ++term) {
-        const Real w = h * term->coefficient;
-        const Real* k0 = slope(*term);
-        each([&](std::size_t k) { out[k] += w * k0[k]; });
-    }
+    for (; left >= 4; term += 4, left -= 4) combine_in_one_pass<4, true>(term, h, slopes, n, out);
+    if (left == 3) combine_in_one_pass<3, true>(term, h, slopes, n, out);
+    if (left == 2) combine_in_one_pass<2, true>(term, h, slopes, n, out);
+    if (left == 1) combine_in_one_pass<1, true>(term, h, slopes, n, out);
 }
 
 }  // namespace KREISEL_PRECISION

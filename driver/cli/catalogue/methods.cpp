@@ -31,7 +31,14 @@ void print_options(std::ostream& out, const std::vector<OptionDescription>& opti
     }
 }
 
-std::string stepping_text(const MethodDescription& method) {
+// Whether steps can be chosen to a tolerance.
+std::string control_text(const MethodDescription& method) {
+    if (method.own_control) { return "; chooses its steps itself, to a tolerance only"; }
+    return method.estimate > 0 ? fmt::format("; steps to a tolerance, by an error estimate O(h^{})", method.estimate)
+                               : "";
+}
+
+std::string solving_text(const MethodDescription& method) {
     if (method.implicit) { return "implicit, solved by Newton iteration"; }
     return fmt::format("explicit, solves of the dynamics per step: {}", method.stages);
 }
@@ -50,7 +57,7 @@ std::vector<NamedText> method_rows(const std::vector<MethodDescription>& methods
 void describe_method(const MethodDescription& method, std::ostream& out) {
     fmt::print(out, "{}: {}\n", method.name, method.summary);
     print_sources(out, method.cites);
-    fmt::print(out, "{}; {}{}{}\n", order_text(method.order), stepping_text(method),
+    fmt::print(out, "{}; {}{}{}{}\n", order_text(method.order), solving_text(method), control_text(method),
                method.symmetric ? "; symmetric" : "",
                method.own_multipliers ? "; multipliers are its own unknowns, projections do not apply" : "");
     print_options(out, method.options);
