@@ -38,6 +38,20 @@ NumericTableau<Rational> exact(const Tableau& tableau) {
         for (const auto& entry : row) numbers.a.back().push_back(exact(entry));
     }
     for (const auto& weight : tableau.b) numbers.b.push_back(exact(weight));
+    for (const auto& weight : tableau.b_hat) numbers.b_hat.push_back(exact(weight));
+    return numbers;
+}
+
+NumericTableau<Float100> in_100_digits(const NumericTableau<Rational>& tableau) {
+    const auto converted = [](const std::vector<Rational>& row) {
+        std::vector<Float100> numbers;
+        for (const auto& entry : row) numbers.push_back(entry.convert_to<Float100>());
+        return numbers;
+    };
+    NumericTableau<Float100> numbers;
+    for (const auto& row : tableau.a) numbers.a.push_back(converted(row));
+    numbers.b = converted(tableau.b);
+    numbers.b_hat = converted(tableau.b_hat);
     return numbers;
 }
 
@@ -47,7 +61,7 @@ Rational rounding(const Tableau& tableau) {
             if (entry.digits) return true;
         return false;
     };
-    bool digits = has_digits(tableau.b);
+    bool digits = has_digits(tableau.b) || has_digits(tableau.b_hat);
     for (const auto& row : tableau.a) digits = digits || has_digits(row);
     return digits ? Rational(1, boost::multiprecision::pow(boost::multiprecision::cpp_int(10), 40)) : Rational(0);
 }

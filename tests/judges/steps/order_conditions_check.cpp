@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/judges/conditions/crouch_grossman_conditions.hpp"
-#include "tests/judges/conditions/rooted_trees.hpp"
+#include "tests/judges/conditions/tableau_orders.hpp"
 #include "tests/judges/steps/scheme_checks.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
@@ -29,11 +29,10 @@ Objection without_scheme(const Method& method) {
 Objection order_conditions_objection(const Method& method) {
     if (!method.factory.scheme) return without_scheme(method);
     const auto& [kind, tableau] = *method.factory.scheme;
-    const auto coefficients = orders::exact(tableau);
-    const auto slack = orders::rounding(tableau);
-    const int found = kind == Scheme::Kind::munthe_kaas ? orders::butcher_order(coefficients, slack)
-                                                        : orders::crouch_grossman_order(coefficients, slack);
     const int declared = method.description.order.configuration;
+    if (kind == Scheme::Kind::munthe_kaas)
+        return orders::tableau_objection(tableau, declared, method.description.estimate);
+    const int found = orders::crouch_grossman_order(orders::exact(tableau), orders::rounding(tableau));
     return found == declared ? "" : "order " + std::to_string(found) + " of " + std::to_string(declared);
 }
 
