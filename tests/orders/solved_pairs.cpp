@@ -12,7 +12,7 @@ using namespace kreisel::orders;
 
 namespace {
 
-std::vector<Float100> flat(NumericTableau<Float100> tableau) {
+std::vector<Float100> all_entries(NumericTableau<Float100> tableau) {
     std::vector<Float100> all;
     for (std::size_t i = 0; i < tableau.a.size(); ++i) tableau.a[i].resize(i);  // zeros at the end of a row
     each_coefficient(tableau, [&](const Float100& x) { all.push_back(x); });
@@ -22,7 +22,7 @@ std::vector<Float100> flat(NumericTableau<Float100> tableau) {
 void check_solved(const PublishedPair& pair, std::size_t held) {
     const PairSolution solution = solve(pair);
     const auto declared = exact(method(pair.method).factory.scheme->tableau);
-    const auto ours = flat(in_100_digits(declared)), theirs = flat(solution.tableau);
+    const auto ours = all_entries(in_100_digits(declared)), theirs = all_entries(solution.tableau);
     CHECK(solution.held.size() == held);
     CHECK(solution.moved < pair.printed_to);
     REQUIRE(ours.size() == theirs.size());

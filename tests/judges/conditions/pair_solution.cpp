@@ -12,8 +12,8 @@ namespace kreisel::orders {
 namespace {
 
 using Of = Entry::Of;
-using Vector = Eigen::Matrix<Float100, Eigen::Dynamic, 1>;
-using Matrix = Eigen::Matrix<Float100, Eigen::Dynamic, Eigen::Dynamic>;
+using ConditionVector = Eigen::Matrix<Float100, Eigen::Dynamic, 1>;
+using ConditionMatrix = Eigen::Matrix<Float100, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// The conditions on the unknowns of one pair.
 class PairConditions {
@@ -51,7 +51,7 @@ class PairConditions {
     }
 
     /// Of both solutions, one after the other.
-    Vector residuals(const std::vector<Float100>& x) const {
+    ConditionVector residuals(const std::vector<Float100>& x) const {
         const NumericTableau<Float100> t = tableau(x);
         StageWeights<Float100> stages(trees_, t.a);
         std::vector<Float100> all;
@@ -61,14 +61,14 @@ class PairConditions {
         };
         append(t.b, pair_.order);
         append(t.b_hat, pair_.embedded);
-        return Eigen::Map<const Vector>(all.data(), static_cast<Eigen::Index>(all.size()));
+        return Eigen::Map<const ConditionVector>(all.data(), static_cast<Eigen::Index>(all.size()));
     }
 
     /// By one-sided differences, so correct to about 50 digits.
-    Matrix jacobian(std::vector<Float100> x) const {
+    ConditionMatrix jacobian(std::vector<Float100> x) const {
         const Float100 width("1e-50");
-        const Vector here = residuals(x);
-        Matrix J(here.size(), static_cast<Eigen::Index>(x.size()));
+        const ConditionVector here = residuals(x);
+        ConditionMatrix J(here.size(), static_cast<Eigen::Index>(x.size()));
         for (std::size_t k = 0; k < x.size(); ++k) {
             const Float100 kept = x[k];
             x[k] += width;
@@ -99,15 +99,15 @@ class PairConditions {
 };
 
 /// Those of the columns, in the order given, that do not depend on the ones before.
-std::vector<std::size_t> independent(const Matrix& J, const std::vector<std::size_t>& columns) {
+std::vector<std::size_t> independent(const ConditionMatrix& J, const std::vector<std::size_t>& columns) {
     const Float100 threshold("1e-10");  // columns are dependent to the digits printed, or far from it
     std::vector<std::size_t> found;
-    std::vector<Vector> basis;
+    std::vector<ConditionVector> basis;
     for (const std::size_t k : columns) {
-        Vector rest = J.col(static_cast<Eigen::Index>(k));
+        ConditionVector rest = J.col(static_cast<Eigen::Index>(k));
         const Float100 size = rest.norm();
         for (int pass = 0; pass < 2; ++pass)
-            for (const Vector& q : basis) rest -= q.dot(rest) * q;
+            for (const ConditionVector& q : basis) rest -= q.dot(rest) * q;
         if (rest.norm() <= threshold * size) continue;
         basis.push_back(rest / rest.norm());
         found.push_back(k);
@@ -127,12 +127,12 @@ std::vector<std::size_t> last_to_hold(const PairConditions& conditions, const st
 
 /// Corrects the unknowns `free` once.
 void correct(const PairConditions& conditions, const std::vector<std::size_t>& free, std::vector<Float100>& x) {
-    const Matrix all = conditions.jacobian(x);
-    Matrix J(all.rows(), static_cast<Eigen::Index>(free.size()));
+    const ConditionMatrix all = conditions.jacobian(x);
+    ConditionMatrix J(all.rows(), static_cast<Eigen::Index>(free.size()));
     for (std::size_t k = 0; k < free.size(); ++k)
         J.col(static_cast<Eigen::Index>(k)) = all.col(static_cast<Eigen::Index>(free[k]));
-    const Matrix normal = J.transpose() * J;
-    const Vector step = normal.partialPivLu().solve(J.transpose() * conditions.residuals(x));
+    const ConditionMatrix normal = J.transpose() * J;
+    const ConditionVector step = normal.partialPivLu().solve(J.transpose() * conditions.residuals(x));
     for (std::size_t k = 0; k < free.size(); ++k) x[free[k]] -= step[static_cast<Eigen::Index>(k)];
 }
 
