@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Munthe-Kaas lift of Ralston's second-order method, of least error bound.
+// Munthe-Kaas lift of Ralston's second-order rule, of least error bound.
 //    0  |
 //   2/3 | 2/3
 //   ----+----------
@@ -19,7 +19,7 @@ static const Tableau ralston2{
 KREISEL_METHOD(rkmk(ralston2), {.name = "rkmk/ralston2",
                                 .order = 2,
                                 .cites = {"ralston1962", "munthekaas1998"},
-                                .summary = "Munthe-Kaas lift of Ralston's second-order method"});
+                                .summary = "Munthe-Kaas lift of Ralston's second-order rule"});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

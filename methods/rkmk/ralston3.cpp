@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Munthe-Kaas lift of Ralston's third-order method, of least error bound.
+// Munthe-Kaas lift of Ralston's third-order rule.
 //    0  |
 //   1/2 | 1/2
 //   3/4 |  0   3/4
@@ -20,7 +20,7 @@ static const Tableau ralston3{
 KREISEL_METHOD(rkmk(ralston3), {.name = "rkmk/ralston3",
                                 .order = 3,
                                 .cites = {"ralston1962", "munthekaas1998"},
-                                .summary = "Munthe-Kaas lift of Ralston's third-order method"});
+                                .summary = "Munthe-Kaas lift of Ralston's third-order rule"});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel
