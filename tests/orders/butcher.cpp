@@ -41,18 +41,21 @@ TEST_CASE("densities run from n (a bush) to n! (a tall tree)", "[butcher]") {
 }
 
 TEST_CASE("Munthe-Kaas tableaus have their declared order and estimate exactly", "[butcher]") {
-    const auto methods = registered(Scheme::Kind::munthe_kaas);
+    const auto methods = registered<MuntheKaasScheme>();
     REQUIRE(methods.size() >= 20);
     for (const Method* method : methods) {
         INFO(method->description.name);
         CHECK(order_conditions_objection(*method) == "");
+        const MethodDescription& declared = method->description;
+        const Tableau& tableau = scheme_of<MuntheKaasScheme>(*method)->tableau;
+        CHECK(tableau_objection(tableau, declared.order.configuration, declared.estimate) == "");
     }
 }
 
 TEST_CASE("a Munthe-Kaas coefficient off by 1e-6 violates a condition", "[butcher]") {
-    for (const Method* method : registered(Scheme::Kind::munthe_kaas)) {
+    for (const Method* method : registered<MuntheKaasScheme>()) {
         const MethodDescription& declared = method->description;
-        const Tableau& tableau = method->factory.scheme->tableau;
+        const Tableau& tableau = scheme_of<MuntheKaasScheme>(*method)->tableau;
         each_changed(exact(tableau), [&](const NumericTableau<Rational>& changed, int coefficient) {
             INFO(declared.name << ", coefficient " << coefficient);
             const auto found = tableau_orders(in_100_digits(changed), Float100("1e-40"));
@@ -80,7 +83,7 @@ TEST_CASE("an estimate is declared as it is", "[butcher]") {
 }
 
 TEST_CASE("a misprint is named by its row where nodes are given", "[butcher]") {
-    Tableau wrong = method("rkmk/dopri5").factory.scheme->tableau;
+    Tableau wrong = scheme_of<MuntheKaasScheme>(method("rkmk/dopri5"))->tableau;
     wrong.a[4][1] = {-25380, 2187};
     CHECK(tableau_objection(wrong, 5, 5) == "row 5 misses its node by 0.00914");
     wrong.c.clear();

@@ -4,8 +4,8 @@
 // printed.
 #include <catch2/catch.hpp>
 
-#include "methods/contract/method.hpp"
 #include "tests/judges/conditions/pair_solution.hpp"
+#include "tests/judges/conditions/registered.hpp"
 
 using namespace kreisel;
 using namespace kreisel::orders;
@@ -21,7 +21,7 @@ std::vector<Float100> all_entries(NumericTableau<Float100> tableau) {
 
 void check_solved(const PublishedPair& pair, std::size_t held) {
     const PairSolution solution = solve(pair);
-    const auto declared = exact(method(pair.method).factory.scheme->tableau);
+    const auto declared = exact(scheme_of<MuntheKaasScheme>(method(pair.method))->tableau);
     const auto ours = all_entries(in_100_digits(declared)), theirs = all_entries(solution.tableau);
     CHECK(solution.held.size() == held);
     CHECK(solution.moved < pair.printed_to);

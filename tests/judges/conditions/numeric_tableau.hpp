@@ -29,6 +29,8 @@ struct NumericTableau {
 Rational exact(const Coefficient& coefficient);
 NumericTableau<Rational> exact(const Tableau& tableau);
 NumericTableau<Float100> in_100_digits(const NumericTableau<Rational>& tableau);
+/// How well coefficients can satisfy conditions: exactly, or to the digits written.
+Rational rounding(bool digits);
 /// How well the declared coefficients can satisfy conditions: exactly, or to the digits written.
 Rational rounding(const Tableau& tableau);
 
