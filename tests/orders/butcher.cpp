@@ -3,8 +3,10 @@
 // Every registered Munthe-Kaas method satisfies the classical conditions of its declared order, violates one of the
 // next order, and its estimate is of the order it declares; a change of any single coefficient is detected.
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "methods/contract/method.hpp"
+#include "methods/tableaus/bound_tableau.hpp"
 #include "tests/judges/conditions/registered.hpp"
 #include "tests/judges/conditions/tableau_orders.hpp"
 #include "tests/judges/steps/scheme_checks.hpp"
@@ -88,4 +90,20 @@ TEST_CASE("a misprint is named by its row where nodes are given", "[butcher]") {
     CHECK(tableau_objection(wrong, 5, 5) == "row 5 misses its node by 0.00914");
     wrong.c.clear();
     CHECK(tableau_objection(wrong, 5, 5).starts_with("order "));
+}
+
+TEST_CASE("rationals compare in lowest terms, with terms whose products overflow", "[butcher]") {
+    const long big = 4000000000;
+    CHECK(Coefficient(6, -4) == Coefficient(-3, 2));
+    CHECK(Coefficient(3 * big, 5 * big) == Coefficient(3, 5));
+    CHECK_FALSE(Coefficient(big, big + 1) == Coefficient(big + 1, big + 2));
+}
+
+TEST_CASE("pairs whose last stage lies where the step ends are known as such", "[butcher]") {
+    const std::set<std::string> expected = {"rkmk/bs3", "rkmk/dopri5", "rkmk/tsit5", "rkmk/verner6"};
+    for (const Method* method : registered<MuntheKaasScheme>()) {
+        const std::string& name = method->description.name;
+        INFO(name);
+        CHECK(first_same_as_last(scheme_of<MuntheKaasScheme>(*method)->tableau) == expected.contains(name));
+    }
 }
