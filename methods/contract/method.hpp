@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "methods/contract/description.hpp"
+#include "methods/contract/scheme.hpp"
 #include "methods/tableaus/tableau.hpp"
 #include "support/registration.hpp"
 
@@ -23,19 +24,13 @@ class Projection;
 class Stepper;
 struct Accuracy;
 
-/// How a scheme combines its stages; the certification evaluates the declared scheme independently from this.
-struct Scheme {
-    enum class Kind { munthe_kaas, crouch_grossman } kind;
-    Tableau tableau;
-};
-
 /// Makes the integrators of a method. Use Method::bind to get one: `make` by itself does not handle the turns
 /// that torsion springs count.
 struct Factory {
     std::function<std::unique_ptr<Integrator>(System&, const OptionValues&, const MethodDescription&)> make;
     std::vector<OptionDescription> options = {};
-    int stages = 0;  ///< solves of the dynamics per step
-    std::optional<Scheme> scheme = {};
+    int stages = 0;                     ///< solves of the dynamics per step
+    std::optional<Scheme> scheme = {};  ///< the certification evaluates it independently
     /// The order under given options, where it is not the declared one.
     std::function<Order(const OptionValues&, const Order& declared)> order =
         [](const OptionValues&, const Order& declared) { return declared; };

@@ -59,7 +59,7 @@ Factory crouch_grossman(const Tableau& tableau) {
         return std::make_unique<CrouchGrossman>(system, tableau);
     };
     factory.stages = static_cast<int>(tableau.b.size());
-    factory.scheme = Scheme{Scheme::Kind::crouch_grossman, tableau};
+    factory.scheme = Scheme(CrouchGrossmanScheme{tableau});
     return factory;
 }
 

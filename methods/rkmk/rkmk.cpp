@@ -151,7 +151,7 @@ Factory rkmk(const Tableau& tableau) {
         return truncated && cayley ? "dexpinv does not apply under cayley coordinates" : "";
     };
     factory.stages = stages_of_step(tableau);
-    factory.scheme = Scheme{Scheme::Kind::munthe_kaas, tableau};
+    factory.scheme = Scheme(MuntheKaasScheme{tableau});
     return factory;
 }
 

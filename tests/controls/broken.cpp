@@ -144,7 +144,7 @@ Factory broken_rkmk(const Tableau& declared, MuntheKaasFault fault, const Tablea
         return std::make_unique<BrokenMuntheKaas>(system, used, fault);
     };
     factory.stages = static_cast<int>(declared.b.size());
-    factory.scheme = Scheme{Scheme::Kind::munthe_kaas, declared};
+    factory.scheme = Scheme(MuntheKaasScheme{declared});
     return factory;
 }
 
@@ -157,7 +157,7 @@ Factory broken_crouch_grossman(const Tableau& declared, CrouchGrossmanFault faul
         return std::make_unique<BrokenCrouchGrossman>(system, used, fault);
     };
     factory.stages = static_cast<int>(declared.b.size());
-    factory.scheme = Scheme{Scheme::Kind::crouch_grossman, declared};
+    factory.scheme = Scheme(CrouchGrossmanScheme{declared});
     return factory;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The two families with their faults as switches; with every switch off they are the correct methods.
+// Families with their faults as switches; with every switch off they are the correct methods.
 #pragma once
 
 #include "methods/contract/method.hpp"
@@ -31,6 +31,14 @@ struct CrouchGrossmanFault {
     bool reversed_rows = false;           ///< a_ij given to stage i - j
 };
 Factory broken_crouch_grossman(const Tableau& declared, CrouchGrossmanFault fault);
+
+/// An embedded pair of orders 3 and 2, first same as last, by attempts.
+struct PairFault {
+    bool doubled_error = false;       ///< the estimate is twice the difference of the solutions
+    bool keeps_rejected = false;      ///< every attempt counts as accepted: the next one starts from its last slope
+    bool ignores_projection = false;  ///< the last slope is the first of the next step, though the state has moved
+};
+Method broken_pair(const std::string& name, PairFault fault);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -2,6 +2,8 @@
 #include "tests/controls/controls.hpp"
 
 #include "mechanics/system.hpp"
+#include "methods/commutator_free/commutator_free.hpp"
+#include "methods/rkmk/few_commutators.hpp"
 #include "tests/controls/broken.hpp"
 
 namespace kreisel {
@@ -9,7 +11,16 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-const Tableau& tableau_of(const std::string& name) { return method(name).factory.scheme->tableau; }
+const Tableau& tableau_of(const std::string& name) {
+    const Scheme& scheme = *method(name).factory.scheme;
+    if (const auto* products = scheme.as<CrouchGrossmanScheme>()) return products->tableau;
+    return scheme.as<MuntheKaasScheme>()->tableau;
+}
+
+template <class Family>
+const Family& scheme_of(const std::string& name) {
+    return *method(name).factory.scheme->as<Family>();
+}
 
 /// A control that claims to be the registered method `original`.
 Control control(const std::string& original, const std::string& fault, Factory factory, int true_order,
@@ -83,9 +94,42 @@ std::vector<Control> faults_of_conduct() {
             asymmetric};
 }
 
+Control pair_control(const std::string& fault, PairFault broken, Check caught_by) {
+    Control made{.method = broken_pair("control/pair_" + fault, broken), .true_order = 3, .caught_by = {caught_by}};
+    made.method.description.summary = "broken on purpose: embedded pair, " + fault;
+    return made;
+}
+
+std::vector<Control> faults_of_attempts() {
+    Control optimist = pair_control("overrates_its_estimate", {}, Check::order_conditions);
+    optimist.method.description.estimate = 4;
+    return {pair_control("doubles_its_estimate", {.doubled_error = true}, Check::one_step),
+            pair_control("keeps_a_rejected_slope", {.keeps_rejected = true}, Check::attempts),
+            pair_control("ignores_a_projection", {.ignores_projection = true}, Check::attempts), optimist};
+}
+
+std::vector<Control> faults_of_brackets_and_products() {
+    CommutatorFreeScheme swapped = scheme_of<CommutatorFreeScheme>("commutator_free/cf4");
+    const CommutatorFreeScheme cf4 = swapped;
+    std::swap(swapped.result.factors[0], swapped.result.factors[1]);
+    FewCommutatorsScheme negated = scheme_of<FewCommutatorsScheme>("rkmk/mk4");
+    const FewCommutatorsScheme mk4 = negated;
+    for (BracketSum* row : {&negated.stages[2], &negated.result})
+        for (BracketTerm& term : row->brackets) std::swap(term.left, term.right);
+    const auto claiming = [](Factory running, const auto& declared) {
+        running.scheme = Scheme(declared);
+        return running;
+    };
+    return {
+        control("commutator_free/cf4", "swapped_final_factors", claiming(commutator_free(swapped), cf4), 2,
+                {Check::one_step}),
+        control("rkmk/mk4", "wrong_sign_of_brackets", claiming(few_commutators(negated), mk4), 2, {Check::one_step})};
+}
+
 std::vector<Control> make_controls() {
     std::vector<Control> all;
-    for (const auto make : {faults_of_dexpinv_and_nodes, faults_of_products, faults_of_coefficients, faults_of_conduct})
+    for (const auto make : {faults_of_dexpinv_and_nodes, faults_of_products, faults_of_coefficients, faults_of_conduct,
+                            faults_of_attempts, faults_of_brackets_and_products})
         for (const Control& one : make()) all.push_back(one);
     return all;
 }

@@ -34,7 +34,7 @@ TEST_CASE("densities run from n (a bush) to n! (a tall tree)", "[butcher]") {
 }
 
 TEST_CASE("Munthe-Kaas tableaus have their declared order exactly", "[butcher]") {
-    const auto methods = registered(Scheme::Kind::munthe_kaas);
+    const auto methods = registered<MuntheKaasScheme>();
     REQUIRE(methods.size() >= 6);
     for (const Method* method : methods) {
         INFO(method->description.name);
@@ -43,8 +43,8 @@ TEST_CASE("Munthe-Kaas tableaus have their declared order exactly", "[butcher]")
 }
 
 TEST_CASE("a Munthe-Kaas coefficient off by 1e-6 violates a condition of the declared order", "[butcher]") {
-    for (const Method* method : registered(Scheme::Kind::munthe_kaas)) {
-        const Tableau& tableau = method->factory.scheme->tableau;
+    for (const Method* method : registered<MuntheKaasScheme>()) {
+        const Tableau& tableau = scheme_of<MuntheKaasScheme>(*method)->tableau;
         each_changed(exact(tableau), [&](const NumericTableau<Rational>& changed, int coefficient) {
             INFO(method->description.name << ", coefficient " << coefficient);
             CHECK(butcher_order(changed, rounding(tableau)) < method->description.order.configuration);

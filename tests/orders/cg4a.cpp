@@ -13,7 +13,7 @@ using namespace kreisel::orders;
 
 namespace {
 
-const Tableau& cg4a() { return method("crouch_grossman/cg4a").factory.scheme->tableau; }
+const Tableau& cg4a() { return scheme_of<CrouchGrossmanScheme>(method("crouch_grossman/cg4a"))->tableau; }
 
 std::vector<Rational> flat(NumericTableau<Rational> tableau) {
     std::vector<Rational> all;

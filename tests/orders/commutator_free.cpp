@@ -50,8 +50,8 @@ ExactMethod as_products(const NumericTableau<Rational>& tableau) {
 
 TEST_CASE("commutator-free conditions contain those of Crouch-Grossman methods", "[commutator_free]") {
     const OrderedForests forests(5);
-    for (const Method* method : registered(Scheme::Kind::crouch_grossman)) {
-        const auto tableau = exact(method->factory.scheme->tableau);
+    for (const Method* method : registered<CrouchGrossmanScheme>()) {
+        const auto tableau = exact(scheme_of<CrouchGrossmanScheme>(*method)->tableau);
         CHECK(commutator_free_series(forests, as_products(tableau)) == crouch_grossman_series(forests, tableau));
     }
 }

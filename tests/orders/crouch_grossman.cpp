@@ -18,7 +18,7 @@ namespace {
 
 using Exact = NumericTableau<Rational>;
 
-const Tableau& declared(const std::string& name) { return method(name).factory.scheme->tableau; }
+const Tableau& declared(const std::string& name) { return scheme_of<CrouchGrossmanScheme>(method(name))->tableau; }
 
 /// Rationals without structure, the same on every run.
 Exact random_tableau(std::size_t stages) {
@@ -115,11 +115,11 @@ TEST_CASE("the generated conditions to order 3 are those of the literature", "[c
 }
 
 TEST_CASE("Crouch-Grossman tableaus have their declared order exactly", "[crouch_grossman]") {
-    const auto methods = registered(Scheme::Kind::crouch_grossman);
+    const auto methods = registered<CrouchGrossmanScheme>();
     REQUIRE(methods.size() >= 4);
     for (const Method* method : methods) {
         INFO(method->description.name);
-        const Tableau& tableau = method->factory.scheme->tableau;
+        const Tableau& tableau = scheme_of<CrouchGrossmanScheme>(*method)->tableau;
         const int p = method->description.order.configuration;
         CHECK(order_conditions_objection(*method) == "");
         const OrderedForests forests(p);  // and not only on Lyndon words
@@ -129,8 +129,8 @@ TEST_CASE("Crouch-Grossman tableaus have their declared order exactly", "[crouch
 }
 
 TEST_CASE("a Crouch-Grossman coefficient off by 1e-6 violates a condition of the declared order", "[crouch_grossman]") {
-    for (const Method* method : registered(Scheme::Kind::crouch_grossman)) {
-        const Tableau& tableau = method->factory.scheme->tableau;
+    for (const Method* method : registered<CrouchGrossmanScheme>()) {
+        const Tableau& tableau = scheme_of<CrouchGrossmanScheme>(*method)->tableau;
         each_changed(exact(tableau), [&](const Exact& changed, int coefficient) {
             INFO(method->description.name << ", coefficient " << coefficient);
             CHECK(crouch_grossman_order(changed, rounding(tableau)) < method->description.order.configuration);

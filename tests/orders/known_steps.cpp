@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// No method escapes the check of its steps: the table of step checks is complete and has no unused line, and each check
-// rejects steps that follow other equations.
+// No method escapes the check of its steps: there is one for each method or its scheme, none is unused, and each rejects
+// steps that follow other equations.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "tests/judges/families/scheme_family.hpp"
+#include "tests/judges/steps/baseline_step.hpp"
+#include "tests/judges/steps/stabilised_step.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
 using namespace kreisel;
@@ -14,7 +17,7 @@ namespace {
 /// A correct method of a family unknown to the tests.
 Method stranger() {
     Method made_up = method("rkmk/rk4");
-    made_up.description.name = "commutator_free/cf3";
+    made_up.description.name = "stranger/rk4";
     made_up.factory.scheme.reset();
     return made_up;
 }
@@ -34,11 +37,28 @@ TEST_CASE("an explicit method without a scheme is rejected", "[one_step]") {
     CHECK(order_conditions_objection(implicit) == "");
 }
 
-TEST_CASE("every line of the table of step checks is of a registered method without a scheme", "[one_step]") {
-    for (const StepCheck& check : step_checks()) {
-        INFO(check.knows);
+TEST_CASE("a method whose scheme is of a family that no test knows is rejected", "[one_step]") {
+    struct UnknownFamily {};
+    Method unknown = method("rkmk/rk4");
+    unknown.factory.scheme = Scheme(UnknownFamily());
+    CHECK(one_step_objection(unknown) == "no file of tests/judges/families knows the family of its scheme");
+    CHECK(order_conditions_objection(unknown) == "no file of tests/judges/families knows the family of its scheme");
+}
+
+TEST_CASE("every family of schemes is that of a registered method", "[one_step]") {
+    for (const SchemeFamily& family : Registered<SchemeFamily>::all()) {
+        INFO(family.name);
         CHECK(std::any_of(methods().begin(), methods().end(), [&](const Method& method) {
-            return !method.factory.scheme && covers(check.knows, method.description.name);
+            return method.factory.scheme && family.knows(*method.factory.scheme);
+        }));
+    }
+}
+
+TEST_CASE("every step check is of a registered method without a scheme", "[one_step]") {
+    for (const StepCheck& check : step_checks()) {
+        INFO(check.name);
+        CHECK(std::any_of(methods().begin(), methods().end(), [&](const Method& method) {
+            return !method.factory.scheme && covers(check.name, method.description.name);
         }));
     }
 }

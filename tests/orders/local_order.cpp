@@ -105,14 +105,14 @@ OptionValues with(const std::string& coordinates, const OptionValue& dexpinv) {
 }  // namespace
 
 TEST_CASE("Crouch-Grossman steps have the order that their conditions predict", "[local_order]") {
-    for (const Method* method : registered(Scheme::Kind::crouch_grossman)) {
-        const Tableau& tableau = method->factory.scheme->tableau;
+    for (const Method* method : registered<CrouchGrossmanScheme>()) {
+        const Tableau& tableau = scheme_of<CrouchGrossmanScheme>(*method)->tableau;
         check_order(*method, {}, crouch_grossman_order(exact(tableau), rounding(tableau)));
     }
 }
 
 TEST_CASE("Munthe-Kaas steps have the order of their tableau", "[local_order]") {
-    for (const Method* method : registered(Scheme::Kind::munthe_kaas))
+    for (const Method* method : registered<MuntheKaasScheme>())
         for (const auto& options : {with("exp", "exact"), with("exp", "seed"), with("cayley", "exact")})
             check_order(*method, options, method->description.order.configuration);
 }

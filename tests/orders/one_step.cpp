@@ -4,6 +4,7 @@
 // This detects what no observed order can: a missing dexpinv at order 2, the order of stage factors.
 #include <catch2/catch.hpp>
 
+#include "tests/controls/broken.hpp"
 #include "tests/judges/steps/scheme_checks.hpp"
 
 using namespace kreisel;
@@ -35,4 +36,11 @@ TEST_CASE("one step tells every option from every other", "[one_step]") {
                 CHECK((apart > 1000 * one_step_tolerance()) == !same);
             }
     }
+}
+
+TEST_CASE("a correct embedded pair, first same as last, is accepted", "[one_step]") {
+    const Method correct = broken_pair("a/pair", {});
+    CHECK(one_step_objection(correct) == "");
+    CHECK(order_conditions_objection(correct) == "");
+    CHECK(attempts_objection(correct) == "");
 }

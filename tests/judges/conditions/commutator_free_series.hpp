@@ -41,17 +41,9 @@ Series<T> commutator_free_series(const OrderedForests& forests, const Commutator
     return product_of(forests, method.result, stages);
 }
 
-/// Largest p up to 5 such that method and flow agree on all Lyndon words with up to p nodes.
-inline int commutator_free_order(const CommutatorFree<Rational>& method) {
-    int order = 0;
-    for (; order < 5; ++order) {
-        const OrderedForests forests(order + 1);
-        const auto y = commutator_free_series(forests, method);
-        const auto flow = exact_series<Rational>(forests);
-        for (const std::size_t w : forests.lyndon(order + 1))
-            if (y[w] != flow[w]) return order;
-    }
-    return order;
+/// Largest p up to 5 such that method and flow agree within `slack` on all Lyndon words with up to p nodes.
+inline int commutator_free_order(const CommutatorFree<Rational>& method, const Rational& slack = 0) {
+    return flow_order(5, slack, [&](const OrderedForests& forests) { return commutator_free_series(forests, method); });
 }
 
 }  // namespace kreisel::orders

@@ -41,15 +41,16 @@ NumericTableau<Rational> exact(const Tableau& tableau) {
     return numbers;
 }
 
+Rational rounding(bool digits) {
+    return digits ? Rational(1, boost::multiprecision::pow(boost::multiprecision::cpp_int(10), 40)) : Rational(0);
+}
+
 Rational rounding(const Tableau& tableau) {
     const auto has_digits = [](const std::vector<Coefficient>& row) {
-        for (const auto& entry : row)
-            if (entry.digits) return true;
-        return false;
+        return std::any_of(row.begin(), row.end(), [](const Coefficient& entry) { return entry.digits != nullptr; });
     };
-    bool digits = has_digits(tableau.b);
-    for (const auto& row : tableau.a) digits = digits || has_digits(row);
-    return digits ? Rational(1, boost::multiprecision::pow(boost::multiprecision::cpp_int(10), 40)) : Rational(0);
+    return rounding(has_digits(tableau.b) || has_digits(tableau.b_hat) ||
+                    std::any_of(tableau.a.begin(), tableau.a.end(), has_digits));
 }
 
 }  // namespace kreisel::orders

@@ -27,6 +27,8 @@ struct NumericTableau {
 /// A coefficient as the number that is written: decimals are rationals too.
 Rational exact(const Coefficient& coefficient);
 NumericTableau<Rational> exact(const Tableau& tableau);
+/// How well coefficients can satisfy conditions: exactly, or to the digits written.
+Rational rounding(bool digits);
 /// How well the declared coefficients can satisfy conditions: exactly, or to the digits written.
 Rational rounding(const Tableau& tableau);
 

@@ -123,4 +123,17 @@ Series<T> exact_series(const OrderedForests& forests) {
     return y;
 }
 
+/// Largest p up to `most` such that series_of(forests) and the flow agree within `slack` on the Lyndon words with up to p
+/// nodes.
+template <class F>
+int flow_order(int most, const Rational& slack, F series_of) {
+    for (int order = 1; order <= most; ++order) {
+        const OrderedForests forests(order);
+        const Series<Rational> method = series_of(forests), flow = exact_series<Rational>(forests);
+        for (const std::size_t w : forests.lyndon(order))
+            if (abs(method[w] - flow[w]) > slack) return order - 1;
+    }
+    return most;
+}
+
 }  // namespace kreisel::orders

@@ -10,11 +10,18 @@
 
 namespace kreisel::orders {
 
-/// Registered methods that declare a scheme of this kind.
-inline std::vector<const Method*> registered(Scheme::Kind kind) {
+/// The data that a method declares as a scheme of this family; null for a method of another.
+template <class Family>
+const Family* scheme_of(const Method& method) {
+    return method.factory.scheme ? method.factory.scheme->as<Family>() : nullptr;
+}
+
+/// Registered methods that declare a scheme of this family.
+template <class Family>
+std::vector<const Method*> registered() {
     std::vector<const Method*> found;
     for (const Method& method : methods())
-        if (method.factory.scheme && method.factory.scheme->kind == kind) found.push_back(&method);
+        if (scheme_of<Family>(method)) found.push_back(&method);
     return found;
 }
 

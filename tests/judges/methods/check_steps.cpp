@@ -20,7 +20,7 @@ Objection solves_objection(const Method& entry) {
         const Real h = Real(1) / 1000;
         Status status = integrator->start(0, y.data());
         for (int i = 0; i < 100 && status == Status::ok; ++i) status = integrator->step(h * i, h, y.data());
-        if (status != Status::ok) return "a run fails";
+        if (status != Status::ok) return std::string("a run ends in ") + name(status);
         for (const long found : {system.solves, system.evaluations()})
             if (found != 100 * entry.description.stages)
                 return std::to_string(found) + " solves in 100 steps of " + std::to_string(entry.description.stages);
@@ -32,11 +32,15 @@ Objection history_objection(const Method& entry) {
     return first_objection(entry, [&](const models::Named& named, const std::string& formulation) -> Objection {
         const Real t = Real(1) / 3, h = Real(1) / 1000;
         Trip fresh(named.model, formulation, entry), used(named.model, formulation, entry);
-        if (used.run(Real(1) / 100, 10) != Status::ok) return "a run fails";
+        const auto failure = [](const char* what, Status status) {
+            return status == Status::ok ? Objection() : std::string(what) + " ends in " + name(status);
+        };
+        if (const Objection run = failure("a run", used.run(Real(1) / 100, 10)); !run.empty()) return run;
         used.y = fresh.y;
         for (Trip* trip : {&fresh, &used}) {
-            if (trip->integrator->start(t, trip->y.data()) != Status::ok) return "start fails";
-            if (trip->integrator->step(t, h, trip->y.data()) != Status::ok) return "a step fails";
+            Status status = trip->integrator->start(t, trip->y.data());
+            if (status == Status::ok) status = trip->integrator->step(t, h, trip->y.data());
+            if (const Objection step = failure("a step", status); !step.empty()) return step;
         }
         return fresh.y == used.y ? "" : "a step depends on the steps before it";
     });

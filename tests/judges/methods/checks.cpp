@@ -16,6 +16,8 @@ const char* name(Check check) {
             return "solves per step";
         case Check::history:
             return "history";
+        case Check::attempts:
+            return "attempts";
         case Check::reversal:
             return "time reversal";
         case Check::equivariance:
@@ -31,13 +33,11 @@ const char* name(Check check) {
 }
 
 const std::vector<Judgement>& running_checks() {
-    static const std::vector<Judgement> all = {{Check::order, order_objection},
-                                               {Check::solves, solves_objection},
-                                               {Check::history, history_objection},
-                                               {Check::reversal, reversal_objection},
-                                               {Check::equivariance, equivariance_objection},
-                                               {Check::injection, injection_objection},
-                                               {Check::convergence, convergence_objection}};
+    static const std::vector<Judgement> all = {
+        {Check::order, order_objection},         {Check::solves, solves_objection},
+        {Check::history, history_objection},     {Check::attempts, attempts_objection},
+        {Check::reversal, reversal_objection},   {Check::equivariance, equivariance_objection},
+        {Check::injection, injection_objection}, {Check::convergence, convergence_objection}};
     return all;
 }
 

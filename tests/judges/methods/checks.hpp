@@ -20,6 +20,7 @@ enum class Check {
     order,             ///< the observed order is not below the declared one
     solves,            ///< as many solves of the dynamics per step as declared
     history,           ///< after `start`, a step depends only on (t, h, y)
+    attempts,          ///< an attempt at a step is that step, whatever was rejected before it
     reversal,          ///< a symmetric method returns to its start
     equivariance,      ///< rigid motions of space commute with a step
     injection,         ///< NaN never ends as ok
@@ -48,6 +49,7 @@ const std::vector<ProjectionJudgement>& projection_checks();
 Objection order_objection(const Method&);
 Objection solves_objection(const Method&);
 Objection history_objection(const Method&);
+Objection attempts_objection(const Method&);
 Objection reversal_objection(const Method&);
 Objection equivariance_objection(const Method&);
 Objection injection_objection(const Method&);

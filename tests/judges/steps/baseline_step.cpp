@@ -2,9 +2,12 @@
 //
 // The baselines against the classical fourth-order method derived here independently, with coordinates of rotations by
 // other formulas than theirs: Eigen's quaternions, products of matrices, products of three rotations about axes.
+#include "tests/judges/steps/baseline_step.hpp"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "tests/judges/steps/recorded_steps.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
 namespace kreisel {
@@ -103,7 +106,7 @@ class GlobalState {
         const VecX y = write(w, false), v = w.tail(system_.velocities());
         VecX dv(v.size()), dw(0);
         const Status status = system_.accelerations(t, y.data(), system_.v(y.data()), dv.data(), nullptr);
-        if (status != Status::ok) throw std::domain_error("the dynamics fail");
+        if (status != Status::ok) throw std::domain_error(std::string("the dynamics end in ") + name(status));
         for (int i = 0; i < system_.bodies(); ++i) {
             const VecX body = segment(w, i), vi = v.segment(i * (lead_ + 3), lead_ + 3);
             append(dw, vi.head(lead_));
@@ -139,15 +142,16 @@ VecX classical_step(const GlobalState& state, const Real& t, const Real& h, cons
 /// `stretch` times the rotations of the start: what the coordinates keep off SO(3) must survive a step.
 Objection baseline_objection(const Method& method, const OptionValues& options, const Coordinates& z,
                              const Real& stretch) {
-    const auto check = [&](const std::string& name, const std::string& formulation) -> Objection {
-        stepping::Trip trip(models::standard(name), formulation, method, options);
+    const auto check = [&](const std::string& problem, const std::string& formulation) -> Objection {
+        stepping::Trip trip(models::standard(problem), formulation, method, options);
         const Eigen::Map<VecX> y(trip.y.data(), static_cast<Eigen::Index>(trip.y.size()));
         const int body = static_cast<int>(trip.system->group().size()) / trip.system->bodies();
         for (int i = 1; i <= trip.system->bodies(); ++i) Eigen::Map<VecX>(trip.y.data() + i * body - 9, 9) *= stretch;
         const GlobalState state(*trip.system, z);
         const Real t = Real(1) / 3, h = Real(1) / 8;
         const VecX expected = state.write(classical_step(state, t, h, state.read(y)), true);
-        if (trip.integrator->step(t, h, trip.y.data()) != Status::ok) return "the step fails";
+        if (const Status status = trip.integrator->step(t, h, trip.y.data()); status != Status::ok)
+            return std::string("the step ends in ") + name(status);
         Violations found;
         found.see("the classical step", VecX(y) - expected);
         return found.objection(1000 * epsilon * max(Real(1), expected.cwiseAbs().maxCoeff()));
@@ -177,6 +181,16 @@ Objection matrix_step_objection(const Method& method) { return baseline_objectio
 Objection euler_angles_step_objection(const Method& method) {
     return baseline_objection(method, {}, euler_angles(), 1);
 }
+
+namespace {
+
+const char* const tableau_of_odeint = "the tableau is in Boost.Odeint; steps are compared with the classical method";
+
+}  // namespace
+
+KREISEL_STEP_CHECK("baseline/rk4_quaternion", quaternion_step_objection, tableau_of_odeint);
+KREISEL_STEP_CHECK("baseline/rk4_matrix", matrix_step_objection, tableau_of_odeint);
+KREISEL_STEP_CHECK("baseline/rk4_euler_angles", euler_angles_step_objection, tableau_of_odeint);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

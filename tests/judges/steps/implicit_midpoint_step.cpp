@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "tests/judges/steps/recorded_steps.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
+namespace {
+
+/// V = (v + v+)/2, q+ = q exp(h V), v+ = v + h v'(t + h/2, q exp(h/2 V), V) [hairer2006], on every model.
 Objection implicit_midpoint_step_objection(const Method& method) {
     for (const models::Named& named : models::for_methods())
         for (const std::string& formulation : models::applicable(named.model)) {
@@ -21,6 +25,10 @@ Objection implicit_midpoint_step_objection(const Method& method) {
         }
     return "";
 }
+
+}  // namespace
+
+KREISEL_STEP_CHECK("rkmk/implicit_midpoint", implicit_midpoint_step_objection);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

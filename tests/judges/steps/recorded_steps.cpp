@@ -12,6 +12,10 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
+void require_ok(Status status, const std::string& what) {
+    if (status != Status::ok) throw std::domain_error(what + " ends in " + name(status));
+}
+
 MatrixGroup matrix_group(const std::string& formulation) {
     for (const MatrixGroup& group : {matrix_so3(), matrix_so3xr3(), matrix_s3xr3(), matrix_se3()})
         if (group.name == formulation) return group;
@@ -67,10 +71,10 @@ RecordedRun::RecordedRun(const Method& method, const OptionValues& options, cons
         const Eigen::Map<const VecX> all(y.data(), static_cast<Eigen::Index>(y.size()));
         states.push_back({t, all.head(system_->group().size()), all.tail(system_->velocities()), lambda});
     };
-    if (integrator->start(start, y.data()) != Status::ok) throw std::domain_error("start fails");
+    require_ok(integrator->start(start, y.data()), "the start");
     keep(start, VecX());
     for (int i = 0; i < steps; ++i) {
-        if (integrator->step(start + i * h, h, y.data()) != Status::ok) throw std::domain_error("the step fails");
+        require_ok(integrator->step(start + i * h, h, y.data()), "step " + std::to_string(i + 1));
         const Real* lambda = integrator->multipliers();
         keep(start + (i + 1) * h, lambda ? VecX(Eigen::Map<const VecX>(lambda, system_->constraints())) : VecX());
     }
@@ -78,8 +82,8 @@ RecordedRun::RecordedRun(const Method& method, const OptionValues& options, cons
 
 VecX RecordedRun::index1_rate(const RecordedState& state) {
     VecX rate(system_->velocities());
-    const Status status = system_->accelerations(state.t, state.q.data(), state.v.data(), rate.data(), nullptr);
-    if (status != Status::ok) throw std::domain_error("the index-1 form fails");
+    require_ok(system_->accelerations(state.t, state.q.data(), state.v.data(), rate.data(), nullptr),
+               "the index-1 form");
     return rate;
 }
 

@@ -9,16 +9,17 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// The order conditions, classical or Crouch-Grossman's, hold up to the declared order and not beyond. An explicit
-/// method must declare a scheme, or be exempt with a reason.
+/// The order conditions of the scheme's family (tests/judges/families/) hold up to the declared order and not beyond, and
+/// so do those of the declared estimate of the error. An explicit method must declare a scheme, or be exempt with a
+/// reason (step_checks.hpp).
 Objection order_conditions_objection(const Method&);
 
-/// One step with scripted, non-commuting slopes equals an evaluation of the declared scheme by dense matrices, on SO(3)
-/// and SE(3), with every combination of options that changes the scheme. A method without a scheme must be known to a
-/// step check of its own (step_checks.hpp).
+/// One step, and one attempt where an estimate is declared, with scripted, non-commuting slopes equals an evaluation of
+/// the declared scheme by dense matrices, on SO(3) and SE(3), with every combination of options that changes the scheme.
+/// A method without a scheme must be known to a step check of its own (step_checks.hpp).
 Objection one_step_objection(const Method&);
 
-/// Round-off of about ten matrix products.
+/// Round-off of about ten matrix products; of a scheme with large coefficients, times their magnitude.
 inline Real one_step_tolerance() { return KREISEL_QUAD ? from_text("1e-30") : from_text("1e-14"); }
 /// Options that change the scheme of a method, every combination; one empty set if there are none.
 std::vector<OptionValues> scheme_variants(const Method&);

@@ -3,6 +3,8 @@
 // The stabilised index-2 methods: residuals of each published equation for the steps of a run.
 // Positions and velocities at the ends of the steps and the reported multipliers are the only data taken from the
 // method.
+#include "tests/judges/steps/stabilised_step.hpp"
+
 #include "tests/judges/steps/step_checks.hpp"
 
 namespace kreisel {
@@ -132,6 +134,10 @@ Objection generalised_alpha_step_objection(const Method& method, const Stabilise
 Objection bliedf2_step_objection(const Method& method, const StabilisedForm& form) {
     return on_models(method, {}, [&](RecordedRun& run) { return bliedf2_violations(run, form); });
 }
+
+KREISEL_STEP_CHECK("generalized_alpha/index2",
+                   [](const Method& method) { return generalised_alpha_step_objection(method); });
+KREISEL_STEP_CHECK("multistep/bliedf2", [](const Method& method) { return bliedf2_step_objection(method); });
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -4,15 +4,12 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-const std::vector<StepCheck>& step_checks() {
-    static const std::vector<StepCheck> all = {
-        {"rkmk/implicit_midpoint", implicit_midpoint_step_objection},
-        {"generalized_alpha/index2", [](const Method& method) { return generalised_alpha_step_objection(method); }},
-        {"multistep/bliedf2", [](const Method& method) { return bliedf2_step_objection(method); }},
-        {"baseline/rk4_quaternion", quaternion_step_objection},
-        {"baseline/rk4_matrix", matrix_step_objection},
-        {"baseline/rk4_euler_angles", euler_angles_step_objection}};
-    return all;
+const std::vector<StepCheck>& step_checks() { return Registered<StepCheck>::all(); }
+
+const StepCheck* step_check_of(const Method& method) {
+    for (const StepCheck& check : step_checks())
+        if (covers(check.name, method.description.name)) return &check;
+    return nullptr;
 }
 
 bool covers(const std::string& entry, const std::string& method) {

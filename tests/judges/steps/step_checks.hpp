@@ -1,52 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // One-step checks of methods that declare no scheme: each compares steps of the running method with the published
-// equations, coded independently. The table says which check covers which method.
+// equations, coded independently, and registers itself in its own file.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "tests/judges/steps/recorded_steps.hpp"
+#include "support/registered.hpp"
+#include "support/registration.hpp"
+#include "tests/judges/methods/checks.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// V = (v + v+)/2, q+ = q exp(h V), v+ = v + h v'(t + h/2, q exp(h/2 V), V) [hairer2006], on every model.
-Objection implicit_midpoint_step_objection(const Method&);
-
-/// Equations of the stabilised index-2 methods; modified if a control requires it. The sign of eta is
-/// a convention: eta is unknown and not reported, so only the space spanned by its term can be checked.
-struct StabilisedForm {
-    DenseBodies::Side side = DenseBodies::Side::right;  ///< left: q+ = exp(h D) q
-    bool eta_from_end = false;                          ///< M^{-1} C(q+)^T eta for M^{-1} C(q)^T eta
-    bool eta_without_mass = false;                      ///< C(q)^T eta, as in the literature
-    bool without_eta = false;
-    bool multipliers_negated = false;  ///< M v' = Q + C^T lambda
-    int sign_of_previous = 1;          ///< of D_previous, BLieDF only
-    bool start_at_rate = false;        ///< a(0) = v'(0), generalised-alpha only
-};
-
-/// methods/generalized_alpha/index2.cpp, three steps from its own start [bruels2012], [arnold2016].
-Objection generalised_alpha_step_objection(const Method&, const StabilisedForm& form = {});
-/// methods/multistep/bliedf2.cpp, three steps from its own start [wieloch2021].
-Objection bliedf2_step_objection(const Method&, const StabilisedForm& form = {});
-
-/// Classical fourth-order steps in these coordinates of rotations.
-Objection quaternion_step_objection(const Method&);
-Objection matrix_step_objection(const Method&);
-Objection euler_angles_step_objection(const Method&);
-
 struct StepCheck {
-    std::string knows;  ///< a method, or a family with its slash: "family/"
+    std::string name;  ///< of the method that it knows, or of a family with its slash: "family/"
     std::function<Objection(const Method&)> objection;
+    /// Of an explicit method: why it has no order conditions to check.
+    std::string without_conditions = {};
 };
 const std::vector<StepCheck>& step_checks();
+/// Null for a method that no check knows.
+const StepCheck* step_check_of(const Method& method);
 
 /// Whether `entry`, a method or "family/", covers the method. A control "control/<scheme>_<fault>" counts as what it
 /// claims to be, "<family>/<scheme>".
 bool covers(const std::string& entry, const std::string& method);
+
+/// A static object of this type registers a check.
+struct StepCheckRegistration {
+    StepCheckRegistration(std::string name, std::function<Objection(const Method&)> objection,
+                          std::string without_conditions = {}) {
+        Registered<StepCheck>::add({std::move(name), std::move(objection), std::move(without_conditions)});
+    }
+};
+
+/// KREISEL_STEP_CHECK("family/scheme", objection), and for explicit methods the reason why they have no order conditions.
+#define KREISEL_STEP_CHECK(...) KREISEL_REGISTER(::kreisel::StepCheckRegistration, __VA_ARGS__)
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel
