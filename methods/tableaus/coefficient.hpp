@@ -3,7 +3,9 @@
 // Exact coefficients, free of `Real`: rationals, or decimal digits for numbers without a short closed form.
 #pragma once
 
+#include <numeric>
 #include <string>
+#include <utility>
 
 namespace kreisel {
 
@@ -18,7 +20,11 @@ struct Coefficient {
     constexpr bool is_zero() const { return !digits && numerator == 0; }
     bool operator==(const Coefficient& other) const {
         if (digits || other.digits) return digits && other.digits && std::string(digits) == other.digits;
-        return numerator * other.denominator == other.numerator * denominator;
+        const auto lowest = [](const Coefficient& c) {  // products would overflow
+            const long divisor = std::gcd(c.numerator, c.denominator) * (c.denominator < 0 ? -1 : 1);
+            return std::pair(c.numerator / divisor, c.denominator / divisor);
+        };
+        return lowest(*this) == lowest(other);
     }
 };
 

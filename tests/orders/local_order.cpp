@@ -85,15 +85,17 @@ double local_error(const Method& method, const OptionValues& options, const Real
     return to_double(sqrt(sum));
 }
 
-/// Local slopes log2(e(h)/e(h/2)) - 1 must lie within 0.1 of `order` for three consecutive halvings.
+/// Local slopes log2(e(h)/e(h/2)) - 1 must lie within 0.1 of `order`, 0.2 from order 6, for three consecutive halvings. A
+/// step of high order is down at round-off sooner.
 void check_order(const Method& method, const OptionValues& options, int order) {
-    Real h = Real(1) / 128;
+    const bool high = order >= 6;
+    Real h = Real(1) / (high ? 32 : 128);
     double error = local_error(method, options, h);
     for (int halving = 0; halving < 3; ++halving) {
         h /= 2;
         const double next = local_error(method, options, h);
         INFO(method.description.name << " at h = " << to_double(h));
-        CHECK(std::log2(error / next) - 1 == Approx(order).margin(0.1));
+        CHECK(std::log2(error / next) - 1 == Approx(order).margin(high ? 0.2 : 0.1));
         error = next;
     }
 }

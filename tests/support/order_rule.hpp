@@ -24,6 +24,12 @@ inline int declared(const Order& order, const std::string& metric) {
     return is_velocity(metric) ? order.velocity : order.configuration;
 }
 
+/// Above it, double has no three slopes between the pre-asymptotic range and round-off on the acceptance problems.
+inline constexpr int highest_order_in_double = 4;
+
+/// How far an observed order may be from the declared one.
+inline double order_tolerance(int declared) { return declared < 6 ? 0.1 : 0.2; }
+
 /// Sizes of the quantities on the acceptance problems, for the limits of round-off and of the pre-asymptotic range.
 inline double scale_of(const std::string& metric) { return is_multiplier(metric) ? 100 : is_velocity(metric) ? 5 : 1; }
 

@@ -38,6 +38,20 @@ NumericTableau<Rational> exact(const Tableau& tableau) {
         for (const auto& entry : row) numbers.a.back().push_back(exact(entry));
     }
     for (const auto& weight : tableau.b) numbers.b.push_back(exact(weight));
+    for (const auto& weight : tableau.b_hat) numbers.b_hat.push_back(exact(weight));
+    return numbers;
+}
+
+NumericTableau<Float100> in_100_digits(const NumericTableau<Rational>& tableau) {
+    const auto converted = [](const std::vector<Rational>& row) {
+        std::vector<Float100> numbers;
+        for (const auto& entry : row) numbers.push_back(entry.convert_to<Float100>());
+        return numbers;
+    };
+    NumericTableau<Float100> numbers;
+    for (const auto& row : tableau.a) numbers.a.push_back(converted(row));
+    numbers.b = converted(tableau.b);
+    numbers.b_hat = converted(tableau.b_hat);
     return numbers;
 }
 

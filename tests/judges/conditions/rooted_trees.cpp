@@ -30,32 +30,4 @@ std::vector<std::size_t> RootedTrees::of_order(int n) const {
     return trees;
 }
 
-std::vector<Rational> RootedTrees::stage_weights(std::size_t tree, const NumericTableau<Rational>& tableau) const {
-    std::vector<Rational> g(tableau.b.size(), Rational(1));
-    for (const std::size_t branch : branches_[tree]) {
-        const auto inner = stage_weights(branch, tableau);
-        for (std::size_t i = 0; i < g.size(); ++i) {
-            Rational sum = 0;
-            for (std::size_t j = 0; j < tableau.a[i].size(); ++j) sum += tableau.a[i][j] * inner[j];
-            g[i] *= sum;
-        }
-    }
-    return g;
-}
-
-Rational RootedTrees::weight(std::size_t tree, const NumericTableau<Rational>& tableau) const {
-    const auto g = stage_weights(tree, tableau);
-    Rational sum = 0;
-    for (std::size_t i = 0; i < g.size(); ++i) sum += tableau.b[i] * g[i];
-    return sum;
-}
-
-std::vector<Rational> butcher_conditions(const NumericTableau<Rational>& tableau, int order) {
-    const RootedTrees trees(order);
-    std::vector<Rational> residuals;
-    for (const std::size_t tree : trees.of_order(order))
-        residuals.push_back(trees.weight(tree, tableau) - Rational(1, trees.density(tree)));
-    return residuals;
-}
-
 }  // namespace kreisel::orders

@@ -6,39 +6,103 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "tests/judges/conditions/numeric_tableau.hpp"
 
 namespace kreisel::orders {
 
-/// All rooted trees with up to `order` nodes: 1, 1, 2, 4, 9, 20 of them for n = 1 to 6.
+/// All rooted trees with up to `order` nodes, the smaller ones first: 1, 1, 2, 4, 9, 20, 48, 115, 286, 719 of them for
+/// n = 1 to 10.
 class RootedTrees {
   public:
     explicit RootedTrees(int order);
-    std::vector<std::size_t> of_order(int n) const;
+    std::size_t size() const { return nodes_.size(); }
+    int nodes(std::size_t tree) const { return nodes_[tree]; }
     long density(std::size_t tree) const { return densities_[tree]; }  ///< gamma
-    /// sum_i b_i g_i(tree), the elementary weight.
-    Rational weight(std::size_t tree, const NumericTableau<Rational>& tableau) const;
+    /// In ascending order, all of them before the tree.
+    const std::vector<std::size_t>& branches(std::size_t tree) const { return branches_[tree]; }
+    std::vector<std::size_t> of_order(int n) const;
 
   private:
     /// Extends `branches` by trees not before `first` until they have `rest` nodes more.
     void extend(std::vector<std::size_t> branches, std::size_t first, int rest, int nodes);
-    std::vector<Rational> stage_weights(std::size_t tree, const NumericTableau<Rational>& tableau) const;
 
-    std::vector<std::vector<std::size_t>> branches_;  ///< of each tree, in ascending order
+    std::vector<std::vector<std::size_t>> branches_;
     std::vector<int> nodes_;
     std::vector<long> densities_;
 };
 
-/// Elementary weight minus 1/gamma for the trees with exactly `order` nodes.
-std::vector<Rational> butcher_conditions(const NumericTableau<Rational>& tableau, int order);
+/// The g(t) of the stages `a`, each computed once, when it is first needed; so is A g(t), for the trees that carry t.
+template <class T>
+class StageWeights {
+  public:
+    StageWeights(const RootedTrees& trees, const std::vector<std::vector<T>>& a)
+        : trees_(trees), stages_(a.size()), g_(trees.size()), sums_(trees.size()) {
+        for (const auto& row : a) {
+            rows_.emplace_back();
+            for (std::size_t j = 0; j < row.size(); ++j)
+                if (row[j] != 0) rows_.back().push_back({j, row[j]});
+        }
+    }
 
-/// Largest p up to 6 such that the conditions of the orders 1 to p hold within `slack`.
-inline int butcher_order(const NumericTableau<Rational>& tableau, const Rational& slack) {
-    int order = 0;
-    while (order < 6 && all_within(butcher_conditions(tableau, order + 1), slack)) ++order;
-    return order;
+    const RootedTrees& trees() const { return trees_; }
+
+    /// sum_i w_i g_i(tree), the elementary weight.
+    T weight(std::size_t tree, const std::vector<T>& w) {
+        T sum = 0;
+        const std::vector<T>& g = of(tree);
+        for (std::size_t i = 0; i < w.size(); ++i)
+            if (w[i] != 0) sum += w[i] * g[i];
+        return sum;
+    }
+
+  private:
+    const std::vector<T>& of(std::size_t tree) {
+        if (!g_[tree].empty()) return g_[tree];
+        std::vector<T> g(stages_, T(1));
+        for (const std::size_t branch : trees_.branches(tree)) {
+            const std::vector<T>& inner = sums(branch);
+            for (std::size_t i = 0; i < stages_; ++i) g[i] *= inner[i];
+        }
+        return g_[tree] = std::move(g);
+    }
+
+    const std::vector<T>& sums(std::size_t tree) {
+        if (!sums_[tree].empty()) return sums_[tree];
+        const std::vector<T>& g = of(tree);
+        std::vector<T> all;
+        for (const auto& row : rows_) {
+            all.push_back(T(0));
+            for (const auto& [j, entry] : row) all.back() += entry * g[j];
+        }
+        return sums_[tree] = std::move(all);
+    }
+
+    const RootedTrees& trees_;
+    std::size_t stages_;
+    std::vector<std::vector<std::pair<std::size_t, T>>> rows_;  // without zeros
+    std::vector<std::vector<T>> g_, sums_;
+};
+
+/// sum_i w_i g_i(t) - total/gamma(t) for the trees with exactly n nodes; total is 1 for the weights of a solution, 0
+/// for the difference of two.
+template <class T>
+std::vector<T> butcher_conditions(StageWeights<T>& stages, const std::vector<T>& w, int n, int total = 1) {
+    std::vector<T> residuals;
+    for (const std::size_t tree : stages.trees().of_order(n))
+        residuals.push_back(stages.weight(tree, w) - T(total) / T(stages.trees().density(tree)));
+    return residuals;
+}
+
+/// The largest p up to that of `trees` such that all conditions with up to p nodes hold within `slack`.
+template <class T>
+int butcher_order(StageWeights<T>& stages, const std::vector<T>& w, const T& slack, int total = 1) {
+    const RootedTrees& trees = stages.trees();
+    for (std::size_t tree = 0; tree < trees.size(); ++tree)
+        if (abs(T(stages.weight(tree, w) - T(total) / T(trees.density(tree)))) > slack) return trees.nodes(tree) - 1;
+    return trees.nodes(trees.size() - 1);
 }
 
 }  // namespace kreisel::orders

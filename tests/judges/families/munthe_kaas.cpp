@@ -2,7 +2,7 @@
 //
 // Munthe-Kaas lifts of explicit tableaus, methods/rkmk/rkmk.hpp: y_{n+1} = y_n psi(h sum b_j k~_j), in the chart given
 // by the options. They have the order of their tableau [munthekaas1999], and a pair the error u - u^ in that chart.
-#include "tests/judges/conditions/rooted_trees.hpp"
+#include "tests/judges/conditions/tableau_orders.hpp"
 #include "tests/judges/families/dense_chart.hpp"
 #include "tests/judges/families/scheme_family.hpp"
 
@@ -35,15 +35,8 @@ DenseStep munthe_kaas_step(const MuntheKaasScheme& scheme, const ScriptedStep& g
 }
 
 SchemeOrders munthe_kaas_orders(const MuntheKaasScheme& scheme) {
-    auto numbers = orders::exact(scheme.tableau);
-    const auto slack = orders::rounding(scheme.tableau);
-    SchemeOrders found;
-    found.step = orders::butcher_order(numbers, slack);
-    if (scheme.tableau.b_hat.empty()) return found;
-    numbers.b.clear();
-    for (const Coefficient& weight : scheme.tableau.b_hat) numbers.b.push_back(orders::exact(weight));
-    found.embedded = orders::butcher_order(numbers, slack);
-    return found;
+    const orders::TableauOrders found = orders::tableau_orders(scheme.tableau);
+    return {.step = found.step, .embedded = found.embedded};
 }
 
 ClassicalScheme munthe_kaas_classical(const MuntheKaasScheme& scheme) { return classical_scheme(scheme.tableau); }

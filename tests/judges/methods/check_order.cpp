@@ -49,9 +49,12 @@ AcceptanceCurves acceptance_curves(const Method& entry, bool first_order) {
     return curves;
 }
 
+/// Above order four nothing is left in double between the pre-asymptotic range and round-off: these orders are observed in
+/// quad, tests/campaign/quad_orders.cpp.
 Objection order_objection(const Method& entry) {
     if (!runs_on(entry.description, "SO3xR3")) return "";
     const Order& order = entry.description.order;
+    if (order.configuration > highest_order_in_double) return "";
     const AcceptanceCurves curves = acceptance_curves(entry, order.configuration == 1);
     return curves.empty() ? "a run fails" : order_rule(curves, order, true);
 }
