@@ -73,7 +73,7 @@ Factory extrapolation(const MakeExtrapolationBase& base, int columns) {
 
 Factory gragg(int columns) {
     Factory factory = extrapolation(chart_midpoint, columns);
-    factory.scheme = Scheme{Scheme::Kind::munthe_kaas, gragg_tableau(columns)};
+    factory.scheme = Scheme(MuntheKaasScheme{gragg_tableau(columns)});
     return factory;
 }
 
