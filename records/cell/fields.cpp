@@ -31,6 +31,16 @@ RecordField identity_field(const char* name, Value CellIdentity::*member, const 
     return member_field(name, &CellRecord::identity, member, presence, column);
 }
 
+/// Not where steps are chosen to a tolerance.
+template <class Value>
+RecordField of_constant_steps(const char* name, Value CellIdentity::*member, const char* column) {
+    RecordField field = identity_field(name, member, column);
+    field.write = [write = field.write](const CellRecord& record, LineKind kind) {
+        return record.identity.tolerance > 0 ? std::string() : write(record, kind);
+    };
+    return field;
+}
+
 template <class Value>
 RecordField outcome_field(const char* name, Value CellOutcome::*member, const char* column,
                           Presence presence = Presence::optional) {
@@ -112,8 +122,8 @@ const std::vector<RecordField>& record_fields() {
         identity_field("projection", &I::projection, "projection"),
         identity_field("projection_options", &I::projection_options, "projection_option."),
         identity_field("precision", &I::precision, "precision"),
-        identity_field("steps", &I::steps, "steps", Presence::optional),
-        identity_field("h", &I::h, "h [s]", Presence::optional),
+        of_constant_steps("steps", &I::steps, "steps"),
+        of_constant_steps("h", &I::h, "h [s]"),
         identity_field("tolerance", &I::tolerance, "tolerance [1]", Presence::optional),
         identity_field("controller", &I::controller, "controller", Presence::optional),
         identity_field("t_end", &I::t_end, "t_end [s]"),
