@@ -45,7 +45,7 @@ Status StepControl::step(Real& t, const Real& limit, Real* y) {
     Status last = Status::step_too_small;
     for (;;) {
         const FittedStep fitted = fit(t, h_, limit);
-        if (t + fitted.h == t) return last;
+        if (!(abs(fitted.h) > epsilon * max(Real(abs(t)), Real(abs(limit))))) return last;
         Real error = 0;
         const Status status = attempt(t, fitted.h, fitted.end, y, error);
         if (status == Status::ok && error <= 1) {

@@ -47,7 +47,7 @@ std::pair<double, double> observed(System& system, const std::string& formulatio
         group.log(there.data(), u.data());
         return std::pair(to_double(u.head(group.dim() / 2).norm()), to_double(u.tail(group.dim() / 2).norm()));
     };
-    const Real h = KREISEL_QUAD ? Real(1) / 64 : Real(1) / 8;
+    const Real h = KREISEL_QUAD ? Real(1) / 256 : Real(1) / 32;
     const auto [q, v] = error(h);
     const auto [q_half, v_half] = error(h / 2);
     return {std::log2(q / q_half), std::log2(v / v_half)};
