@@ -29,6 +29,8 @@ class PeerEquations {
     Status start(const Real& t, const Real& span, const Real* y, Real* u);
     /// The same later on: scales stay.
     void read(const Real* y, Real* u);
+    /// The labels of torsion springs where the unknowns were read last, into y.
+    void write_labels(Real* y) const { equations_.write_labels(y); }
     /// u -> y; the labels of y stay as they are.
     void write(const Real* u, Real* y);
 

@@ -27,6 +27,10 @@ void GlobalEquations::read(const Real* y, Real* w) {
     std::copy_n(v, system_.velocities(), w);
 }
 
+void GlobalEquations::write_labels(Real* y) const {
+    std::copy_n(system_.labels(y_.data()), system_.torsion_springs(), system_.labels(y));
+}
+
 void GlobalEquations::write(const Real* w, Real* y) const {
     Real* v = system_.v(y);
     for (int i = 0; i < bodies_; ++i, y += translations_ + 9, w += stride()) {

@@ -25,6 +25,8 @@ class GlobalEquations {
 
     /// y in TG -> w. The labels of torsion springs, which are no part of a pose, are remembered.
     void read(const Real* y, Real* w);
+    /// Those labels, into y.
+    void write_labels(Real* y) const;
     /// w -> y in TG; its labels stay as they are.
     void write(const Real* w, Real* y) const;
     /// w' = (x', z', v'). chart_singularity where the coordinates have one within a step h.

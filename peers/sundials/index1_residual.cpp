@@ -35,6 +35,7 @@ void Index1Residual::choose_scales(const Real* q) {
 }
 
 Status Index1Residual::start(const Real& t, const Real* u, Real* x, Real* dx) {
+    equations_.write_labels(y_.data());
     equations_.write(u, y_.data());
     choose_scales(y_.data());
     const Real* v = system_.v(y_.data());
