@@ -17,6 +17,7 @@ target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fm
 if(KREISEL_BINARY128)
   # Objects only, no usage requirements: main.cpp belongs to neither precision.
   add_executable(kreisel ${CMAKE_SOURCE_DIR}/driver/main.cpp ${KREISEL_OBJECTS_binary64}
-                         ${KREISEL_OBJECTS_binary128})
-  target_link_libraries(kreisel PRIVATE kreisel_driver quadmath)
+                         ${KREISEL_OBJECTS_binary128} ${KREISEL_PEER_OBJECTS_binary64}
+                         ${KREISEL_PEER_OBJECTS_binary128})
+  target_link_libraries(kreisel PRIVATE kreisel_driver ${KREISEL_PEER_LIBRARIES} quadmath)
 endif()

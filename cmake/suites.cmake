@@ -17,6 +17,7 @@ set(KREISEL_FOLDERS_driver driver driver/config driver/diff)
 set(KREISEL_FOLDERS_metamorphic metamorphic metamorphic/descriptions metamorphic/models)
 set(KREISEL_FOLDERS_orders orders judges/conditions judges/families judges/steps)
 set(KREISEL_FOLDERS_outside peers/simbody)
+set(KREISEL_FOLDERS_peers peers/methods)
 set(KREISEL_FOLDERS_problems problems judges/problems)
 set(KREISEL_FOLDERS_reference engine peers)
 set(KREISEL_FOLDERS_tables plots records)
@@ -71,6 +72,7 @@ kreisel_suite(lie binary64 LIBRARIES kreisel_lie_binary64 kreisel_rapid)
 kreisel_suite(mechanics binary64 LIBRARIES kreisel_lie_binary64 kreisel_mechanics_binary64 kreisel_problems_binary64)
 kreisel_suite(problems binary64 LIBRARIES kreisel_binary64)
 kreisel_suite(methods binary64 LIBRARIES kreisel_binary64 kreisel_controls_binary64 kreisel_order)
+kreisel_suite(peers binary64 LIBRARIES kreisel_binary64 kreisel_peers_binary64)
 kreisel_suite(architecture plain)
 target_link_libraries(test_architecture_plain PRIVATE fmt::fmt)
 if(NOT KREISEL_SANITIZE)  # exact rationals compile slowly there
@@ -121,8 +123,8 @@ if(KREISEL_BINARY128)
                 SOURCES $<TARGET_OBJECTS:kreisel_values_binary64> $<TARGET_OBJECTS:kreisel_values_binary128>
                         $<TARGET_OBJECTS:kreisel_lie_binary64> $<TARGET_OBJECTS:kreisel_lie_binary128>)
   add_test(NAME architecture.symbols
-           COMMAND ${CMAKE_SOURCE_DIR}/tests/architecture/symbols.sh ${KREISEL_OBJECTS_binary64} --
-                   ${KREISEL_OBJECTS_binary128}
+           COMMAND ${CMAKE_SOURCE_DIR}/tests/architecture/symbols.sh ${KREISEL_OBJECTS_binary64}
+                   ${KREISEL_PEER_OBJECTS_binary64} -- ${KREISEL_OBJECTS_binary128} ${KREISEL_PEER_OBJECTS_binary128}
            COMMAND_EXPAND_LISTS)
   set_tests_properties(architecture.symbols PROPERTIES LABELS architecture ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 endif()

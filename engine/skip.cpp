@@ -25,9 +25,12 @@ std::string only_for(const std::string& who, const std::vector<std::string>& for
 }
 
 /// Why a projection does not apply; empty if it does.
-std::string why_not_projected(const Cell& cell, const Model& model, bool own_multipliers) {
+std::string why_not_projected(const Cell& cell, const Model& model, const MethodDescription& method) {
     const ProjectionDescription& projector = projection(cell.projection).description;
-    if (own_multipliers) return cell.method + " meets the constraints by itself, so that nothing is left to project";
+    if (!method.projectable)
+        return cell.method + " remembers earlier steps, which a projection after each would invalidate";
+    if (method.own_multipliers)
+        return cell.method + " meets the constraints by itself, so that nothing is left to project";
     if (!applies(projector.formulations, cell.formulation))
         return only_for("projection " + cell.projection, projector.formulations);
     const auto system = make_system(model, cell.formulation);
@@ -48,7 +51,7 @@ std::string why_skipped(const Cell& cell) {
     if (!applies(entry.description.formulations, cell.formulation))
         return only_for(cell.method, entry.description.formulations);
     if (const std::string reason = entry.factory.why_not(cell.options); !reason.empty()) return reason;
-    return cell.projection == "none" ? "" : why_not_projected(cell, model, entry.description.own_multipliers);
+    return cell.projection == "none" ? "" : why_not_projected(cell, model, entry.description);
 }
 
 }  // namespace KREISEL_PRECISION

@@ -2,50 +2,16 @@
 //
 // Baseline: the classical fourth-order method on quaternions, q' = 1/2 q (0, omega). R = R(q) is the quadratic form,
 // which is |q|^2 times a rotation when the norm drifts; option `renormalise` divides q by its norm after each step.
-#include "methods/baseline/global_coordinates.hpp"
+#include "methods/baseline/quaternion.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// q = (w, x, y, z); R column by column.
-class Quaternion final : public RotationCoordinates {
+class NormalisedQuaternion final : public Quaternion {
   public:
-    explicit Quaternion(bool renormalise) : renormalise_(renormalise) {}
-    int size() const override { return 4; }
-
-    /// Inverse of the quadratic form, by the branch with the largest pivot. With n = |q|^2 (a column of R has norm n),
-    /// 4 w^2 = n + trace and 4 x^2 = n + R_xx - R_yy - R_zz.
-    void from_matrix(const Real* R, Real* q) const override {
-        const Real n = sqrt(R[0] * R[0] + R[1] * R[1] + R[2] * R[2]);
-        const Real squares[4] = {n + R[0] + R[4] + R[8], n + R[0] - R[4] - R[8], n - R[0] + R[4] - R[8],
-                                 n - R[0] - R[4] + R[8]};
-        int pivot = 0;
-        for (int i = 1; i < 4; ++i)
-            if (squares[i] > squares[pivot]) pivot = i;
-        const Real wx = R[5] - R[7], wy = R[6] - R[2], wz = R[1] - R[3];
-        const Real xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
-        const Real rows[4][4] = {
-            {squares[0], wx, wy, wz}, {wx, squares[1], xy, xz}, {wy, xy, squares[2], yz}, {wz, xz, yz, squares[3]}};
-        const Real scale = 2 * sqrt(squares[pivot]);
-        for (int i = 0; i < 4; ++i) q[i] = rows[pivot][i] / scale;
-    }
-
-    void to_matrix(const Real* q, Real* R) const override {
-        const Real w = q[0], x = q[1], y = q[2], z = q[3];
-        R[0] = w * w + x * x - y * y - z * z, R[1] = 2 * (x * y + w * z), R[2] = 2 * (x * z - w * y);
-        R[3] = 2 * (x * y - w * z), R[4] = w * w - x * x + y * y - z * z, R[5] = 2 * (y * z + w * x);
-        R[6] = 2 * (x * z + w * y), R[7] = 2 * (y * z - w * x), R[8] = w * w - x * x - y * y + z * z;
-    }
-
-    bool derivative(const Real* q, const Real* o, const Real& /*h*/, Real* dq) const override {
-        dq[0] = -(q[1] * o[0] + q[2] * o[1] + q[3] * o[2]) / 2;
-        dq[1] = (q[0] * o[0] + q[2] * o[2] - q[3] * o[1]) / 2;
-        dq[2] = (q[0] * o[1] + q[3] * o[0] - q[1] * o[2]) / 2;
-        dq[3] = (q[0] * o[2] + q[1] * o[1] - q[2] * o[0]) / 2;
-        return true;
-    }
+    explicit NormalisedQuaternion(bool renormalise) : renormalise_(renormalise) {}
 
     void finish(Real* q) const override {
         if (!renormalise_) return;
@@ -61,7 +27,7 @@ class Quaternion final : public RotationCoordinates {
 
 KREISEL_METHOD(global_rk4(
                    [](const OptionValues& options) {
-                       return std::make_shared<Quaternion>(std::get<bool>(options.at("renormalise")));
+                       return std::make_shared<NormalisedQuaternion>(std::get<bool>(options.at("renormalise")));
                    },
                    {{.name = "renormalise", .summary = "divide q by its norm after each step", .standard = true}}),
                {.name = "baseline/rk4_quaternion",

@@ -48,6 +48,9 @@ struct MethodDescription {
     int estimate = 0;
     /// Chooses its steps by a control of its own (Factory::stepper), to a tolerance only; constant steps do not apply.
     bool own_control = false;
+    /// A projection may follow each step. False of multistep methods of other libraries, which would have to forget at
+    /// every step what they remember.
+    bool projectable = true;
     bool implicit = false;
     bool symmetric = false;
     /// Multipliers are unknowns of a step, which satisfies the constraints on positions and velocities by itself:

@@ -29,8 +29,8 @@ TEST_CASE("the sources follow the architecture", "[architecture]") {
     const auto& root = project_root;
     const auto tree = load_tree(root);
     const auto bibliography = bibliography_keys(read_text(root / "paper/references.bib"));
-    for (const auto* folder :
-         {"support", "lie", "mechanics", "problems", "methods", "engine", "records", "plots", "driver", "tests"}) {
+    for (const auto* folder : {"support", "lie", "mechanics", "problems", "methods", "peers", "engine", "records",
+                               "plots", "driver", "tests"}) {
         const bool found =
             std::any_of(tree.begin(), tree.end(), [&](const Source& s) { return s.is_cpp() && s.folder() == folder; });
         INFO("no C++ file found in " << folder << ": the test looks in the wrong place");

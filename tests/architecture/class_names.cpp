@@ -57,7 +57,7 @@ std::vector<Definition> definitions(const Source& source) {
 }
 
 bool holds_classes_of_a_precision(const Source& source) {
-    static const std::array<std::string, 5> folders = {"lie", "mechanics", "problems", "methods", "engine"};
+    static const std::array<std::string, 6> folders = {"lie", "mechanics", "problems", "methods", "peers", "engine"};
     return source.is_cpp() && std::find(folders.begin(), folders.end(), source.folder()) != folders.end();
 }
 

@@ -15,7 +15,8 @@ namespace architecture {
 namespace {
 
 bool is_numerical(const Source& source) {
-    static const std::array<std::string_view, 5> folders = {"lie", "mechanics", "problems", "methods", "engine"};
+    static const std::array<std::string_view, 6> folders = {"lie",     "mechanics", "problems",
+                                                            "methods", "peers",     "engine"};
     return source.is_cpp() && std::find(folders.begin(), folders.end(), source.folder()) != folders.end();
 }
 

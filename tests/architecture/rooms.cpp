@@ -19,6 +19,9 @@ const std::string equations = "mechanics/system.hpp";
 const std::string parts = "mechanics/parts";
 const std::string axes = "mechanics/space_axes.hpp";
 const std::string formulation = "mechanics/formulation.hpp";
+const std::string peer_equations = "peers/equations.hpp";
+const std::string peer_stepper = "peers/stepper.hpp";
+const std::string double_only = "peers/double_only.hpp";
 const std::string registered = "support/registered.hpp";
 const std::string registration = "support/registration.hpp";
 
@@ -58,6 +61,12 @@ const std::vector<Room>& rooms() {
         {"methods",
          {"methods/contract", "methods/control", "methods/tableaus", "methods/implicit", "mechanics", "lie"},
          numbers},
+        {"peers/odeint", {peer_stepper, double_only, "methods", "mechanics", "lie"}, {"boost/numeric/odeint/"}},
+        {"peers/gsl", {peer_stepper, double_only, "methods", "mechanics", "lie"}, {"gsl/"}},
+        {"peers/sundials",
+         {peer_stepper, peer_equations, double_only, "methods", "mechanics", "lie"},
+         {"arkode/", "cvode/", "ida/", "nvector/", "sundials/", "sunlinsol/", "sunmatrix/", "sunnonlinsol/"}},
+        {"peers", {"methods", "mechanics", "lie"}, numbers},
         {metrics, {}, {}},
         {interface, {metrics, model_data, "methods/contract/description.hpp", "problems/description.hpp"}, {}},
         {"engine/report", {interface, "mechanics", "lie"}, numbers},

@@ -89,9 +89,9 @@ class Blanker {
     std::size_t at_ = 0;
 };
 
-constexpr std::array folders = {"support", "lie",        "mechanics", "problems", "methods",
-                                "engine",  "records",    "plots",     "driver",   "experiments",
-                                "tests",   "benchmarks", "tools",     ".ci",      "paper"};
+constexpr std::array folders = {"support",    "lie",     "mechanics", "problems", "methods",     "peers",
+                                "engine",     "records", "plots",     "driver",   "experiments", "tests",
+                                "benchmarks", "tools",   ".ci",       "paper"};
 constexpr std::array root_files = {"CMakeLists.txt", "reproduce", "check"};
 
 bool left_out(const std::string& path) { return path.starts_with("tests/architecture/bad/"); }
