@@ -73,11 +73,15 @@ Factory extrapolation(const MakeExtrapolationBase& base, int columns) {
 
 Factory gragg(int columns) {
     Factory factory = extrapolation(chart_midpoint, columns);
-    factory.scheme = Scheme{Scheme::Kind::munthe_kaas, gragg_tableau(columns)};
+    factory.scheme = Scheme(MuntheKaasScheme{gragg_tableau(columns)});
     return factory;
 }
 
-Factory lie_midpoint(int columns) { return extrapolation(group_midpoint, columns); }
+Factory lie_midpoint(int columns) {
+    Factory factory = extrapolation(group_midpoint, columns);
+    factory.scheme = Scheme(GroupExtrapolationScheme{columns});
+    return factory;
+}
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel
