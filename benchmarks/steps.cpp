@@ -37,6 +37,7 @@ void register_all() {
         for (const Formulation& entry : formulations()) {
             if (!entry.why_not(model).empty()) continue;
             for (const Method& method : methods()) {
+                if (method.description.own_control) continue;
                 const auto& only = method.description.formulations;
                 if (!only.empty() && std::find(only.begin(), only.end(), entry.name) == only.end()) continue;
                 const std::string name = problem.description.name + "/" + entry.name + "/" + method.description.name;

@@ -24,6 +24,14 @@ std::string only_for(const std::string& who, const std::vector<std::string>& for
     return who + " runs for " + list + " only";
 }
 
+/// Why a method does not take the steps of a cell, of one size or to a tolerance; empty if it does.
+std::string why_not_paced(const Cell& cell, const MethodDescription& method) {
+    if (method.own_control && cell.tolerance == 0) return cell.method + " chooses its steps itself, to a tolerance";
+    if (cell.tolerance > 0 && !method.own_control && method.estimate == 0)
+        return cell.method + " has no estimate of its error to choose steps by";
+    return "";
+}
+
 /// Why a projection does not apply; empty if it does.
 std::string why_not_projected(const Cell& cell, const Model& model, const MethodDescription& method) {
     const ProjectionDescription& projector = projection(cell.projection).description;
@@ -51,6 +59,7 @@ std::string why_skipped(const Cell& cell) {
     if (!applies(entry.description.formulations, cell.formulation))
         return only_for(cell.method, entry.description.formulations);
     if (const std::string reason = entry.factory.why_not(cell.options); !reason.empty()) return reason;
+    if (const std::string reason = why_not_paced(cell, entry.description); !reason.empty()) return reason;
     return cell.projection == "none" ? "" : why_not_projected(cell, model, entry.description);
 }
 

@@ -73,5 +73,10 @@ struct FewCommutatorsScheme {
     BracketSum result;
 };
 
+/// methods/extrapolation/base.hpp, the rule on the group.
+struct GroupExtrapolationScheme {
+    int columns;  ///< k, of rows with 2, 4, ..., 2k substeps
+};
+
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

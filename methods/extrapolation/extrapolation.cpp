@@ -77,7 +77,11 @@ Factory gragg(int columns) {
     return factory;
 }
 
-Factory lie_midpoint(int columns) { return extrapolation(group_midpoint, columns); }
+Factory lie_midpoint(int columns) {
+    Factory factory = extrapolation(group_midpoint, columns);
+    factory.scheme = Scheme(GroupExtrapolationScheme{columns});
+    return factory;
+}
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -124,6 +124,7 @@ std::vector<Combination> combinations(const Model& model, bool all_methods) {
         for (const Method& entry : methods()) {
             const MethodDescription& method = entry.description;
             if (!all_methods && !contains(one_of_each_family, method.name)) continue;
+            if (method.own_control) continue;  // constant steps only
             if (!method.formulations.empty() && !contains(method.formulations, formulation.name)) continue;
             for (const ProjectionMethod& projection : projections()) {
                 if (!applies(projection.description, method, formulation.name, *system)) continue;

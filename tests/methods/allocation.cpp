@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "tests/methods/controlled_trip.hpp"
 #include "tests/methods/linkages.hpp"
 
 namespace {
@@ -64,6 +65,23 @@ TEST_CASE("a step and a projection allocate nothing", "[methods]") {
                     CHECK(status == Status::ok);
                     CHECK(during == 0);
                 }
+}
+
+TEST_CASE("steps to a tolerance allocate nothing", "[methods]") {
+    for (const Method& entry : methods())
+        for (const char* projector : {"none", "position_velocity"}) {
+            if (entry.description.estimate == 0 && !entry.description.own_control) continue;
+            const Model model = standard("double_pendulum");
+            ControlledTrip trip(model, "SO3xR3", entry, {.tolerance = Real(1) / 100000, .length = 1}, projector);
+            Real t = 0;
+            const long before = allocations;
+            Status status = trip.stepper->start(t, 1, trip.y.data());
+            while (status == Status::ok && t < Real(1) / 10) status = trip.stepper->step(t, 1, trip.y.data());
+            const long during = allocations - before;
+            INFO(entry.description.name << ", " << projector);
+            CHECK(status == Status::ok);
+            CHECK(during == 0);
+        }
 }
 
 TEST_CASE("an implicit step on redundant rows allocates nothing", "[methods]") {

@@ -20,9 +20,10 @@ inline OptionValues default_options(const std::vector<OptionDescription>& option
     return with_defaults({}, options);
 }
 
+/// In steps of a given size.
 inline bool runs_on(const MethodDescription& method, const std::string& formulation) {
     const auto& only = method.formulations;
-    return only.empty() || std::find(only.begin(), only.end(), formulation) != only.end();
+    return !method.own_control && (only.empty() || std::find(only.begin(), only.end(), formulation) != only.end());
 }
 
 inline bool runs_on(const ProjectionDescription& projection, const Model& model, const std::string& formulation) {

@@ -32,10 +32,11 @@ ClassicalScheme classical_of(const Method& method) {
     return family_of(*method.factory.scheme)->classical(*method.factory.scheme);
 }
 
-void check_row(const std::vector<Real>& row, const VecX& found) {
+/// Within `slack`: not every method with a tableau steps by its rows.
+void check_row(const std::vector<Real>& row, const VecX& found, const Real& slack) {
     for (Eigen::Index j = 0; j < found.size(); ++j) {
         const auto k = static_cast<std::size_t>(j);
-        CHECK(found[j] == (k < row.size() ? row[k] : Real(0)));
+        CHECK(abs(found[j] - (k < row.size() ? row[k] : Real(0))) <= slack);
     }
 }
 
@@ -118,6 +119,7 @@ TEST_CASE("the running step on R^n shows the declared tableau", "[one_step]") {
         if (!method.factory.scheme) continue;
         INFO(method.description.name);
         const ClassicalScheme scheme = classical_of(method);  // it may have stages that only an attempt takes
+        const Real slack = 4 * epsilon * magnitude(scheme);
         const int s = method.description.stages;
         ScriptedSystem system(std::make_shared<AdditiveGroup>(s), marks(s));
         VecX y = VecX::Zero(2 * s);
@@ -127,12 +129,12 @@ TEST_CASE("the running step on R^n shows the declared tableau", "[one_step]") {
         CHECK(system.evaluations() == s);
         for (std::size_t i = 0; i < static_cast<std::size_t>(s); ++i) {
             INFO("row " << i + 1);
-            check_row(scheme.a[i], system.calls()[i].v);
+            check_row(scheme.a[i], system.calls()[i].v, slack);
             Real c = 0;
             for (const Real& entry : scheme.a[i]) c += entry;
-            CHECK(system.calls()[i].t == c);
+            CHECK(abs(system.calls()[i].t - c) <= slack);
         }
-        check_row(scheme.b, y.tail(s));
+        check_row(scheme.b, y.tail(s), slack);
     }
 }
 

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "methods/extrapolation/gbs_stepper.hpp"
+
+#include <algorithm>
+
+#include "mechanics/system.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+namespace {
+
+constexpr int max_columns = KREISEL_QUAD ? 16 : 9;
+
+}  // namespace
+
+GbsStepper::GbsStepper(System& system, Projection& projection, const MakeExtrapolationBase& base,
+                       const Accuracy& accuracy, std::string name)
+    : system_(system),
+      projection_(projection),
+      base_(base(system, work_)),
+      table_(max_columns, system.state_group().dim()),
+      control_(max_columns),
+      norm_(system, accuracy),
+      tolerance_(accuracy.tolerance),
+      name_(std::move(name)),
+      new_(static_cast<std::size_t>(system.state_group().size())),
+      unprojected_(new_),
+      slope_(static_cast<std::size_t>(system.state_group().dim())) {}
+
+Status GbsStepper::start(const Real& t, const Real& t_end, const Real* y) {
+    first_known_ = in_projection_ = false;
+    if (t_end == t) return Status::ok;
+    if (const Status status = system_.vector_field(t, y, slope_.data()); status != Status::ok) return status;
+    const int aim = OrderAndStep::first_aim(tolerance_, max_columns);
+    const Real span = t_end - t, rate = norm_.rate(slope_.data());
+    Real size = abs(span);
+    if (rate > 0) size = min(size, Real(pow(Real(tolerance_ / 100), Real(1) / (2 * aim - 1)) / rate));
+    control_.start(aim, span < 0 ? -size : size);
+    return Status::ok;
+}
+
+Status GbsStepper::step(Real& t, const Real& limit, Real* y) {
+    Status last = Status::step_too_small;
+    for (;;) {
+        const FittedStep fitted = fit(t, control_.step(), limit);
+        if (t + fitted.h == t) return last;
+        control_.begin(fitted.h, fitted.shortened);
+        int line = 1;
+        bool converged = false;
+        const Status status = attempt(t, fitted, y, line, converged);
+        if (status == Status::ok && converged) {
+            std::copy(new_.begin(), new_.end(), y);
+            t = fitted.end;
+            control_.accepted(line);
+            first_known_ = false;
+            ++accepted_;
+            return Status::ok;
+        }
+        ++rejected_;
+        control_.rejected(status == Status::ok ? line : 1);
+        last = status == Status::ok ? Status::step_too_small : status;
+    }
+}
+
+Status GbsStepper::attempt(const Real& t, const FittedStep& fitted, const Real* y, int& line, bool& converged) {
+    in_projection_ = false;
+    if (system_.torsion_springs() == 0) return lines(t, fitted, y, line, converged);
+    Status status = system_.begin_step(t, fitted.h, y);
+    if (status == Status::ok) status = lines(t, fitted, y, line, converged);
+    if (status == Status::ok && converged) return system_.end_step(status, fitted.end, new_.data());
+    system_.end_step(Status::step_too_small, fitted.end, new_.data());
+    return status;
+}
+
+Status GbsStepper::lines(const Real& t, const FittedStep& fitted, const Real* y, int& line, bool& converged) {
+    if (const Status status = base_->begin(t, fitted.h, y, first_known_); status != Status::ok) return status;
+    first_known_ = true;
+    for (line = 1; line <= control_.last_line(); ++line) {
+        if (const Status status = base_->row(substeps(line), table_.row(line)); status != Status::ok) return status;
+        table_.extrapolate(line);
+        if (line == 1) continue;
+        Real error = error_of_line(fitted.h, y);
+        if (!isfinite(error)) return Status::non_finite;
+        auto verdict = control_.judge(line, error);
+        if (verdict == OrderAndStep::Verdict::accept) {
+            if (const Status status = project(fitted.h, fitted.end, error); status != Status::ok) return status;
+            verdict = control_.judge(line, error);
+        }
+        converged = verdict == OrderAndStep::Verdict::accept;
+        if (verdict != OrderAndStep::Verdict::next_line) return Status::ok;
+    }
+    return Status::ok;
+}
+
+Real GbsStepper::error_of_line(const Real& H, const Real* y) {
+    base_->state(table_.result(), new_.data());
+    return norm_(H, y, new_.data(), table_.difference());
+}
+
+Status GbsStepper::project(const Real& H, const Real& end, Real& error) {
+    in_projection_ = true;
+    std::copy(new_.begin(), new_.end(), unprojected_.begin());
+    if (const Status status = projection_.project(end, new_.data()); status != Status::ok) return status;
+    if (new_ != unprojected_) error = max(error, norm_.distance(H, unprojected_.data(), new_.data()));
+    if (!isfinite(error)) return Status::non_finite;
+    in_projection_ = false;
+    return Status::ok;
+}
+
+std::string GbsStepper::failed_part() const {
+    return in_projection_ ? "projection after a step of " + name_ : "step of " + name_;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
