@@ -105,6 +105,7 @@ class ArkodeStepper final : public PeerStepper {
 Factory sundials_arkode() {
     Factory factory;
     factory.options = arkode_options;
+    factory.stages = 13;  // of the pair taken by default
     factory.order = [](const OptionValues& values, const Order&) { return Order(arkode_pair(values).order); };
     factory.stepper = [](System& system, Projection& projection, const Accuracy& accuracy, const OptionValues& values,
                          const MethodDescription& description) {
