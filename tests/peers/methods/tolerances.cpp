@@ -34,8 +34,8 @@ double slope(const std::vector<double>& errors) {
     return xy / xx;
 }
 
-/// What speaks against a method on the acceptance problems, or "". The slope of a pair is that of its order over that of
-/// its estimate, 1; a variable order scatters.
+/// What speaks against a method on the acceptance problems, or "". The slope of a pair is that of its order over that
+/// of its estimate, 1; a variable order scatters.
 std::string tolerance_objection(const Method& entry, const OptionValues& options) {
     const double band = entry.description.stages > 0 ? 0.15 : 0.3;
     for (const auto& [problem, formulation] :
