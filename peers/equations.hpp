@@ -2,8 +2,8 @@
 //
 // What integrators of other libraries are given: the equations of motion on quaternions, one for each body, in unknowns
 // u = w / s that are of size one, so that one absolute tolerance serves all of them, whatever the library makes of
-// tolerances. The scales s are 1 for quaternions, the length of the mechanism for positions, and these times the rate of
-// the motion at the start for velocities; powers of two, so that scaling loses no bit.
+// tolerances. The scales s are 1 for quaternions, the length of the mechanism for positions, and these times the rate
+// of the motion at the start for velocities; powers of two, so that scaling loses no bit.
 #pragma once
 
 #include <vector>

@@ -35,8 +35,8 @@ class PeerStepper : public Stepper {
     /// it gets there, t is `limit` exactly.
     virtual Status advance(Real& t, const Real& limit) = 0;
 
-    /// The proposed step is lost in the round-off of the run's time: the tolerance is out of reach. (At t = 0 no step is
-    /// too small to move time.)
+    /// The proposed step is lost in the round-off of the run's time: the tolerance is out of reach. (At t = 0 no step
+    /// is too small to move time.)
     bool lost() const { return abs(h_) < least_; }
 
     PeerEquations equations_;

@@ -12,7 +12,8 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// Of SO3 and SO3xR3, where a body is (x,) R and its velocity (x',) omega. Sizes its work space; allocates nothing more.
+/// Of SO3 and SO3xR3, where a body is (x,) R and its velocity (x',) omega. Sizes its work space; allocates nothing
+/// more.
 class GlobalEquations {
   public:
     /// The system outlives this.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods/contract/method.hpp"
 
+#include <stdexcept>
+
 #include "methods/contract/turn_counting.hpp"
 #include "support/registered.hpp"
 
@@ -14,6 +16,8 @@ MethodRegistration::MethodRegistration(const char* file, Factory factory, Method
 }
 
 std::unique_ptr<Integrator> Method::bind(System& system, const OptionValues& options) const {
+    if (!factory.make)
+        throw std::logic_error(description.name + " has no steps of a given size, it chooses them to a tolerance");
     return counting_turns(system, factory.make(system, options, description));
 }
 

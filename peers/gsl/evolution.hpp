@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Integrators of the GNU Scientific Library [gsl] on quaternions, with its step control: gsl_odeiv2_evolve. It would end
-// the program at an error; its handler is global, so it is switched off once and for all, as in records/fits/fit.cpp.
+// Integrators of the GNU Scientific Library [gsl] on quaternions, with its step control: gsl_odeiv2_evolve. It would
+// end the program at an error; its handler is global, so it is switched off once and for all, as in
+// records/fits/fit.cpp.
 #pragma once
 
 #include <gsl/gsl_odeiv2.h>

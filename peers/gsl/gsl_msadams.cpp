@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Baseline: Adams methods of variable coefficients in Nordsieck form [hairer1993, Sec. III.5, III.6], with a corrector by
-// functional iteration, on quaternions, with the control of order (1 to 12) and step of GSL.
+// Baseline: Adams methods of variable coefficients in Nordsieck form [hairer1993, Sec. III.5, III.6], with a corrector
+// by functional iteration, on quaternions, with the control of order (1 to 12) and step of GSL.
 #include "peers/double_only.hpp"
 #if !KREISEL_QUAD
 #include "peers/gsl/evolution.hpp"

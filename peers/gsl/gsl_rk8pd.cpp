@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Baseline: Prince and Dormand's pair of orders 8 and 7 [hairer1993, Sec. II.5] on quaternions, with the step control of
-// GSL. The result of order 8 is advanced.
+// Baseline: Prince and Dormand's pair of orders 8 and 7 [hairer1993, Sec. II.5] on quaternions, with the step control
+// of GSL. The result of order 8 is advanced.
 #include "peers/double_only.hpp"
 #if !KREISEL_QUAD
 #include "peers/gsl/evolution.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Controlled steppers of Boost.Odeint [ahnert2011], which know the norm of built-in numbers only. They accept NaN as a success and enlarge the step, so that what they
-// accept is checked here; a rejection that does not shorten the step, which Bulirsch-Stoer may repeat for ever, is
-// shortened here. Bulirsch-Stoer allocates in each step.
+// Controlled steppers of Boost.Odeint [ahnert2011], which know the norm of built-in numbers only. They accept NaN as a
+// success and enlarge the step, so that what they accept is checked here; a rejection that does not shorten the step,
+// which Bulirsch-Stoer may repeat for ever, is shortened here. Bulirsch-Stoer allocates in each step.
 #pragma once
 
 #include <algorithm>

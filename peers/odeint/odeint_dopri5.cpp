@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Baseline: Dormand and Prince's pair of orders 5 and 4 [hairer1993, Table II.5.2] on quaternions, with the step control
-// of Boost.Odeint. The result of order 5 is advanced.
+// Baseline: Dormand and Prince's pair of orders 5 and 4 [hairer1993, Table II.5.2] on quaternions, with the step
+// control of Boost.Odeint. The result of order 5 is advanced.
 #include "peers/double_only.hpp"
 #if !KREISEL_QUAD
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>

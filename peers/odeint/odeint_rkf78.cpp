@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Baseline: Fehlberg's pair of orders 7 and 8 [hairer1993, Sec. II.10] on quaternions, with the step control of
-// Boost.Odeint. The result of order 8 is advanced. The pair's error estimate 41/840 h (k_1 + k_11 - k_12 - k_13) vanishes
-// where f depends on t only.
+// Boost.Odeint. The result of order 8 is advanced. The pair's error estimate 41/840 h (k_1 + k_11 - k_12 - k_13)
+// vanishes where f depends on t only.
 #include "peers/double_only.hpp"
 #if !KREISEL_QUAD
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The index-1 form on quaternions as a residual, for solvers of differential-algebraic equations: the system's equations
-// of motion are evaluated, not solved.
+// The index-1 form on quaternions as a residual, for solvers of differential-algebraic equations: the system's
+// equations of motion are evaluated, not solved.
 #pragma once
 
 #include "peers/equations.hpp"

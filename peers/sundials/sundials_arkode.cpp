@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Baseline: explicit Runge-Kutta pairs of ARKODE, part of SUNDIALS [hindmarsh2005], on quaternions, with its step control;
-// option `pair`. The result of the higher order is advanced. (Errors of its pair VERNER_8_5_6 are far above the tolerance in
-// release 6.4.)
+// Baseline: explicit Runge-Kutta pairs of ARKODE, part of SUNDIALS [hindmarsh2005], on quaternions, with its step
+// control; option `pair`. The result of the higher order is advanced. (Errors of its pair VERNER_8_5_6 are far above
+// the tolerance in release 6.4.)
 #include "peers/double_only.hpp"
 #if !KREISEL_QUAD
 #include <arkode/arkode_erkstep.h>
@@ -105,6 +105,7 @@ class ArkodeStepper final : public PeerStepper {
 Factory sundials_arkode() {
     Factory factory;
     factory.options = arkode_options;
+    factory.stages = 13;  // of the pair taken by default
     factory.order = [](const OptionValues& values, const Order&) { return Order(arkode_pair(values).order); };
     factory.stepper = [](System& system, Projection& projection, const Accuracy& accuracy, const OptionValues& values,
                          const MethodDescription& description) {

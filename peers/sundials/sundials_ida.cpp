@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Baseline: IDA of SUNDIALS [hindmarsh2005] on quaternions, BDF of orders 1 to 5 for the index-1 form with the multipliers
-// among the unknowns, with its control of order and step: what one gives to a solver of differential-algebraic
-// equations. Newton's method has a dense Jacobian by differences; multipliers take no part in the error test.
+// Baseline: IDA of SUNDIALS [hindmarsh2005] on quaternions, BDF of orders 1 to 5 for the index-1 form with the
+// multipliers among the unknowns, with its control of order and step: what one gives to a solver of
+// differential-algebraic equations. Newton's method has a dense Jacobian by differences; multipliers take no part in
+// the error test.
 #include "peers/double_only.hpp"
 #if !KREISEL_QUAD
 #include <ida/ida.h>

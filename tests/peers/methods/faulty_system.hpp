@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A system that forwards all that baselines call, and spoils its dynamics without saying so: a method that does not look
-// is deceived.
+// A system that forwards all that baselines call, and spoils its dynamics without saying so: a method that does not
+// look is deceived.
 #pragma once
 
 #include "mechanics/system.hpp"
