@@ -36,6 +36,7 @@ function(kreisel_layer precision layer)
   add_library(kreisel_${layer}_${precision} OBJECT ${sources})
   target_link_libraries(kreisel_${layer}_${precision} PUBLIC kreisel_flags_${precision})
   kreisel_precompile(kreisel_${layer}_${precision} numerics_${precision})
+  kreisel_unite_data(kreisel_${layer}_${precision} ${layer})
   target_sources(kreisel_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_${layer}_${precision}>)
   set(KREISEL_OBJECTS_${precision} ${KREISEL_OBJECTS_${precision}} $<TARGET_OBJECTS:kreisel_${layer}_${precision}>
       PARENT_SCOPE)

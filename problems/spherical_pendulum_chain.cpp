@@ -9,7 +9,7 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-Model pendulum(const Parameters& p) {
+Model pendulum_chain(const Parameters& p) {
     Model model;
     const int N = p.count("masses");
     const Real length = p.scalar("length") / N, mass = p.mass("mass");
@@ -26,13 +26,14 @@ Model pendulum(const Parameters& p) {
 
 }  // namespace
 
-KREISEL_PROBLEM(pendulum, {.name = "spherical_pendulum_chain",
-                           .summary = "the literature's N-fold spherical pendulum of point masses on massless rods",
-                           .cites = {"celledoni2022"},
-                           .parameters = {{"masses", ParameterKind::count, "1", "number of point masses N", 3.0},
-                                          {"mass", ParameterKind::positive, "kg", "mass of each", 1.0},
-                                          {"length", ParameterKind::positive, "m", "of all rods together", 5.0},
-                                          gravity_parameter({0, 0, -9.81})}});
+KREISEL_PROBLEM(pendulum_chain,
+                {.name = "spherical_pendulum_chain",
+                 .summary = "the literature's N-fold spherical pendulum of point masses on massless rods",
+                 .cites = {"celledoni2022"},
+                 .parameters = {{"masses", ParameterKind::count, "1", "number of point masses N", 3.0},
+                                {"mass", ParameterKind::positive, "kg", "mass of each", 1.0},
+                                {"length", ParameterKind::positive, "m", "of all rods together", 5.0},
+                                gravity_parameter({0, 0, -9.81})}});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel
