@@ -10,6 +10,7 @@
 #include <sunmatrix/sunmatrix_dense.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 #include "benchmarks/accuracy/contender.hpp"
 
@@ -52,11 +53,8 @@ SUNContext made_context() {
 class IdaRun final : public Run {
   public:
     explicit IdaRun(double tolerance) {
-        const Vector w(spin[0], spin[1], spin[2]), x(0, 1, 0);
-        double *y = N_VGetArrayPointer(y_.get()), *id = N_VGetArrayPointer(id_.get());
-        N_VConst(0, y_.get()), N_VConst(0, dy_.get());
-        put(x, y), y[3] = 1, put(w.cross(x), y + 7), put(w, y + 10);
-        for (int i = 0; i < size; ++i) id[i] = i < 13 ? 1 : 0;
+        start(N_VGetArrayPointer(y_.get()), N_VGetArrayPointer(dy_.get()));
+        for (int i = 0; i < size; ++i) N_VGetArrayPointer(id_.get())[i] = i < 13 ? 1 : 0;
         IDAInit(ida_.get(), ida_residual, 0, y_.get(), dy_.get());
         IDASetUserData(ida_.get(), &evaluations_);
         IDASStolerances(ida_.get(), tolerance, tolerance);
@@ -65,12 +63,11 @@ class IdaRun final : public Run {
         IDASetSuppressAlg(ida_.get(), SUNTRUE);  // lambda would keep steps some hundred times shorter
         IDASetId(ida_.get(), id_.get());
         IDASetLinearSolver(ida_.get(), solver_.get(), matrix_.get());
-        ready_ = IDACalcIC(ida_.get(), IDA_YA_YDP_INIT, t_end / 1000) == IDA_SUCCESS;
         IDASetStopTime(ida_.get(), t_end);
     }
     bool integrate() override {
         double t = 0;
-        return ready_ && IDASolve(ida_.get(), t_end, &t, y_.get(), dy_.get(), IDA_NORMAL) >= 0;
+        return IDASolve(ida_.get(), t_end, &t, y_.get(), dy_.get(), IDA_NORMAL) >= 0;
     }
     std::array<double, 3> position() const override {
         const double* y = N_VGetArrayPointer(y_.get());
@@ -79,10 +76,20 @@ class IdaRun final : public Run {
     long evaluations() const override { return evaluations_; }
 
   private:
+    /// Consistent to round-off: IDACalcIC does not reach the tightest tolerances. R = I.
+    static void start(double* y, double* dy) {
+        std::fill_n(y, size, 0), std::fill_n(dy, size, 0);
+        const Vector x(0, 1, 0), w(spin[0], spin[1], spin[2]), g(0, 0, -gravity);
+        const Vector J_O(inertia[0] + mass, inertia[1], inertia[2] + mass);
+        const Vector dw = (x.cross(mass * g) - w.cross(J_O.cwiseProduct(w))).cwiseQuotient(J_O);
+        const Vector dv = dw.cross(x) + w.cross(w.cross(x));
+        put(x, y), y[3] = 1, put(w.cross(x), y + 7), put(w, y + 10), put(mass * (dv - g), y + 13);
+        put(w.cross(x), dy), put(w / 2, dy + 4), put(dv, dy + 7), put(dw, dy + 10);
+    }
+
     Owned<N_Vector> vector_of_size() { return {N_VNew_Serial(size, context_.get()), N_VDestroy}; }
 
     long evaluations_ = 0;
-    bool ready_ = false;
     Owned<SUNContext> context_{made_context(), [](SUNContext c) { SUNContext_Free(&c); }};
     Owned<N_Vector> y_ = vector_of_size(), dy_ = vector_of_size(), id_ = vector_of_size();
     Owned<SUNMatrix> matrix_{SUNDenseMatrix(size, size, context_.get()), SUNMatDestroy};
