@@ -39,20 +39,20 @@ void list_topic(const Engine& engine, const std::string& topic, std::ostream& ou
 }
 
 void describe(const Engine& engine, const std::string& name, std::ostream& out) {
-    const Registry registry(engine);
-    if (const auto* problem = find_named(registry.problems, name)) { return describe_problem(engine, *problem, out); }
-    if (const auto* method = find_named(registry.methods, name)) { return describe_method(*method, out); }
-    if (const auto* projection = find_named(registry.projections, name)) {
+    const Catalogue catalogue(engine);
+    if (const auto* problem = find_named(catalogue.problems, name)) { return describe_problem(engine, *problem, out); }
+    if (const auto* method = find_named(catalogue.methods, name)) { return describe_method(*method, out); }
+    if (const auto* projection = find_named(catalogue.projections, name)) {
         return describe_projection(*projection, out);
     }
-    if (const auto* formulation = find_named(registry.formulations, name)) {
+    if (const auto* formulation = find_named(catalogue.formulations, name)) {
         fmt::print(out, "{}: {}\n", formulation->name, formulation->summary);
         return;
     }
     if (describe_metric(engine, name, out) || describe_kind(name, out)) { return; }
     auto names = metric_names(integral_names(engine));
-    for (const auto& some : {names_of(registry.problems), names_of(registry.methods), names_of(registry.projections),
-                             names_of(registry.formulations), names_of_kinds()}) {
+    for (const auto& some : {names_of(catalogue.problems), names_of(catalogue.methods), names_of(catalogue.projections),
+                             names_of(catalogue.formulations), names_of_kinds()}) {
         names.insert(names.end(), some.begin(), some.end());
     }
     const std::string nearest = nearest_name(name, names);

@@ -106,7 +106,7 @@ void CommandLine::add_catalogue() {
         });
     info->add_option("name", arguments_.name, "Its name, as kreisel list shows it")->required();
     command("schema", "The JSON Schema (draft-07) of a config, for editors and checkers", [this] {
-        terminal_.out << config_schema(Registry(engines_.binary64)).dump(2) << "\n";
+        terminal_.out << config_schema(Catalogue(engines_.binary64)).dump(2) << "\n";
         return Exit::ok;
     });
 }

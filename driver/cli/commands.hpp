@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "driver/campaign/campaign.hpp"
-#include "driver/config/registry.hpp"
+#include "driver/config/catalogue.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {

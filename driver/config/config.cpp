@@ -92,7 +92,7 @@ const std::vector<std::string>& config_keys() {
     return keys;
 }
 
-Config read_config(const Document& document, const Registry& registry) {
+Config read_config(const Document& document, const Catalogue& catalogue) {
     Diagnostics sink(document);
     const Node root(document.value, "", sink);
     Config config;
@@ -102,9 +102,9 @@ Config read_config(const Document& document, const Registry& registry) {
     read_description(root, config);
     read_kind(root, config);
     config.precisions = read_precisions(root);
-    read_problems(root, registry, config);
-    config.formulations = read_names(root, "formulations", "formulation", names_of(registry.formulations), {"SO3xR3"});
-    read_methods(root, registry, config);
+    read_problems(root, catalogue, config);
+    config.formulations = read_names(root, "formulations", "formulation", names_of(catalogue.formulations), {"SO3xR3"});
+    read_methods(root, catalogue, config);
     if (const auto time = root.require("time", time_expectation)) { read_time(*time, config); }
     read_measurements(root, config);
     sink.raise();

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/config/registry.hpp"
+#include "driver/config/catalogue.hpp"
 
 namespace kreisel {
 
@@ -58,7 +58,7 @@ struct Config {
 };
 
 /// Reads a config. Throws UsageError with every error found; physical validity is checked when the plan is made.
-Config read_config(const Document& document, const Registry& registry);
+Config read_config(const Document& document, const Catalogue& catalogue);
 
 /// The keys a config may have.
 const std::vector<std::string>& config_keys();

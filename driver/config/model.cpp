@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "driver/config/registry.hpp"
+#include "driver/config/catalogue.hpp"
 #include "driver/config/values.hpp"
 #include "records/json/model_keys.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "driver/config/registry.hpp"
+#include "driver/config/catalogue.hpp"
 #include "records/json/writer.hpp"
 #include "support/nearest.hpp"
 

@@ -112,7 +112,7 @@ Schema measures_nothing_else() {
 
 }  // namespace schema
 
-nlohmann::ordered_json config_schema(const Registry& registry) {
+nlohmann::ordered_json config_schema(const Catalogue& catalogue) {
     using namespace schema;
     const Schema precision = choice({"double", "quad"});
     const Schema figure = figure_schema();
@@ -121,10 +121,10 @@ nlohmann::ordered_json config_schema(const Registry& registry) {
                 {"description", text(2000)},
                 {"kind", choice(names_of(experiment_kinds()))},
                 {"precision", one_or_list(precision)},
-                {"problems", entries(names_of_complete(registry.problems), registry.problems, problem_object)},
-                {"formulations", list(choice(names_of(registry.formulations)))},
-                {"methods", optioned_entries(registry.methods)},
-                {"projections", optioned_entries(registry.projections)},
+                {"problems", entries(names_of_complete(catalogue.problems), catalogue.problems, problem_object)},
+                {"formulations", list(choice(names_of(catalogue.formulations)))},
+                {"methods", optioned_entries(catalogue.methods)},
+                {"projections", optioned_entries(catalogue.projections)},
                 {"time", time()},
                 {"metrics", list(text(100), 0)},
                 {"output", object({{"samples", integer(0, most_samples)}, {"dense", {{"type", "boolean"}}}}, {})},

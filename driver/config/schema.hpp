@@ -5,12 +5,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "driver/config/registry.hpp"
+#include "driver/config/catalogue.hpp"
 
 namespace kreisel {
 
 /// Draft-07. What depends on several places at once (samples that divide steps, labels of their own, steps that divide
 /// the end time, figures with different names), and physical validity are beyond it: only there the reader is stricter.
-nlohmann::ordered_json config_schema(const Registry& registry);
+nlohmann::ordered_json config_schema(const Catalogue& catalogue);
 
 }  // namespace kreisel

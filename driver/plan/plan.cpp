@@ -81,7 +81,7 @@ Plan make_plan(const Document& document, const Config& config, const Engines& en
 }
 
 Plan plan_of(const Document& document, const Engines& engines) {
-    return make_plan(document, read_config(document, Registry(engines.binary64)), engines);
+    return make_plan(document, read_config(document, Catalogue(engines.binary64)), engines);
 }
 
 }  // namespace kreisel

@@ -101,7 +101,7 @@ ParameterValue other_than_standard(const ParameterDescription& parameter, const 
     return bodies;
 }
 
-ParameterValues read_back(const std::string& problem, const std::string& parameters, const Registry& registry) {
+ParameterValues read_back(const std::string& problem, const std::string& parameters, const Catalogue& catalogue) {
     const std::string text =
         ObjectWriter()
             .member("name", json_text("round_trip"))
@@ -113,14 +113,14 @@ ParameterValues read_back(const std::string& problem, const std::string& paramet
             .member("methods", R"(["rkmk/rk4"])")
             .member("time", R"({"end": 1, "steps": [8, 16]})")
             .text();
-    return read_config(parse_document("round_trip.json", text), registry).problems.at(0).parameters;
+    return read_config(parse_document("round_trip.json", text), catalogue).problems.at(0).parameters;
 }
 
 }  // namespace
 
 TEST_CASE("parameters of every problem round-trip through JSON", "[campaign]") {
-    const Registry registry(engine_binary64());
-    for (const ProblemDescription& problem : registry.problems) {
+    const Catalogue catalogue(engine_binary64());
+    for (const ProblemDescription& problem : catalogue.problems) {
         INFO(problem.name);
         const ParameterValues standard = demonstration_parameters(problem);
         ParameterValues other;
@@ -129,22 +129,22 @@ TEST_CASE("parameters of every problem round-trip through JSON", "[campaign]") {
             INFO(parameter.name);
             CHECK_FALSE(other[parameter.name] == parameter.standard);
         }
-        CHECK(read_back(problem.name, json_value(standard), registry) == standard);
-        CHECK(read_back(problem.name, json_value(other), registry) == other);
-        if (required_parameters(problem).empty()) CHECK(read_back(problem.name, "{}", registry) == standard);
+        CHECK(read_back(problem.name, json_value(standard), catalogue) == standard);
+        CHECK(read_back(problem.name, json_value(other), catalogue) == other);
+        if (required_parameters(problem).empty()) CHECK(read_back(problem.name, "{}", catalogue) == standard);
     }
 }
 
 TEST_CASE("a number of parts is a whole one, alone or in a list, for the reader and for the problem itself",
           "[campaign]") {
-    const Registry registry(engine_binary64());
+    const Catalogue catalogue(engine_binary64());
     int counts = 0;
-    for (const ProblemDescription& problem : registry.problems)
+    for (const ProblemDescription& problem : catalogue.problems)
         for (const ParameterDescription& parameter : problem.parameters) {
             if (parameter.kind != ParameterKind::count) continue;
             ++counts;
             const auto read = [&](const std::string& value) {
-                return read_back(problem.name, ObjectWriter().member(parameter.name, value).text(), registry);
+                return read_back(problem.name, ObjectWriter().member(parameter.name, value).text(), catalogue);
             };
             INFO(problem.name << " " << parameter.name);
             CHECK(read("3").at(parameter.name) == ParameterValue(3.0));
@@ -164,12 +164,12 @@ TEST_CASE("a number of parts is a whole one, alone or in a list, for the reader 
 }
 
 TEST_CASE("a round trip that loses a bit is noticed", "[campaign][control]") {
-    const Registry registry(engine_binary64());
-    const ProblemDescription& problem = registry.problems.at(0);
+    const Catalogue catalogue(engine_binary64());
+    const ProblemDescription& problem = catalogue.problems.at(0);
     ParameterValues values;
     for (const ParameterDescription& parameter : problem.parameters)
         values[parameter.name] = other_than_standard(parameter, parameter.standard);
-    const ParameterValues back = read_back(problem.name, json_value(values), registry);
+    const ParameterValues back = read_back(problem.name, json_value(values), catalogue);
     for (auto& [name, value] : values)
         if (auto* vector = std::get_if<Vector3>(&value)) (*vector)[2] = std::nextafter((*vector)[2], 1e9);
     CHECK_FALSE(back == values);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/config/registry.hpp"
+#include "driver/config/catalogue.hpp"
 #include "tests/driver/fake_engine.hpp"
 
 namespace kreisel {

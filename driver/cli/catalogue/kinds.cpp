@@ -5,7 +5,7 @@
 #include <fmt/ostream.h>
 
 #include "driver/cli/catalogue/rows.hpp"
-#include "driver/config/registry.hpp"
+#include "driver/config/catalogue.hpp"
 #include "plots/figures/kind.hpp"
 #include "plots/tables/table.hpp"
 #include "records/kinds/kind.hpp"

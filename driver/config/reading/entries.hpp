@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/config/registry.hpp"
+#include "driver/config/catalogue.hpp"
 #include "records/json/node.hpp"
 
 namespace kreisel {

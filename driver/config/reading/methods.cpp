@@ -42,13 +42,13 @@ std::vector<OptionedEntry> read_optioned(const Node& list, const std::string& wh
 
 }  // namespace
 
-void read_methods(const Node& root, const Registry& registry, Config& config) {
+void read_methods(const Node& root, const Catalogue& catalogue, Config& config) {
     if (const auto node = root.require("methods", "a list of at least one method")) {
-        config.methods = read_optioned(*node, "method", registry.methods);
+        config.methods = read_optioned(*node, "method", catalogue.methods);
     }
     if (const auto node = root.find("projections")) {
-        config.projections = read_optioned(*node, "projection", registry.projections);
-    } else if (const auto* none = find_named(registry.projections, "none")) {
+        config.projections = read_optioned(*node, "projection", catalogue.projections);
+    } else if (const auto* none = find_named(catalogue.projections, "none")) {
         config.projections = {{none->name, default_options(none->options).front(), ""}};
     }
 }

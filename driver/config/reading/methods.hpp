@@ -9,6 +9,6 @@
 namespace kreisel {
 
 /// Reads "methods" and "projections" of the config `root`.
-void read_methods(const Node& root, const Registry& registry, Config& config);
+void read_methods(const Node& root, const Catalogue& catalogue, Config& config);
 
 }  // namespace kreisel

@@ -59,11 +59,11 @@ void add_problems(const Node& entry, const ProblemDescription& description, Conf
 
 }  // namespace
 
-void read_problems(const Node& root, const Registry& registry, Config& config) {
+void read_problems(const Node& root, const Catalogue& catalogue, Config& config) {
     const auto node = root.require("problems", "a list of at least one problem");
     const auto entries = node ? node->elements("a list of at least one problem") : std::nullopt;
     for (const Node& entry : entries.value_or(std::vector<Node>())) {
-        if (const auto* description = described(entry, "problem", registry.problems)) {
+        if (const auto* description = described(entry, "problem", catalogue.problems)) {
             add_problems(entry, *description, config);
         }
     }

@@ -9,6 +9,6 @@
 namespace kreisel {
 
 /// Reads "problems" of the config `root`.
-void read_problems(const Node& root, const Registry& registry, Config& config);
+void read_problems(const Node& root, const Catalogue& catalogue, Config& config);
 
 }  // namespace kreisel

@@ -26,7 +26,7 @@ namespace {
 
 class SchemaChecker {
   public:
-    explicit SchemaChecker(const Registry& registry) : text_(json::parse(config_schema(registry).dump())) {
+    explicit SchemaChecker(const Catalogue& catalogue) : text_(json::parse(config_schema(catalogue).dump())) {
         valijson::SchemaParser(valijson::SchemaParser::kDraft7)
             .populateSchema(valijson::adapters::NlohmannJsonAdapter(text_), schema_);
     }
@@ -48,9 +48,9 @@ json mechanism_with(const std::string& place, const std::string& value) {
     return config;
 }
 
-std::string reader_error(const json& config, const Registry& registry) {
+std::string reader_error(const json& config, const Catalogue& catalogue) {
     try {
-        read_config(parse_document("m.json", config.dump()), registry);
+        read_config(parse_document("m.json", config.dump()), catalogue);
         return "";
     } catch (const UsageError& error) { return error.what(); }
 }
@@ -166,22 +166,22 @@ std::vector<json> shipped_configs() {
 }  // namespace
 
 TEST_CASE("schema and reader agree on good configs and on every bad one") {
-    const Registry registry{FakeEngine()};
-    SchemaChecker schema(registry);
+    const Catalogue catalogue{FakeEngine()};
+    SchemaChecker schema(catalogue);
     for (const json& config : shipped_configs()) {
-        CHECK(reader_error(config, registry) == "");
+        CHECK(reader_error(config, catalogue) == "");
         CHECK(schema.accepts(config));
     }
     for (const BadConfig& bad : bad_configs()) {
         json config = json::parse(good_config());
         config.merge_patch(json::parse(bad.patch));
-        const std::string error = reader_error(config, registry);
+        const std::string error = reader_error(config, catalogue);
         INFO(bad.patch << "\n" << error);
         CHECK((is_beyond_schema(error, config) || schema.accepts(config) == error.empty()));
     }
     for (const BadMechanism& bad : bad_mechanisms()) {
         const json config = mechanism_with(bad.place, bad.value);
-        const std::string error = reader_error(config, registry);
+        const std::string error = reader_error(config, catalogue);
         INFO(bad.place << " = " << bad.value << "\n" << error);
         CHECK_FALSE(error.empty());
         CHECK((is_beyond_schema(error, config) || !schema.accepts(config)));
@@ -189,14 +189,14 @@ TEST_CASE("schema and reader agree on good configs and on every bad one") {
 }
 
 TEST_CASE("schema and reader agree on three thousand mutants") {
-    const Registry registry{FakeEngine()};
-    SchemaChecker schema(registry);
+    const Catalogue catalogue{FakeEngine()};
+    SchemaChecker schema(catalogue);
     std::mt19937 random(20260103);
     const auto configs = shipped_configs();
     int refused = 0;
     for (int i = 0; i < 3000; ++i) {
         const json config = mutant(configs[random() % configs.size()], random);
-        const std::string error = reader_error(config, registry);
+        const std::string error = reader_error(config, catalogue);
         INFO(config.dump() << "\n" << error);
         REQUIRE((is_beyond_schema(error, config) || schema.accepts(config) == error.empty()));
         refused += error.empty() ? 0 : 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The available names, requested from the engine once.
+// What there is to name in a config, requested from the engine once.
 #pragma once
 
 #include <algorithm>
@@ -44,13 +44,14 @@ std::vector<std::string> wildcards_of(const std::vector<Description>& all) {
     return wildcards;
 }
 
-struct Registry {
+/// The descriptions of all that is registered.
+struct Catalogue {
     std::vector<ProblemDescription> problems;
     std::vector<MethodDescription> methods;
     std::vector<ProjectionDescription> projections;
     std::vector<FormulationDescription> formulations;
 
-    explicit Registry(const Engine& engine)
+    explicit Catalogue(const Engine& engine)
         : problems(engine.problems()),
           methods(engine.methods()),
           projections(engine.projections()),
