@@ -25,7 +25,7 @@ Simulation::Simulation(Model model, const Setup& setup)
     y_ = initial_state(*system_, model_);
 }
 
-Simulation::Simulation(Model model, SimulationParts parts)
+Simulation::Simulation(SimulationParts parts, Model model)
     : setup_{.method = std::move(parts.method), .projection = std::move(parts.projector)},
       model_(std::move(model)),
       system_(std::move(parts.system)),

@@ -48,7 +48,7 @@ class Simulation {
     /// At the start of the model, t = 0. Throws std::out_of_range for names that are not registered and OptionError for
     /// options that a method does not take; Formulation::why_not tells whether the formulation applies.
     Simulation(Model model, const Setup& setup);
-    Simulation(Model model, SimulationParts parts);
+    Simulation(SimulationParts parts, Model model);
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 

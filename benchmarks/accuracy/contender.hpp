@@ -50,8 +50,8 @@ inline std::vector<double> ladder(double first, double factor, double last) {
 std::vector<double> step_counts(long first, long last);  ///< whole numbers, by factors of the square root of 2
 std::vector<double> tolerances(double first, double last);
 
-/// METHOD:FORMULATION[:PROJECTION], over steps, and over tolerances too where the method has an error estimate. Throws
-/// std::exception for a name that is not registered.
+/// METHOD[;OPTION=VALUE]:FORMULATION[:PROJECTION], over steps, and over tolerances too where the method has an error
+/// estimate. Throws std::exception for a name that is not registered.
 std::vector<Contender> kreisel_contenders(const std::string& text);
 std::vector<Contender> odeint_contenders();
 std::vector<Contender> gsl_contenders();

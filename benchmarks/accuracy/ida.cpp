@@ -101,7 +101,7 @@ class IdaRun final : public Run {
 }  // namespace
 
 std::vector<Contender> ida_contenders() {
-    return {{Contender::Kind::engine, "SUNDIALS IDA", false, ladder(1e-8, 0.1, 1e-14),
+    return {{Contender::Kind::engine, "SUNDIALS IDA", false, ladder(1e-10, 0.1, 1e-14),
              [](double tolerance) { return std::make_unique<IdaRun>(tolerance); }}};
 }
 

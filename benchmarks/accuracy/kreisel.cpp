@@ -21,14 +21,28 @@ Model heavy_top() {
 
 struct Choice {
     std::string method, formulation, projection = "none";
+    OptionValues options = {};
 };
+
+/// "rkmk/rk4;coordinates=cayley".
+void read_method(const std::string& text, Choice& c) {
+    std::istringstream words(text);
+    std::getline(words, c.method, ';');
+    for (std::string word; std::getline(words, word, ';');) {
+        const std::size_t equals = word.find('=');
+        if (equals == std::string::npos) throw std::invalid_argument("expected OPTION=VALUE, got \"" + word + "\"");
+        c.options[word.substr(0, equals)] = word.substr(equals + 1);
+    }
+}
 
 Choice choice(const std::string& text) {
     std::istringstream words(text);
     Choice c;
-    std::getline(words, c.method, ':'), std::getline(words, c.formulation, ':');
+    std::string method_and_options;
+    std::getline(words, method_and_options, ':'), std::getline(words, c.formulation, ':');
+    read_method(method_and_options, c);
     if (c.formulation.empty())
-        throw std::invalid_argument("expected METHOD:FORMULATION[:PROJECTION], got \"" + text + "\"");
+        throw std::invalid_argument("expected METHOD[;OPTION=VALUE]:FORMULATION[:PROJECTION], got \"" + text + "\"");
     if (words) std::getline(words, c.projection);
     method(c.method), formulation(c.formulation), projection(c.projection);  // these throw
     return c;

@@ -63,7 +63,7 @@ class MujocoRun final : public Run {
 }  // namespace
 
 std::vector<Contender> mujoco_contenders() {
-    return {{Contender::Kind::engine, "MuJoCo RK4", true, ladder(4096, 2, 65536),
+    return {{Contender::Kind::engine, "MuJoCo RK4", true, ladder(16384, 2, 65536),
              [](double steps) { return std::make_unique<MujocoRun>(steps); }}};
 }
 

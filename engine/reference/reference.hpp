@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reference solutions: extrapolation of high order on quaternion coordinates. No method under test is of this family;
-// the model, its System and (in S3xR3 and the quaternion baseline) the coordinates are shared.
+// Reference solutions: extrapolation of high order on quaternion coordinates. Methods under test share the family
+// (methods/extrapolation, with code of its own), the model, its System and (in S3xR3 and the quaternion baseline) the
+// coordinates; the second route shares none of them (taylor/taylor_route.hpp).
 #pragma once
 
 #include <stop_token>

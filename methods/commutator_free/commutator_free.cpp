@@ -18,7 +18,7 @@ class CommutatorFree final : public Integrator {
         : system_(system),
           group_(system.state_group()),
           size_(static_cast<std::size_t>(group_.size())),
-          stride_(padded(static_cast<std::size_t>(group_.dim()))),
+          stride_(padded(static_cast<std::size_t>(std::max(1, group_.dim())))),  // of a model without bodies too
           scheme_(scheme, stride_),
           stages_of_step_(static_cast<std::size_t>(stages_of_step(scheme))),
           u_(stride_),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The base methods of extrapolation: the explicit midpoint rule over a step by H in n (even) substeps h = H/n, lifted to
-// TG in two ways; each gives its result as coordinates u in a linear space in which
+// The base methods of extrapolation: the explicit midpoint rule over a step by H in n (even) substeps h = H/n, lifted
+// to TG in two ways; each gives its result as coordinates u in a linear space in which
 //   u(h) = u(0) + e_1 h^2 + e_2 h^4 + ...,
 // so that Aitken-Neville extrapolation in h^2 gives order 2k from k of them [gragg1965].
 //

@@ -3,8 +3,9 @@
 // Aitken-Neville extrapolation to h = 0 of rows T_{j,1} with n_j substeps, whose error has an expansion in h^2:
 //   T_{j,i+1} = T_{j,i} + (T_{j,i} - T_{j-1,i}) / ((n_j/n_{j-i})^2 - 1),   i = 1 ... j-1 [hairer1993, eq. II.9.10].
 // Rows have the substeps 2, 4, 6, ...: of all sequences of even numbers that with the fewest solves for k columns,
-// 1 + k^2. What it costs is round-off: T_kk has sum_j |w_j| times that of its rows, 6 times for k = 4, 13 for 5, 119 for
-// 8, 256 for 9. Bulirsch's 2, 4, 6, 8, 12, 16, 24, 32 stays below 10, with half as many solves again for k = 8: 97 for 65.
+// 1 + k^2. What it costs is round-off: T_kk has sum_j |w_j| times that of its rows, 6 times for k = 4, 13 for k = 5 and
+// 119 for k = 8. Bulirsch's 2, 4, 6, 8, 12, 16, 24, 32 stays below 10, with half as many solves again: 97, not 65, for
+// k = 8.
 #pragma once
 
 #include <cstddef>

@@ -20,8 +20,8 @@ Real growth(int j, const Real& error) {
 }  // namespace
 
 int OrderAndStep::first_aim(const Real& tolerance, int columns) {
-    const double digits = -to_double(log2(tolerance)) * 0.30103;
-    return std::clamp(static_cast<int>(0.6 * digits + 1.5), 2, columns - 1);
+    const Real columns_per_bit = Real(18) / 100;  // 0.6 per decimal digit
+    return std::clamp(static_cast<int>(to_double(Real(3) / 2 - columns_per_bit * log2(tolerance))), 2, columns - 1);
 }
 
 void OrderAndStep::begin(const Real& H, bool shortened) { H_ = H, shortened_ = shortened; }
@@ -40,12 +40,12 @@ OrderAndStep::Verdict OrderAndStep::judge(int j, const Real& error) {
     return j > aim_ ? Verdict::reject : Verdict::next_line;
 }
 
-/// The next k after acceptance in line j. There is no W_1.
+/// The next k after acceptance in line j. There is no W_1, and nothing to compare W_2 with.
 int OrderAndStep::best_after(int j) {
     const Real saved = 1 - tenth;
     if (j == 2) return 3;
     if (j <= aim_) {
-        if (work(j - 1) < saved * work(j) && j > 2) return j - 1;
+        if (work(j - 1) < saved * work(j)) return j - 1;
         return work(j) < saved * work(j - 1) ? j + 1 : j;
     }
     int best = j - 1;

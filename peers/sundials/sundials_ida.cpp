@@ -89,7 +89,7 @@ class IdaStepper final : public PeerStepper {
     void count() {
         long by_error = 0, by_iteration = 0, iterations = 0;
         IDAGetNumErrTestFails(ida_.get(), &by_error);
-        IDAGetNumNonlinSolvConvFails(ida_.get(), &by_iteration);
+        IDAGetNumStepSolveFails(ida_.get(), &by_iteration);
         IDAGetNumNonlinSolvIters(ida_.get(), &iterations);
         rejected_ += by_error + by_iteration - failed_;
         failed_ = by_error + by_iteration;

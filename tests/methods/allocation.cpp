@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "tests/methods/controlled_trip.hpp"
+#include "tests/methods/control/controlled_trip.hpp"
 #include "tests/methods/linkages.hpp"
 
 namespace {

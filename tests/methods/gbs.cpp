@@ -10,7 +10,7 @@
 #include "methods/simulation.hpp"
 #include "tests/mechanics/models/scaled.hpp"
 #include "tests/mechanics/models/turning.hpp"
-#include "tests/methods/controlled_trip.hpp"
+#include "tests/methods/control/controlled_trip.hpp"
 
 using namespace stepping;
 

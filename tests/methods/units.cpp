@@ -83,6 +83,7 @@ class InMetres final : public ForwardingSystem {
   public:
     using ForwardingSystem::ForwardingSystem;
     void row_scale(Real* scale) const override { System::row_scale(scale); }
+    void position_scale(const Real* q, Real* scale) const override { System::position_scale(q, scale); }
 };
 
 /// Largest position row relative to its scale after the projection of a parallelogram moved off its joints by 1e-5 of

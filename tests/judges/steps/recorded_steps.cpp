@@ -26,11 +26,12 @@ MatrixGroup matrix_group(const std::string& formulation) {
 VecX stored(const MatX& g, Eigen::Index size) {
     VecX q(size);
     const Mat3 R = g.topLeftCorner(3, 3);
-    if (size == 7)
+    const bool quaternion = size == S3::size || size == 3 + S3::size;
+    if (quaternion)
         q.tail(4) = S3::of_rotation(R);
     else
         q.tail(9) = Eigen::Map<const VecX>(R.data(), 9);
-    if (size != 9) q.head(3) = g.block(g.rows() - 4, g.cols() - 1, 3, 1);
+    if (size > (quaternion ? 4 : 9)) q.head(3) = g.block(g.rows() - 4, g.cols() - 1, 3, 1);
     return q;
 }
 

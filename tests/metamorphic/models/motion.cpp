@@ -26,7 +26,7 @@ class Run {
   public:
     Run(const Model& model, const Combination& combination, const Bench& bench)
         : model_(model),
-          simulation_(model, simulation_parts(model, combination, bench)),
+          simulation_(simulation_parts(model, combination, bench), model),
           system_(simulation_.system()),
           lambda_(static_cast<std::size_t>(system_.constraints())) {
         outcome_.bodies.resize(model.bodies.size());

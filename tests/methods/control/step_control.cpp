@@ -9,7 +9,7 @@
 #include "mechanics/model/scales.hpp"
 #include "methods/simulation.hpp"
 #include "tests/mechanics/models/scaled.hpp"
-#include "tests/methods/controlled_trip.hpp"
+#include "tests/methods/control/controlled_trip.hpp"
 
 using namespace stepping;
 

@@ -8,7 +8,7 @@
 
 #include "engine/reference/reference.hpp"
 #include "mechanics/model/scales.hpp"
-#include "tests/methods/controlled_trip.hpp"
+#include "tests/methods/control/controlled_trip.hpp"
 
 #if KREISEL_QUAD
 
