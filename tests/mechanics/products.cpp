@@ -87,14 +87,15 @@ TEST_CASE("a wrong product is seen", "[mechanics][control]") {
     CHECK(products_objection(transpose, 0, y) == "C^T lambda");
 }
 
-TEST_CASE("a solve without forces equals one with zero forces", "[mechanics]") {
+// Products of zeros that are left out change how the others are fused, and with it the last bits.
+TEST_CASE("a solve without forces equals one with zero forces up to round-off", "[mechanics]") {
     for_each_system([](System& s, const std::vector<Real>& y) {
         const VecX none = VecX::Zero(s.velocities()), v = wavy(s.velocities(), Real(1) / 2);
         VecX c(s.constraints()), a = none, without = v;
         s.apply_jacobian(0, y.data(), v.data(), c.data());
         REQUIRE(s.solve_kkt(0, y.data(), none.data(), c.data(), a.data(), nullptr) == Status::ok);
         REQUIRE(s.solve_kkt(0, y.data(), nullptr, c.data(), without.data(), nullptr) == Status::ok);
-        CHECK(a == without);
+        CHECK((a - without).norm() <= 1000 * epsilon * a.norm());
     });
 }
 
