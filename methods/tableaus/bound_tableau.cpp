@@ -82,7 +82,8 @@ BoundTableau::BoundTableau(const Tableau& tableau, std::size_t stride)
         check_size("nodes", tableau.c.size(), tableau.a.size());
         for (std::size_t i = 0; i < c.size(); ++i)
             if (!(abs(c[i] - value(tableau.c[i])) <= slack(a[i])))
-                throw std::invalid_argument("row " + std::to_string(i + 1) + " of the tableau does not sum to its node");
+                throw std::invalid_argument("row " + std::to_string(i + 1) +
+                                            " of the tableau does not sum to its node");
     }
     if (tableau.b_hat.empty()) return;
     check_size("embedded weights", tableau.b_hat.size(), tableau.a.size());

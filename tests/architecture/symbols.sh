@@ -10,7 +10,7 @@ set -euo pipefail
 shared=(
     Cell Column ConstraintSummary Cost Engine Number Outcome Reference ReferenceCheck ReportedBody ReportedReaction        # engine.hpp
     ReportedState SystemSummary Trajectory
-    MetricDescription                                           # engine/metrics/description.hpp
+    MetricDescription integral_suffixes                         # engine/metrics/description.hpp
     matches matches_any brief_text                              # support/pattern.hpp, support/number_text.hpp: texts
     BodyData ForceData JointData ParameterError                 # mechanics/model/data.hpp
     ElementKey ElementType                                      # mechanics/parts/keys.hpp

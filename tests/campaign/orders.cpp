@@ -56,7 +56,7 @@ Curves measure(const std::string& problem, const std::string& formulation, const
 /// The rule of tests/support/order_rule.hpp, for every method, every variant and every formulation that takes them.
 void certify(const std::string& problem, bool sharp, long from) {
     for (const MethodDescription& method : engine().methods()) {
-        if (method.order.configuration > highest_order_in_double) continue;
+        if (!is_seen_in_double(method)) continue;
         for (const OptionValues& options : variants(method))
             for (const char* formulation : {"SO3", "SO3xR3", "SE3"}) {
                 const bool first_order = method.order.configuration == 1;

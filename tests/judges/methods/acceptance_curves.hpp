@@ -11,7 +11,7 @@ inline namespace KREISEL_PRECISION {
 
 using AcceptanceCurves = std::map<std::string, OrderCurve>;
 
-/// Errors by metric of runs of 1 s on the forced heavy top as SO3xR3, with 32 to 1024 steps, or 4096 to 65536 for a
+/// Errors by metric of runs of 1 s on the forced heavy top as SO3xR3, with 64 to 1024 steps, or 4096 to 65536 for a
 /// method of first order; empty if one of them fails.
 AcceptanceCurves acceptance_curves(const Method& entry, bool first_order);
 

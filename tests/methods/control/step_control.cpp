@@ -171,7 +171,8 @@ TEST_CASE("a run that cannot go on says why", "[control]") {
 }
 
 TEST_CASE("a tolerance that no step can meet ends as step_too_small", "[control]") {
-    Simulation simulation(models::standard("heavy_top"), {.method = "rkmk/bs3", .tolerance = std::numeric_limits<Real>::min()});
+    Simulation simulation(models::standard("heavy_top"),
+                          {.method = "rkmk/bs3", .tolerance = std::numeric_limits<Real>::min()});
     CHECK(simulation.advance(1) == Status::step_too_small);
     CHECK_THAT(simulation.failure(), Catch::Contains("step of rkmk/bs3: step_too_small"));
 }
