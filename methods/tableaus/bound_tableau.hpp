@@ -58,23 +58,26 @@ inline void combine_in_one_pass(const Term* terms, const Real& h, const Real* sl
     }
 }
 
-/// For at least one term, out = h sum_j coefficient_j slope_j over vectors of length n, a multiple of vector_chunk, in
-/// passes of up to four terms. How many a pass has changes only its cost, but for the first: two products in it may be
-/// fused in either way, so it has one term or four.
-inline void combine(const Combination& terms, const Real& h, const Real* slopes, std::size_t n, Real* out) {
-    const Term* term = terms.data();
-    std::size_t left = terms.size();
-    if (left >= 4) {
-        combine_in_one_pass<4, false>(term, h, slopes, n, out);
-        term += 4, left -= 4;
-    } else {
-        combine_in_one_pass<1, false>(term, h, slopes, n, out);
-        term += 1, left -= 1;
-    }
+/// The same for `left` further terms, four in a pass. Not inlined: short rows end before it.
+[[gnu::noinline]] inline void combine_further(const Term* term, std::size_t left, const Real& h, const Real* slopes,
+                                              std::size_t n, Real* out) {
     for (; left >= 4; term += 4, left -= 4) combine_in_one_pass<4, true>(term, h, slopes, n, out);
     if (left == 3) combine_in_one_pass<3, true>(term, h, slopes, n, out);
     if (left == 2) combine_in_one_pass<2, true>(term, h, slopes, n, out);
     if (left == 1) combine_in_one_pass<1, true>(term, h, slopes, n, out);
+}
+
+/// For at least one term, out = h sum_j coefficient_j slope_j over vectors of length n, a multiple of vector_chunk, in
+/// passes of up to four terms. How many a pass has changes only its cost, but for the first: two products in it may be
+/// fused in either way, so it has one term or four.
+[[gnu::always_inline]] inline void combine(const Combination& terms, const Real& h, const Real* slopes, std::size_t n,
+                                           Real* out) {
+    const std::size_t first = terms.size() >= 4 ? 4 : 1;
+    if (first == 4)
+        combine_in_one_pass<4, false>(terms.data(), h, slopes, n, out);
+    else
+        combine_in_one_pass<1, false>(terms.data(), h, slopes, n, out);
+    if (terms.size() > first) combine_further(terms.data() + first, terms.size() - first, h, slopes, n, out);
 }
 
 }  // namespace KREISEL_PRECISION
