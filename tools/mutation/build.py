@@ -103,6 +103,16 @@ class Overlay:
         (self.folder / file).parent.mkdir(parents=True)
         (self.folder / file).write_text(text)
 
+    def replaced(self, source, target):
+        """The changed file in place of a source; of several in one (cmake/unity.cmake), in place of its own only."""
+        changed = self.folder / self.file
+        if Path(source).parent.name != "Unity":
+            return changed
+        several = Path(f"{target}.cpp")
+        several.parent.mkdir(exist_ok=True)
+        several.write_text(Path(source).read_text().replace(str(self.build.source / self.file), str(changed)))
+        return several
+
     def compiled(self, name):
         """Compiles one object; returns its path, or None if that fails."""
         if name not in self.objects:
@@ -110,7 +120,7 @@ class Overlay:
             target = self.folder / "objects" / name.replace("/", "_")
             argv[argv.index("-o") + 1] = str(target)
             if self.file.endswith(".cpp"):
-                argv[argv.index("-c") + 1] = str(self.folder / self.file)
+                argv[argv.index("-c") + 1] = str(self.replaced(argv[argv.index("-c") + 1], target))
             argv.insert(next(i for i, word in enumerate(argv) if word.startswith("-I")), f"-I{self.folder}")
             target.parent.mkdir(exist_ok=True)
             done = subprocess.run(argv, cwd=self.build.folder, capture_output=True)
