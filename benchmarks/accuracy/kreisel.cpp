@@ -53,9 +53,11 @@ class KreiselRun final : public Run {
     /// Steps where there are any, else a tolerance.
     KreiselRun(const Choice& c, long steps, double tolerance)
         : steps_(steps),
-          simulation_(
-              heavy_top(),
-              {.formulation = c.formulation, .method = c.method, .projection = c.projection, .tolerance = tolerance}) {}
+          simulation_(heavy_top(), {.formulation = c.formulation,
+                                    .method = c.method,
+                                    .options = c.options,
+                                    .projection = c.projection,
+                                    .tolerance = tolerance}) {}
     bool integrate() override {
         const Real end = t_end;
         return (steps_ > 0 ? simulation_.advance(end, steps_) : simulation_.advance(end)) == Status::ok;
