@@ -21,5 +21,10 @@ inline FittedStep fit(const Real& t, const Real& proposed, const Real& limit) {
     return {proposed, t + proposed, false};
 }
 
+/// Whether a step no longer moves the time, at its place or as a part of the way to the limit: t may be 0.
+inline bool is_too_small(const FittedStep& step, const Real& t, const Real& limit) {
+    return !(abs(step.h) > epsilon * max(Real(abs(t)), Real(abs(limit))));
+}
+
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

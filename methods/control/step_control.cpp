@@ -36,6 +36,7 @@ Status StepControl::guess(const Real& t, const Real* y) {
     Real* slope = error_.data();
     if (const Status status = system_.vector_field(t, y, slope); status != Status::ok) return status;
     const Real rate = norm_.rate(slope), span = t_end_ - t;
+    if (!isfinite(rate)) return Status::non_finite;
     const Real size = rate > 0 ? min(Real(abs(span)), Real(first_ / rate)) : Real(abs(span));
     h_ = span < 0 ? -size : size;
     return Status::ok;
@@ -45,7 +46,7 @@ Status StepControl::step(Real& t, const Real& limit, Real* y) {
     Status last = Status::step_too_small;
     for (;;) {
         const FittedStep fitted = fit(t, h_, limit);
-        if (!(abs(fitted.h) > epsilon * max(Real(abs(t)), Real(abs(limit))))) return last;
+        if (is_too_small(fitted, t, limit)) return last;
         Real error = 0;
         const Status status = attempt(t, fitted.h, fitted.end, y, error);
         if (status == Status::ok && error <= 1) {

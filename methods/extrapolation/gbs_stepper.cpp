@@ -34,6 +34,7 @@ Status GbsStepper::start(const Real& t, const Real& t_end, const Real* y) {
     if (const Status status = system_.vector_field(t, y, slope_.data()); status != Status::ok) return status;
     const int aim = OrderAndStep::first_aim(tolerance_, max_columns);
     const Real span = t_end - t, rate = norm_.rate(slope_.data());
+    if (!isfinite(rate)) return Status::non_finite;
     Real size = abs(span);
     if (rate > 0) size = min(size, Real(pow(Real(tolerance_ / 100), Real(1) / (2 * aim - 1)) / rate));
     control_.start(aim, span < 0 ? -size : size);
@@ -44,7 +45,7 @@ Status GbsStepper::step(Real& t, const Real& limit, Real* y) {
     Status last = Status::step_too_small;
     for (;;) {
         const FittedStep fitted = fit(t, control_.step(), limit);
-        if (t + fitted.h == t) return last;
+        if (is_too_small(fitted, t, limit)) return last;
         control_.begin(fitted.h, fitted.shortened);
         int line = 1;
         bool converged = false;

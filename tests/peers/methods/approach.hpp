@@ -21,7 +21,7 @@ namespace peers {
 inline std::vector<Method> baselines() {
     std::vector<Method> found;
     for (const Method& entry : methods())
-        if (entry.description.own_control && entry.factory.stepper) found.push_back(entry);
+        if (entry.description.name.starts_with("baseline/") && entry.factory.stepper) found.push_back(entry);
     return found;
 }
 
