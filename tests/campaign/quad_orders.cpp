@@ -22,9 +22,9 @@ constexpr int levels = 5;
 long coarsest(int p) { return p <= highest_order_in_double ? 64 : 16; }
 
 /// T with T (T/N)^p = 2^-83 = 1e-25 for the finest N; 2^-88 above order 4, where slopes settle later.
-double end_time(int p, double shorter = 1) {
+double end_time(int p) {
     const double log_finest = std::log2(static_cast<double>(coarsest(p) << (levels - 1)));
-    return shorter * std::exp2(-((p <= highest_order_in_double ? 83 : 88) - log_finest * p) / (p + 1));
+    return std::exp2(-((p <= highest_order_in_double ? 83 : 88) - log_finest * p) / (p + 1));
 }
 
 const Reference& reference(const std::string& problem, double t_end) {
@@ -36,10 +36,10 @@ const Reference& reference(const std::string& problem, double t_end) {
 
 using ErrorCurves = std::map<std::string, std::vector<ErrorPoint>>;
 
-/// With the steps for order p; empty if the pair does not run.
+/// With the steps for order p, or `finer` times as many; empty if the pair does not run.
 ErrorCurves measure(const std::string& problem, const std::string& formulation, const MethodDescription& method,
-                    const OptionValues& options, int p, double shorter = 1) {
-    const double t_end = end_time(p, shorter);
+                    const OptionValues& options, int p, int finer = 1) {
+    const double t_end = end_time(p);
     ErrorCurves curves;
     for (int level = 0; level < levels; ++level) {
         const Cell cell{.problem = problem,
@@ -50,7 +50,7 @@ ErrorCurves measure(const std::string& problem, const std::string& formulation, 
                         .projection = "none",
                         .projection_options = {},
                         .t_end = t_end,
-                        .steps = coarsest(p) << level,
+                        .steps = finer * coarsest(p) << level,
                         .samples = 0,
                         .metrics = {"error.*"}};
         if (!engine_binary128().skip_reason(cell).empty()) return {};
@@ -102,19 +102,16 @@ std::string objection(const ErrorCurves& curves, const Reference& exact, const O
     return "";
 }
 
-/// The number of curves. Above order 4, slopes that have not settled may do so up to half the end time.
+/// The number of curves. Above order 4, slopes that have not settled may do so with twice as many steps.
 int certify(const std::string& problem, const std::string& formulation, const MethodDescription& method,
             const OptionValues& options) {
     const Order order = engine_binary128().declared_order(method.name, options);
     const int p = order.configuration;
+    const Reference& exact = reference(problem, end_time(p));
     INFO(method.name << " " << json_value(options) << " on " << problem << " as " << formulation);
-    double shorter = 1;
     ErrorCurves curves = measure(problem, formulation, method, options, p);
-    if (p > highest_order_in_double && !objection(curves, reference(problem, end_time(p)), order).empty()) {
-        shorter = 0.5;
-        curves = measure(problem, formulation, method, options, p, shorter);
-    }
-    const Reference& exact = reference(problem, end_time(p, shorter));
+    if (p > highest_order_in_double && !objection(curves, exact, order).empty())
+        curves = measure(problem, formulation, method, options, p, 2);
     CHECK(objection(curves, exact, order) == "");
     if (!curves.empty() && problem == "forced_heavy_top") CHECK(nearest(curves, exact, order) <= order_tolerance(p));
     return static_cast<int>(curves.size());
