@@ -6,8 +6,8 @@ include(cmake/simbody.cmake)  # a peer
 add_executable(bench_chain ${CMAKE_SOURCE_DIR}/benchmarks/chain.cpp)
 target_link_libraries(bench_chain PRIVATE kreisel_binary64 kreisel_simbody benchmark::benchmark)
 
-# Accuracy per cost beside other libraries; it links GSL, so the program is GPL-3.0-or-later. Of kreisel's flags only its own
-# file needs any: the others contain nothing of it.
+# Accuracy per cost beside other libraries; it links GSL, so the program is GPL-3.0-or-later. Of kreisel's flags only
+# its own file needs any: the others contain nothing of it.
 find_package(SUNDIALS 6 REQUIRED)
 find_path(KREISEL_MUJOCO_INCLUDE mujoco/mujoco.h)
 find_library(KREISEL_MUJOCO_LIBRARY mujoco)
@@ -21,7 +21,8 @@ set_target_properties(accuracy_engines PROPERTIES CXX_STANDARD 17)  # Simbody's 
 target_include_directories(accuracy_engines PRIVATE ${CMAKE_SOURCE_DIR})
 target_include_directories(accuracy_engines SYSTEM PRIVATE ${Simbody_INCLUDE_DIR})
 add_executable(bench_accuracy ${accuracy_sources})
-set_source_files_properties(${CMAKE_SOURCE_DIR}/benchmarks/accuracy/odeint.cpp PROPERTIES COMPILE_OPTIONS -Wno-uninitialized)
+set_source_files_properties(${CMAKE_SOURCE_DIR}/benchmarks/accuracy/odeint.cpp PROPERTIES
+                            COMPILE_OPTIONS -Wno-uninitialized)
 target_include_directories(bench_accuracy PRIVATE ${CMAKE_SOURCE_DIR})
 target_link_libraries(bench_accuracy PRIVATE accuracy_kreisel accuracy_engines ${KREISEL_OBJECTS_binary64}
                       $<TARGET_OBJECTS:kreisel_parts> Eigen3::Eigen Boost::headers GSL::gsl

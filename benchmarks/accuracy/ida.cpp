@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// IDA of SUNDIALS [hindmarsh2005], variable-order BDF, on the index-1 system of the constrained top: y = (x, q, v, omega,
-// lambda), with the joint at r = -(0, 1, 0) from the mass centre and its force lambda on the body,
+// IDA of SUNDIALS [hindmarsh2005], variable-order BDF, on the index-1 system of the constrained top: y = (x, q, v,
+// omega, lambda), with the joint at r = -(0, 1, 0) from the mass centre and its force lambda on the body,
 //   x' = v,  q' = 1/2 q (0, omega),  m (v' - g) = lambda,  J omega' + omega x J omega = r x R^T lambda,
 //   v' + R (omega' x r + omega x (omega x r)) = 0.
 #include <ida/ida.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// MuJoCo [todorov2012] by its integrator of highest order: a body on a ball joint, whose coordinates are a quaternion and
-// the angular velocity in body axes.
+// MuJoCo [todorov2012] by its integrator of highest order: a body on a ball joint, whose coordinates are a quaternion
+// and the angular velocity in body axes.
 #include "benchmarks/accuracy/contender.hpp"
 
 #if KREISEL_MUJOCO

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The top reduced by hand: y = (q, omega), q = (w, x, y, z) from body to space, omega in body axes, and no pivot any more.
-// With J_O about the pivot and gamma = R^T e_z,
+// The top reduced by hand: y = (q, omega), q = (w, x, y, z) from body to space, omega in body axes, and no pivot any
+// more. With J_O about the pivot and gamma = R^T e_z,
 //   q' = 1/2 q (0, omega),   J_O omega' = -omega x J_O omega - m g (0, 1, 0) x gamma.
 // J_O is diagonal. That omega_y is constant, and other constants of motion, are not used.
 #pragma once

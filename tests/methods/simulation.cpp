@@ -72,6 +72,7 @@ TEST_CASE("off the constraints beside a pose where they lose rank a simulation e
     Model model = standard_model("four_bar");
     model.gravity.g.setZero();
     for (const Real& length : {Real(1), Real(1) / 1048576}) {
+        if (KREISEL_QUAD && length != 1) continue;  // slow, and the same code
         INFO("lengths times " << length);
         for (const char* projection : {"none", "position", "velocity"}) {
             INFO(projection);
