@@ -1,6 +1,6 @@
-# Several files in one translation unit. Files compiled together share their unnamed namespaces; a missing #include shows
-# only in a build with KREISEL_UNITY=OFF. Of the numerical code only what is data (kreisel_unite_data): measurements must
-# not depend on a file's neighbours.
+# Several files in one translation unit. Files compiled together share their unnamed namespaces; a missing #include
+# shows only in a build with KREISEL_UNITY=OFF. Of the numerical code only what is data (kreisel_unite_data):
+# measurements must not depend on a file's neighbours.
 function(kreisel_unite target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${KREISEL_UNITY} UNITY_BUILD_MODE BATCH
                                              UNITY_BUILD_BATCH_SIZE 8)

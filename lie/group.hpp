@@ -29,7 +29,8 @@ class Group {
     virtual void log(const Real* q, Real* u) const = 0;
     virtual void bracket(const Real* u, const Real* v, Real* out) const = 0;
     virtual void Ad(const Real* q, const Real* v, Real* out) const = 0;
-    /// out = Ad_q^T p for a covector p in R^dim, whose value at v is p . v. The coadjoint action of q is coAd of q^{-1}.
+    /// out = Ad_q^T p for a covector p in R^dim, whose value at v is p . v. The coadjoint action of q is coAd of
+    /// q^{-1}.
     virtual void coAd(const Real* q, const Real* p, Real* out) const = 0;
     /// dexp_u(v), right-trivialised as in the literature.
     virtual void dexp(const Real* u, const Real* v, Real* out) const = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// S3: bodies that each turn about a fixed point, q = a in S^3, a unit quaternion, v = omega: SO3 on its double covering.
+// S3: bodies that each turn about a fixed point, q = a in S^3, a unit quaternion, v = omega: SO3 on its double
+// covering.
 #include "lie/s3.hpp"
 #include "mechanics/formulations/pivoted_bodies.hpp"
 

@@ -22,8 +22,8 @@ struct Pivoted {
 /// Of each body of a model for which `why_not_pivoted` is empty.
 std::vector<Pivoted> pivoted_bodies(const Model& model);
 
-/// Why this formulation cannot have all bodies turn about fixed points; empty if it can: each body hangs on the ground by
-/// at most one spherical joint, and one without is at rest.
+/// Why this formulation cannot have all bodies turn about fixed points; empty if it can: each body hangs on the ground
+/// by at most one spherical joint, and one without is at rest.
 std::string why_not_pivoted(const Model& model, const std::string& formulation);
 
 }  // namespace KREISEL_PRECISION

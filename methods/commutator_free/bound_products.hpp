@@ -19,8 +19,8 @@ struct BoundProduct {
 /// Stages up to the last one that the result uses.
 int stages_of_step(const CommutatorFreeScheme& scheme);
 
-/// A commutator-free scheme as numbers, bound to slopes that lie `stride` reals apart. Throws std::invalid_argument where
-/// a product uses a stage that is not before it, or the coefficients of a solution do not sum to 1.
+/// A commutator-free scheme as numbers, bound to slopes that lie `stride` reals apart. Throws std::invalid_argument
+/// where a product uses a stage that is not before it, or the coefficients of a solution do not sum to 1.
 struct BoundProducts {
     BoundProducts(const CommutatorFreeScheme& scheme, std::size_t stride);
     std::vector<BoundProduct> stages;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Commutator-free methods [celledoni2003cf], products of exponentials of combinations of slopes, in left trivialisation:
-// factors append on the right,
+// Commutator-free methods [celledoni2003cf], products of exponentials of combinations of slopes, in left
+// trivialisation: factors append on the right,
 //   y_i = y_n exp(h sum_j alpha^i_1j K_j) exp(h sum_j alpha^i_2j K_j) ...,   K_i = F(t_n + c_i h, y_i),
 // and y_{n+1} alike; c_i is the sum of the coefficients of y_i. A pair estimates its error by e = log(y^_{n+1}^{-1}
 // y_{n+1}) [curryowren2019]. Stages that only y^ uses are taken in attempts alone.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How a method combines its slopes, as data that it declares. Nothing here is evaluated: the engine of a family runs its
-// data, and the test file of the family (tests/judges/families/) evaluates one step and the order conditions from them,
-// independently.
+// How a method combines its slopes, as data that it declares. Nothing here is evaluated: the engine of a family runs
+// its data, and the test file of the family (tests/judges/families/) evaluates one step and the order conditions from
+// them, independently.
 #pragma once
 
 #include <any>
@@ -43,8 +43,8 @@ struct CrouchGrossmanScheme {
 
 /// A product of exponentials of combinations of slopes, appended to the point of an earlier stage:
 ///   y_from exp(h sum_j f_1j K_j) exp(h sum_j f_2j K_j) ...;
-/// trailing zeros of a factor may be left out. y_1 = y_n; a row that begins with the product of another starts `from` it,
-/// which saves those exponentials.
+/// trailing zeros of a factor may be left out. y_1 = y_n; a row that begins with the product of another starts `from`
+/// it, which saves those exponentials.
 struct ExponentialProduct {
     int from = 1;
     std::vector<std::vector<Coefficient>> factors = {};

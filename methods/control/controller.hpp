@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the size of the next step follows from errors relative to the tolerance. With e_n of an accepted step, e_{n-1} and
-// e_{n-2} of those before it, and an estimate O(h^r):
+// How the size of the next step follows from errors relative to the tolerance. With e_n of an accepted step, e_{n-1}
+// and e_{n-2} of those before it, and an estimate O(h^r):
 //   elementary   h+/h = S e_n^{-1/r}                                               [hairer1993, eq. II.4.13]
 //   pi           h+/h = S e_n^{-0.7/r} e_{n-1}^{0.4/r}                             [gustafsson1991], [hairer1996]
 //   pid          h+/h = S e_n^{-1/(4r)} e_{n-1}^{-1/(4r)} (h_n/h_{n-1})^{-1/4}     H211b with b = 4 [soderlind2003]

@@ -19,8 +19,8 @@ class ErrorNorm {
     /// Sizes its work space. The system outlives this.
     ErrorNorm(const System& system, const Accuracy& accuracy);
 
-    /// Root mean square over the algebra of TG of error_i / (tol s_i), for a step by h from y to y_new. Not finite where
-    /// an entry is not.
+    /// Root mean square over the algebra of TG of error_i / (tol s_i), for a step by h from y to y_new. Not finite
+    /// where an entry is not.
     Real operator()(const Real& h, const Real* y, const Real* y_new, const Real* error) const;
     /// The same for the element of TG that leads from y to `moved`, log(y^{-1} moved).
     Real distance(const Real& h, const Real* y, const Real* moved);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Dense output on the group: the state between the ends y_n and y_{n+1} = y(t_n + h) of a step, for any method, from the
-// velocities and accelerations there. In the chart q = q_n exp(u) around the start of the step, with s = theta h,
+// Dense output on the group: the state between the ends y_n and y_{n+1} = y(t_n + h) of a step, for any method, from
+// the velocities and accelerations there. In the chart q = q_n exp(u) around the start of the step, with s = theta h,
 //   u(0) = 0,   u'(0) = v_n,                u''(0) = v'_n,
 //   u(h) = u_1, u'(h) = dexp_{-u}^{-1}(v),  u''(h) = dexp_{-u}^{-1}(v' - (d/ds dexp_{-u}) u'),
 // and u is the quintic through these six; the velocity is that of the interpolated motion, v = dexp_{-u}(u'). Both meet

@@ -42,8 +42,8 @@ class Stepper {
     long accepted_ = 0, rejected_ = 0;
 };
 
-/// The method with its steps chosen to a tolerance: by its own control, or by StepControl. System and projection outlive
-/// the stepper. Throws std::logic_error for a method that has neither a control nor an error estimate.
+/// The method with its steps chosen to a tolerance: by its own control, or by StepControl. System and projection
+/// outlive the stepper. Throws std::logic_error for a method that has neither a control nor an error estimate.
 std::unique_ptr<Stepper> bind_stepper(const Method& method, System& system, Projection& projection,
                                       const Accuracy& accuracy, const OptionValues& options);
 

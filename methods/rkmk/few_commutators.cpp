@@ -27,8 +27,8 @@ Tableau linear_part(const FewCommutatorsScheme& scheme) {
     return tableau;
 }
 
-/// The brackets of a sum over `before` known slopes, in left trivialisation: with Y = y^{-1}, y' = y k becomes Y' = -k Y,
-/// and u becomes -u; of [k_j, k_l] this leaves the sign. The only place where it changes.
+/// The brackets of a sum over `before` known slopes, in left trivialisation: with Y = y^{-1}, y' = y k becomes
+/// Y' = -k Y, and u becomes -u; of [k_j, k_l] this leaves the sign. The only place where it changes.
 std::vector<BoundBracket> left_brackets(const BracketSum& sum, std::size_t before, std::size_t stride) {
     std::vector<BoundBracket> bound;
     for (const BracketTerm& term : sum.brackets) {

@@ -10,9 +10,9 @@
 
 namespace kreisel {
 
-/// Explicit tableau: row i of `a` holds a_i1 ... a_i,i-1 (the first is empty); c_i = sum_j a_ij is derived. `b` advances
-/// the solution. Of an embedded pair, `b_hat` are the weights of the solution it is compared with. Nodes given in `c`
-/// must be the sums of the rows, which finds the misprinted one.
+/// Explicit tableau: row i of `a` holds a_i1 ... a_i,i-1 (the first is empty); c_i = sum_j a_ij is derived. `b`
+/// advances the solution. Of an embedded pair, `b_hat` are the weights of the solution it is compared with. Nodes given
+/// in `c` must be the sums of the rows, which finds the misprinted one.
 struct Tableau {
     std::vector<std::vector<Coefficient>> a;
     std::vector<Coefficient> b;

@@ -39,7 +39,8 @@ class Figure : public FigureSpec {
     /// The metrics that it draws, as asked for; empty for a kind without.
     virtual std::vector<std::string> drawn_metrics() const { return {}; }
 
-    /// What it draws them against, of those of plots/laws/abscissa.hpp; empty: the standard one of the kind, or its own.
+    /// What it draws them against, of those of plots/laws/abscissa.hpp; empty: the standard one of the kind, or its
+    /// own.
     virtual std::string drawn_against() const { return ""; }
 
     /// Writes plotdata/<name>.gp, the settings for the script of the kind, and its data files. Throws FigureError,

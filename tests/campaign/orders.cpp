@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Declared order = observed order, for every registered method up to order four with no further line written: double runs
-// against quad references on the acceptance problems, judged by the rule of records/fits/order.hpp. (All orders in quad:
-// quad_orders.cpp.)
+// Declared order = observed order, for every registered method up to order four with no further line written: double
+// runs against quad references on the acceptance problems, judged by the rule of records/fits/order.hpp. (All orders in
+// quad: quad_orders.cpp.)
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -59,8 +59,8 @@ TEST_CASE("a step of length zero leaves attitudes that are half a turn away", "[
 }
 
 TEST_CASE("a step back returns near the start", "[methods]") {
-    // The defect of forward and back is of the size of the local error, (rate h)^(p+1), with a generous constant and rates
-    // up to 16/s.
+    // The defect of forward and back is of the size of the local error, (rate h)^(p+1), with a generous constant and
+    // rates up to 16/s.
     for_each_run([](const Method& entry, const Named& named, const std::string& formulation) {
         if (spins_fast(named.model)) return;
         Real defects[2];

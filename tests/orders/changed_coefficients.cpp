@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A change of any single coefficient of a commutator-free method, or of one with few commutators, lowers an order that is
-// declared: that of the step, or of the estimate of its error.
+// A change of any single coefficient of a commutator-free method, or of one with few commutators, lowers an order that
+// is declared: that of the step, or of the estimate of its error.
 #include <catch2/catch.hpp>
 
 #include "tests/judges/conditions/registered.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// No method escapes the check of its steps: there is one for each method or its scheme, none is unused, and each rejects
-// steps that follow other equations.
+// No method escapes the check of its steps: there is one for each method or its scheme, none is unused, and each
+// rejects steps that follow other equations.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

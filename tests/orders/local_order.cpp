@@ -85,8 +85,8 @@ double local_error(const Method& method, const OptionValues& options, const Real
     return to_double(sqrt(sum));
 }
 
-/// Local slopes log2(e(h)/e(h/2)) - 1 must lie within 0.1 of `order`, 0.2 from order 6, for three consecutive halvings. A
-/// step of high order is down at round-off sooner.
+/// Local slopes log2(e(h)/e(h/2)) - 1 must lie within 0.1 of `order`, 0.2 from order 6, for three consecutive halvings.
+/// A step of high order is down at round-off sooner.
 void check_order(const Method& method, const OptionValues& options, int order) {
     const bool high = order >= 6;
     Real h = Real(1) / (high ? 32 : 128);

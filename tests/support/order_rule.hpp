@@ -27,8 +27,8 @@ inline int declared(const Order& order, const std::string& metric) {
 /// Above it, double has no three slopes between the pre-asymptotic range and round-off on the acceptance problems.
 inline constexpr int highest_order_in_double = 4;
 
-/// Nor has it for Fehlberg's pair of order four, which advances the lower order, and for extrapolations, whose columns lie
-/// two orders apart: their leading errors are small, and those of the next order decide until round-off does.
+/// Nor has it for Fehlberg's pair of order four, which advances the lower order, and for extrapolations, whose columns
+/// lie two orders apart: their leading errors are small, and those of the next order decide until round-off does.
 inline bool is_seen_in_double(const MethodDescription& method) {
     const int p = method.order.configuration;
     return p < highest_order_in_double ||

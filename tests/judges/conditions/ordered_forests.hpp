@@ -123,8 +123,8 @@ Series<T> exact_series(const OrderedForests& forests) {
     return y;
 }
 
-/// Largest p up to `most` such that series_of(forests) and the flow agree within `slack` on the Lyndon words with up to p
-/// nodes.
+/// Largest p up to `most` such that series_of(forests) and the flow agree within `slack` on the Lyndon words with up to
+/// p nodes.
 template <class F>
 int flow_order(int most, const Rational& slack, F series_of) {
     for (int order = 1; order <= most; ++order) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Crouch-Grossman methods, methods/crouch_grossman/crouch_grossman.hpp: y_{n+1} = y_n exp(h b_1 K_1) ... exp(h b_s K_s).
+// Crouch-Grossman methods, methods/crouch_grossman/crouch_grossman.hpp:
+//   y_{n+1} = y_n exp(h b_1 K_1) ... exp(h b_s K_s).
 #include "tests/judges/conditions/crouch_grossman_conditions.hpp"
 #include "tests/judges/families/scheme_family.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Munthe-Kaas methods with few commutators, methods/rkmk/few_commutators.hpp. One step is evaluated as printed, in right
-// trivialisation: if q' = q k, then Y = q^{-1} moves by Y' = -k Y, and q is its inverse.
+// Munthe-Kaas methods with few commutators, methods/rkmk/few_commutators.hpp. One step is evaluated as printed, in
+// right trivialisation: if q' = q k, then Y = q^{-1} moves by Y' = -k Y, and q is its inverse.
 #include <Eigen/LU>
 
 #include "tests/judges/conditions/bracket_series.hpp"

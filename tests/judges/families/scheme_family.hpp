@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What certifies the schemes of a family, evaluated from their data and nothing else. Each family registers it in a file
-// of its own beside this one; its methods then need no line here.
+// What certifies the schemes of a family, evaluated from their data and nothing else. Each family registers it in a
+// file of its own beside this one; its methods then need no line here.
 #pragma once
 
 #include <functional>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // One step of the running code against its declared scheme: stage points, stage times, result and error estimate must
-// equal an evaluation of the scheme's family (tests/judges/families/) to round-off. Methods without a scheme have checks
-// of their own (step_checks.hpp).
+// equal an evaluation of the scheme's family (tests/judges/families/) to round-off. Methods without a scheme have
+// checks of their own (step_checks.hpp).
 #include <algorithm>
 #include <stdexcept>
 

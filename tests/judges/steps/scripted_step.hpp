@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A step with scripted accelerations, so that the slopes of the stages do not commute and do not depend on the state: of
-// the running code, and to be evaluated from a scheme.
+// A step with scripted accelerations, so that the slopes of the stages do not commute and do not depend on the state:
+// of the running code, and to be evaluated from a scheme.
 #pragma once
 
 #include "tests/judges/families/dense_step.hpp"
@@ -17,15 +17,16 @@ struct Scenario {
     std::vector<VecX> script;
 };
 
-/// A step whose rotations are of order one, so that every term of dexpinv shows. `magnitude` is that of the scheme: what
-/// it multiplies the slopes by must stay within the charts.
+/// A step whose rotations are of order one, so that every term of dexpinv shows. `magnitude` is that of the scheme:
+/// what it multiplies the slopes by must stay within the charts.
 Scenario scenario(const MatrixGroup& group, std::size_t stages, const Real& magnitude);
 
 /// The scenario as a step to evaluate.
 ScriptedStep scripted(const Scenario& scenario, const OptionValues& options, int order);
 
-/// What the running code does: where it asks for slopes, the result, and of an attempt the estimate of its error. Throws
-/// std::domain_error if it ends in a status that is not ok, std::out_of_range if it asks for more slopes than there are.
+/// What the running code does: where it asks for slopes, the result, and of an attempt the estimate of its error.
+/// Throws std::domain_error if it ends in a status that is not ok, std::out_of_range if it asks for more slopes than
+/// there are.
 DenseStep running_step(const Method& method, const OptionValues& options, const Scenario& scenario);
 DenseStep running_attempt(const Method& method, const OptionValues& options, const Scenario& scenario);
 

@@ -37,7 +37,8 @@ struct StepCheckRegistration {
     }
 };
 
-/// KREISEL_STEP_CHECK("family/scheme", objection), and for explicit methods the reason why they have no order conditions.
+/// KREISEL_STEP_CHECK("family/scheme", objection), and for explicit methods the reason why they have no order
+/// conditions.
 #define KREISEL_STEP_CHECK(...) KREISEL_REGISTER(::kreisel::StepCheckRegistration, __VA_ARGS__)
 
 }  // namespace KREISEL_PRECISION

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Errors at the end follow the tolerance: the slope of log error against log tolerance is p/r for a method that advances
-// order p by an estimate O(h^r). In quad, where a reference far below the smallest error is at hand.
+// Errors at the end follow the tolerance: the slope of log error against log tolerance is p/r for a method that
+// advances order p by an estimate O(h^r). In quad, where a reference far below the smallest error is at hand.
 #include <cmath>
 #include <map>
 #include <optional>
