@@ -16,13 +16,12 @@ StepControl::StepControl(System& system, Projection& projection, std::unique_ptr
                          const Accuracy& accuracy, const MethodDescription& description)
     : system_(system),
       method_(std::move(method)),
-      projection_(projection),
+      projection_(projection, static_cast<std::size_t>(system.state_group().size())),
       norm_(system, accuracy),
       controller_(accuracy.controller, description.estimate),
       first_(pow(Real(accuracy.tolerance / 100), Real(Real(1) / description.estimate))),
       name_(description.name),
       new_(static_cast<std::size_t>(system.state_group().size())),
-      unprojected_(new_),
       error_(static_cast<std::size_t>(system.state_group().dim())) {}
 
 Status StepControl::start(const Real& t, const Real& t_end, const Real* y) {
@@ -66,22 +65,14 @@ Status StepControl::attempt(const Real& t, const Real& h, const Real& end, const
         return status;
     error = norm_(h, y, new_.data(), error_.data());
     if (!isfinite(error)) return Status::non_finite;
-    return error <= 1 ? project(h, end, error) : Status::ok;
-}
-
-/// What the state is moved by counts as error too: the larger of the two decides.
-Status StepControl::project(const Real& h, const Real& end, Real& error) {
+    if (error > 1) return Status::ok;
     in_projection_ = true;
-    std::copy(new_.begin(), new_.end(), unprojected_.begin());
-    if (const Status status = projection_.project(end, new_.data()); status != Status::ok) return status;
-    moved_ = new_ != unprojected_;
-    if (moved_) error = max(error, norm_.distance(h, unprojected_.data(), new_.data()));
-    return isfinite(error) ? Status::ok : Status::non_finite;
+    return projection_.apply(h, end, norm_, new_.data(), error);
 }
 
 void StepControl::accept(const FittedStep& fitted, const Real& error, Real* y) {
     std::copy(new_.begin(), new_.end(), y);
-    method_->accept(moved_);
+    method_->accept(projection_.moved());
     ++accepted_;
     const Real next = fitted.h * controller_.after_acceptance(fitted.h, error);
     // A step cut short at a limit says little of longer ones.

@@ -13,6 +13,7 @@
 #include "methods/control/controller.hpp"
 #include "methods/control/error_norm.hpp"
 #include "methods/control/fitted_step.hpp"
+#include "methods/control/step_projection.hpp"
 #include "methods/control/stepper.hpp"
 
 namespace kreisel {
@@ -32,7 +33,6 @@ class StepControl final : public Stepper {
   private:
     /// One attempt at y -> new_, with the projection. `error` is relative to the tolerance.
     Status attempt(const Real& t, const Real& h, const Real& end, const Real* y, Real& error);
-    Status project(const Real& h, const Real& end, Real& error);
     void accept(const FittedStep& fitted, const Real& error, Real* y);
     /// Proposes the first step: (tol/100)^(1/r) over the rate of the motion, as if an error were (h rate)^r. What that
     /// is wrong by, the controller corrects in a step or two.
@@ -40,14 +40,13 @@ class StepControl final : public Stepper {
 
     System& system_;
     std::unique_ptr<Integrator> method_;
-    Projection& projection_;
+    StepProjection projection_;
     ErrorNorm norm_;
     StepSizeController controller_;
     Real first_;  // size of the first step times the rate of the motion
     std::string name_;
-    std::vector<Real> new_, unprojected_, error_;
+    std::vector<Real> new_, error_;
     Real t_end_ = 0, h_ = 0;      // h_: the size proposed for the next step; 0: none yet
-    bool moved_ = false;          // by the projection of the last attempt
     bool in_projection_ = false;  // where the last status comes from
 };
 

@@ -17,7 +17,7 @@ constexpr int max_columns = KREISEL_QUAD ? 16 : 9;
 GbsStepper::GbsStepper(System& system, Projection& projection, const MakeExtrapolationBase& base,
                        const Accuracy& accuracy, std::string name)
     : system_(system),
-      projection_(projection),
+      projection_(projection, static_cast<std::size_t>(system.state_group().size())),
       base_(base(system, work_)),
       table_(max_columns, system.state_group().dim()),
       control_(max_columns),
@@ -25,7 +25,6 @@ GbsStepper::GbsStepper(System& system, Projection& projection, const MakeExtrapo
       tolerance_(accuracy.tolerance),
       name_(std::move(name)),
       new_(static_cast<std::size_t>(system.state_group().size())),
-      unprojected_(new_),
       slope_(static_cast<std::size_t>(system.state_group().dim())) {}
 
 Status GbsStepper::start(const Real& t, const Real& t_end, const Real* y) {
@@ -85,7 +84,10 @@ Status GbsStepper::lines(const Real& t, const FittedStep& fitted, const Real* y,
         if (!isfinite(error)) return Status::non_finite;
         auto verdict = control_.judge(line, error);
         if (verdict == OrderAndStep::Verdict::accept) {
-            if (const Status status = project(fitted.h, fitted.end, error); status != Status::ok) return status;
+            in_projection_ = true;
+            const Status status = projection_.apply(fitted.h, fitted.end, norm_, new_.data(), error);
+            if (status != Status::ok) return status;
+            in_projection_ = false;
             verdict = control_.judge(line, error);
         }
         converged = verdict == OrderAndStep::Verdict::accept;
@@ -97,16 +99,6 @@ Status GbsStepper::lines(const Real& t, const FittedStep& fitted, const Real* y,
 Real GbsStepper::error_of_line(const Real& H, const Real* y) {
     base_->state(table_.result(), new_.data());
     return norm_(H, y, new_.data(), table_.difference());
-}
-
-Status GbsStepper::project(const Real& H, const Real& end, Real& error) {
-    in_projection_ = true;
-    std::copy(new_.begin(), new_.end(), unprojected_.begin());
-    if (const Status status = projection_.project(end, new_.data()); status != Status::ok) return status;
-    if (new_ != unprojected_) error = max(error, norm_.distance(H, unprojected_.data(), new_.data()));
-    if (!isfinite(error)) return Status::non_finite;
-    in_projection_ = false;
-    return Status::ok;
 }
 
 std::string GbsStepper::failed_part() const {

@@ -7,6 +7,7 @@
 
 #include "methods/control/error_norm.hpp"
 #include "methods/control/fitted_step.hpp"
+#include "methods/control/step_projection.hpp"
 #include "methods/control/stepper.hpp"
 #include "methods/extrapolation/base.hpp"
 #include "methods/extrapolation/extrapolation.hpp"
@@ -32,10 +33,9 @@ class GbsStepper final : public Stepper {
     Status lines(const Real& t, const FittedStep& fitted, const Real* y, int& line, bool& accepted);
     /// The error of T_jj and new_ = its state.
     Real error_of_line(const Real& H, const Real* y);
-    Status project(const Real& H, const Real& end, Real& error);
 
     System& system_;
-    Projection& projection_;
+    StepProjection projection_;
     Work work_;
     std::unique_ptr<ExtrapolationBase> base_;
     NevilleTable table_;
@@ -43,7 +43,7 @@ class GbsStepper final : public Stepper {
     ErrorNorm norm_;
     Real tolerance_;
     std::string name_;
-    std::vector<Real> new_, unprojected_, slope_;
+    std::vector<Real> new_, slope_;
     bool first_known_ = false, in_projection_ = false;
 };
 
