@@ -27,9 +27,9 @@ std::string only_for(const std::string& who, const std::vector<std::string>& for
 /// Why a method does not take the steps of a cell, of one size or to a tolerance; empty if it does.
 std::string why_not_paced(const Cell& cell, const MethodDescription& method) {
     if (method.own_control && cell.tolerance == 0) return cell.method + " chooses its steps itself, to a tolerance";
-    if (cell.tolerance > 0 && !method.own_control && method.estimate == 0)
-        return cell.method + " has no estimate of its error to choose steps by";
-    return "";
+    if (cell.tolerance == 0 || method.own_control || method.estimate > 0) return "";
+    return cell.method + (method.keeps_memory ? " remembers steps of one size, and has no formulas for changing ones"
+                                              : " has no estimate of its error to choose steps by");
 }
 
 /// Why a projection does not apply; empty if it does.
@@ -37,7 +37,7 @@ std::string why_not_projected(const Cell& cell, const Model& model, const Method
     const ProjectionDescription& projector = projection(cell.projection).description;
     if (!method.projectable)
         return cell.method + " remembers earlier steps, which a projection after each would invalidate";
-    if (method.own_multipliers)
+    if (method.meets_constraints())
         return cell.method + " meets the constraints by itself, so that nothing is left to project";
     if (!applies(projector.formulations, cell.formulation))
         return only_for("projection " + cell.projection, projector.formulations);
@@ -60,6 +60,9 @@ std::string why_skipped(const Cell& cell) {
         return only_for(cell.method, entry.description.formulations);
     if (const std::string reason = entry.factory.why_not(cell.options); !reason.empty()) return reason;
     if (const std::string reason = why_not_paced(cell, entry.description); !reason.empty()) return reason;
+    if (entry.factory.declines)
+        if (const std::string reason = entry.factory.declines(*make_system(model, cell.formulation)); !reason.empty())
+            return cell.method + " does not treat " + reason;
     return cell.projection == "none" ? "" : why_not_projected(cell, model, entry.description);
 }
 

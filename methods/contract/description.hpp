@@ -3,11 +3,14 @@
 // The description of a method, free of `Real`: the driver lists, checks and documents methods from this alone.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "methods/contract/claims.hpp"
 
 namespace kreisel {
 
@@ -37,12 +40,21 @@ struct Order {
     bool operator==(const Order&) const = default;
 };
 
+/// How the stages of a step are found: each in closed form from those before; each with multipliers that are solved for;
+/// or all together, by iteration.
+enum class Form { explicit_steps, half_explicit, implicit };
+
 struct MethodDescription {
     std::string name;  ///< family/scheme
     Order order;
     std::vector<std::string> cites;  ///< keys of paper/references.bib
     std::string summary = {};
-    int stages = 0;  ///< solves of the dynamics per step; of an implicit method, its implicit stages, if it has such
+    /// What steps cost. `stages`: solves of the dynamics per step; of an implicit method, its implicit stages, if it has
+    /// such. Where not `variable_cost`, these are the counts, to the last solve.
+    int stages = 0;
+    int solves_at_start = 0;     ///< before the first step
+    int force_evaluations = 0;   ///< per step, of forces without a solve
+    bool variable_cost = false;  ///< counts depend on the motion: iterations, order and step chosen
     /// r, where an attempt at a step estimates its error by some e = O(h^r) (Integrator::attempt): p with local
     /// extrapolation, which advances the more accurate of two solutions, else p + 1. 0: there is no estimate.
     int estimate = 0;
@@ -51,16 +63,25 @@ struct MethodDescription {
     /// A projection may follow each step. False of multistep methods of other libraries, which would have to forget at
     /// every step what they remember.
     bool projectable = true;
-    bool implicit = false;
-    bool symmetric = false;
-    /// Multipliers are unknowns of a step, which satisfies the constraints on positions and velocities by itself:
-    /// nothing is left to project, and a projection would invalidate its memory.
-    bool own_multipliers = false;
+    Form form = Form::explicit_steps;
+    bool reports_multipliers = false;  ///< of its own (Integrator::multipliers); else they follow from the index-1 form
+    /// The levels of the constraints that hold after a step without a projection, Phi = 0 and C v + b = 0.
+    bool meets_positions = false, meets_velocities = false;
+    bool keeps_memory = false;  ///< a step uses what earlier ones left; Integrator::start makes it forget
+    std::vector<Claim> preserves = {};
     /// Commutes with rigid motions of space, to round-off, as every method formulated on the group does. False if
     /// coordinates prefer directions of space.
     bool equivariant = true;
     std::vector<OptionDescription> options = {};
     std::vector<std::string> formulations = {};  ///< formulations where it applies; empty: all
+
+    bool is_implicit() const { return form == Form::implicit; }
+    bool meets_constraints() const { return meets_positions && meets_velocities; }
+    /// Whether it declares the property for all systems of the domain.
+    bool claims(Property property, Domain domain = Domain::free) const {
+        return std::any_of(preserves.begin(), preserves.end(),
+                           [&](const Claim& claim) { return claim.property == property && claim.domain >= domain; });
+    }
 };
 
 struct ProjectionDescription {

@@ -41,6 +41,9 @@ struct Factory {
         stepper = {};
     /// Why a combination of options does not apply; empty if it does.
     std::function<std::string(const OptionValues&)> why_not = [](const OptionValues&) { return std::string(); };
+    /// Why a system cannot be treated (rolling, dampers, moving supports, redundant rows, ...); empty if it can. None
+    /// is asked where this is empty.
+    std::function<std::string(const System&)> declines = {};
 };
 
 struct Method {

@@ -132,8 +132,13 @@ KREISEL_METHOD(generalised_alpha(), {.name = "generalized_alpha/index2",
                                      .order = 2,
                                      .cites = {"bruels2012", "arnold2016", "chunghulbert1993", "gear1985"},
                                      .summary = "generalised-alpha method on Lie groups, stabilised index-2 form",
-                                     .implicit = true,
-                                     .own_multipliers = true});
+                                     .variable_cost = true,
+                                     .form = Form::implicit,
+                                     .reports_multipliers = true,
+                                     .meets_positions = true,
+                                     .meets_velocities = true,
+                                     .keeps_memory = true,
+                                     .preserves = {{Property::constraints, Domain::autonomous}}});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -96,8 +96,13 @@ KREISEL_METHOD(bliedf2(), {.name = "multistep/bliedf2",
                            .order = 2,
                            .cites = {"wieloch2021", "gear1985", "munthekaas1998"},
                            .summary = "backward differentiation formula BLieDF with k = 2, stabilised index-2 form",
-                           .implicit = true,
-                           .own_multipliers = true});
+                           .variable_cost = true,
+                           .form = Form::implicit,
+                           .reports_multipliers = true,
+                           .meets_positions = true,
+                           .meets_velocities = true,
+                           .keeps_memory = true,
+                           .preserves = {{Property::constraints, Domain::autonomous}}});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

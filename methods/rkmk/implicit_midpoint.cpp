@@ -140,8 +140,9 @@ KREISEL_METHOD(implicit_midpoint(), {.name = "rkmk/implicit_midpoint",
                                      .order = 2,
                                      .cites = {"hairer2006", "munthekaas1998"},
                                      .summary = "Munthe-Kaas lift of the implicit midpoint rule",
-                                     .implicit = true,
-                                     .symmetric = true});
+                                     .variable_cost = true,
+                                     .form = Form::implicit,
+                                     .preserves = {{Property::symmetric, Domain::autonomous}}});
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

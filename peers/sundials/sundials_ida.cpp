@@ -129,7 +129,7 @@ KREISEL_METHOD(
                 "and step",
      .own_control = true,
      .projectable = false,
-     .implicit = true,
+     .form = Form::implicit,
      .formulations = {"SO3", "SO3xR3"}});
 
 }  // namespace KREISEL_PRECISION

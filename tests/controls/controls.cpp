@@ -83,7 +83,7 @@ std::vector<Control> faults_of_coefficients() {
 std::vector<Control> faults_of_conduct() {
     Control asymmetric =
         control("rkmk/heun", "claims_symmetry", broken_rkmk(tableau_of("rkmk/heun"), {}), 2, {Check::reversal});
-    asymmetric.method.description.symmetric = true;
+    asymmetric.method.description.preserves = {{Property::symmetric, Domain::autonomous}};
     return {// First same as last, which is right as long as nobody starts elsewhere or projects.
             rkmk_control("rkmk/rk4", "keeps_stale_slope", {.stale_slope = true}, 4, {Check::history}),
             rkmk_control("rkmk/rk4", "hides_a_solve", {.uncounted_solve = true}, 4, {Check::solves}),

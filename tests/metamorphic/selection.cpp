@@ -40,7 +40,7 @@ std::vector<OptionValues> variants(const std::vector<OptionDescription>& options
 bool applies(const ProjectionDescription& projection, const MethodDescription& method, const std::string& formulation,
              const System& system) {
     if (projection.name == "none") return true;
-    if (method.own_multipliers || system.constraints() == 0) return false;
+    if (method.meets_constraints() || system.constraints() == 0) return false;
     if (!projection.formulations.empty() && !contains(projection.formulations, formulation)) return false;
     return !projection.ambient || system.has_ambient_jacobian();
 }

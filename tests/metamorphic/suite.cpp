@@ -13,7 +13,7 @@ namespace metamorphic {
 namespace {
 
 bool solves_positions(const Combination& combination) {
-    return method(combination.method).description.own_multipliers ||
+    return method(combination.method).description.meets_constraints() ||
            projection(combination.projection).description.positions;
 }
 

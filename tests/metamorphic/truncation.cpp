@@ -51,7 +51,7 @@ namespace {
 /// Distance due to round-off: velocities of methods with multipliers are positions over h.
 Real left_behind(const Case& entry, const Real& h, int steps) {
     const Real common = 2000 * epsilon * steps;
-    if (!method(entry.combination.method).description.own_multipliers) return common;
+    if (!method(entry.combination.method).description.meets_constraints()) return common;
     return common * max(Real(1), Real(1 / (h * fastest_rate(entry.model->model))));
 }
 

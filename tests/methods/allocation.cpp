@@ -53,8 +53,8 @@ TEST_CASE("a step and a projection allocate nothing", "[methods]") {
             for (const Named& named : for_methods())
                 for (const std::string& formulation : applicable(named.model)) {
                     if (KREISEL_QUAD && named.model.bodies.size() != 1) continue;  // slow, and the same code
-                    if (!runs_on(entry.description, formulation)) continue;
-                    if (entry.description.own_multipliers && projector.description.name != "none") continue;
+                    if (!runs_on(entry, named.model, formulation)) continue;
+                    if (entry.description.meets_constraints() && projector.description.name != "none") continue;
                     if (!runs_on(projector.description, named.model, formulation)) continue;
                     Trip trip(named.model, formulation, entry, projector.description.name);
                     const long before = allocations;
@@ -87,7 +87,7 @@ TEST_CASE("steps to a tolerance allocate nothing", "[methods]") {
 TEST_CASE("an implicit step on redundant rows allocates nothing", "[methods]") {
     for (const Method& entry : methods())
         for (const Named& named : linkages::redundant_linkages()) {
-            if (!entry.description.implicit || (KREISEL_QUAD && named.name != "planar four-bar")) continue;
+            if (!entry.description.is_implicit() || (KREISEL_QUAD && named.name != "planar four-bar")) continue;
             Trip trip(named.model, "SO3xR3", entry);
             const long before = allocations;
             const Status status = trip.run(Real(1) / 100, KREISEL_QUAD ? 2 : 10);

@@ -19,7 +19,7 @@ void for_each_run(F f) {
     for (const Method& entry : methods())
         for (const Named& named : for_methods())
             for (const std::string& formulation : applicable(named.model)) {
-                if (!runs_on(entry.description, formulation)) continue;
+                if (!runs_on(entry, named.model, formulation)) continue;
                 INFO(entry.description.name << " on " << named.name << " as " << formulation);
                 f(entry, named, formulation);
             }
@@ -46,7 +46,7 @@ TEST_CASE("a step of length zero leaves attitudes that are half a turn away", "[
     // Coordinates are computed by other branches there, one for each axis.
     const Vec3 turns[] = {Vec3(3, 0, 0), Vec3(0, 3, 0), Vec3(0, 0, 3), Vec3(2, 1, 2), Vec3(-1, 2, -2)};
     for (const Method& entry : methods()) {
-        if (!runs_on(entry.description, "SO3")) continue;
+        if (!runs_on(entry, standard("forced_heavy_top"), "SO3")) continue;
         for (const Vec3& turn : turns) {
             INFO(entry.description.name << ", " << turn.transpose());
             Trip trip(standard("forced_heavy_top"), "SO3", entry);
@@ -212,7 +212,7 @@ TEST_CASE("names are unique, match their files, and every file registers", "[met
         check(entry.description.name, entry.file, "methods/");
         CHECK(names.insert(entry.description.name).second);
         CHECK(entry.description.order.configuration >= 1);
-        CHECK((entry.description.implicit || entry.description.own_control || entry.description.stages >= 1));
+        CHECK((entry.description.is_implicit() || entry.description.own_control || entry.description.stages >= 1));
         CHECK_FALSE(entry.description.summary.empty());
         CHECK_FALSE(entry.description.cites.empty());
     }

@@ -17,7 +17,7 @@ TEST_CASE("a model without bodies runs with every method and projection, in ever
             for (const std::string& formulation : names) {
                 const auto& only = projector.description.formulations;
                 if (!only.empty() && std::find(only.begin(), only.end(), formulation) == only.end()) continue;
-                if (!runs_on(entry.description, formulation)) continue;
+                if (!runs_on(entry, nothing, formulation)) continue;
                 INFO(entry.description.name << ", " << projector.description.name << ", " << formulation);
                 Trip trip(nothing, formulation, entry, projector.description.name);
                 CHECK(trip.y.empty());

@@ -20,7 +20,7 @@ namespace {
 template <class F>
 void for_each_with_multipliers(F f) {
     for (const Method& entry : methods())
-        if (entry.description.own_multipliers) {
+        if (entry.description.meets_constraints()) {
             INFO(entry.description.name);
             f(entry);
         }
@@ -126,7 +126,7 @@ TEST_CASE("on R the BLieDF method is the backward differentiation formula", "[me
 TEST_CASE("the first step is as accurate as any other", "[methods]") {
     // Its error against rkmk/rk4, which is far smaller, falls with h^(p+1): an own start must not cost an order.
     for (const Method& entry : methods()) {
-        if (!entry.description.implicit) continue;
+        if (!entry.description.is_implicit()) continue;
         INFO(entry.description.name);
         double errors[2];
         for (int i = 0; i < 2; ++i) {
@@ -257,7 +257,7 @@ TEST_CASE("implicit steps of a fast top take few evaluations, in every formulati
 
 TEST_CASE("a step without a solution is newton_failed, and leaves the state", "[methods]") {
     for (const Method& entry : methods()) {
-        if (!entry.description.implicit) continue;
+        if (!entry.description.is_implicit()) continue;
         INFO(entry.description.name);
         LineSystem system(runaway);
         const auto integrator = entry.bind(system, default_options(entry.description.options));
@@ -271,13 +271,13 @@ TEST_CASE("a step without a solution is newton_failed, and leaves the state", "[
 TEST_CASE("NaN never ends as ok in an implicit step", "[methods]") {
     using enum PoisonedSystem::What;
     for (const Method& entry : methods()) {
-        if (!entry.description.implicit) continue;
+        if (!entry.description.is_implicit()) continue;
         for (const auto what : {acceleration, mass, applied, gyroscopic, position, velocity, jacobian})
             for (const Real& poison : {not_a_number, infinite})
                 for (const int healthy_steps : {0, 3, 9}) {
                     // A method without multipliers uses only the index-1 form.
-                    if (!entry.description.own_multipliers && what != acceleration) continue;
-                    if (entry.description.own_multipliers && what == acceleration && healthy_steps > 0) continue;
+                    if (!entry.description.meets_constraints() && what != acceleration) continue;
+                    if (entry.description.meets_constraints() && what == acceleration && healthy_steps > 0) continue;
                     INFO(entry.description.name << ", quantity " << static_cast<int>(what) << ", step "
                                                 << healthy_steps);
                     Trip trip(standard("double_pendulum"), "SO3xR3", entry);

@@ -23,7 +23,7 @@ TEST_CASE("a simulation moves a model as its parts do, bit for bit", "[simulatio
     for (const char* name : {"rkmk/rk4", "multistep/bliedf2", "crouch_grossman/cg3a"})
         for (const char* formulation : {"SO3xR3", "SE3"}) {
             INFO(name << " " << formulation);
-            const std::string projector = method(name).description.own_multipliers ? "none" : "position_velocity";
+            const std::string projector = method(name).description.meets_constraints() ? "none" : "position_velocity";
             Simulation simulation(model, {.formulation = formulation, .method = name, .projection = projector});
             std::vector<Real> times;
             REQUIRE(simulation.advance(1, 64, [&](const Simulation& now) { times.push_back(now.time()); }) ==

@@ -26,6 +26,12 @@ inline bool runs_on(const MethodDescription& method, const std::string& formulat
     return !method.own_control && (only.empty() || std::find(only.begin(), only.end(), formulation) != only.end());
 }
 
+/// The same, and the method does not decline the system.
+inline bool runs_on(const Method& method, const Model& model, const std::string& formulation) {
+    if (!runs_on(method.description, formulation)) return false;
+    return !method.factory.declines || method.factory.declines(*make_system(model, formulation)).empty();
+}
+
 inline bool runs_on(const ProjectionDescription& projection, const Model& model, const std::string& formulation) {
     const auto& only = projection.formulations;
     if (!only.empty() && std::find(only.begin(), only.end(), formulation) == only.end()) return false;

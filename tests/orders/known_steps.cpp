@@ -33,7 +33,7 @@ TEST_CASE("an explicit method without a scheme is rejected", "[one_step]") {
     CHECK(order_conditions_objection(stranger()) ==
           "no order conditions for an explicit method without a scheme: declare it, or state why it has none");
     Method implicit = stranger();
-    implicit.description.implicit = true;
+    implicit.description.form = Form::implicit;
     CHECK(order_conditions_objection(implicit) == "");
 }
 

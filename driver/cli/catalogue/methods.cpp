@@ -39,8 +39,29 @@ std::string control_text(const MethodDescription& method) {
 }
 
 std::string solving_text(const MethodDescription& method) {
-    if (method.implicit) { return "implicit, solved by Newton iteration"; }
+    switch (method.form) {
+        case Form::implicit:
+            return "implicit, solved by Newton iteration";
+        case Form::half_explicit:
+            return "half-explicit: stages one after another, each with its multipliers";
+        case Form::explicit_steps:
+            break;
+    }
     return fmt::format("explicit, solves of the dynamics per step: {}", method.stages);
+}
+
+std::string claims_text(const MethodDescription& method) {
+    std::string text;
+    for (const Claim& claim : method.preserves) {
+        text += fmt::format("; {} ({} systems)", name(claim.property), name(claim.domain));
+    }
+    return text;
+}
+
+std::string constraints_text(const MethodDescription& method) {
+    if (method.meets_constraints()) { return "; multipliers are its own unknowns, projections do not apply"; }
+    return fmt::format("{}{}", method.meets_positions ? "; meets the constraints on positions by itself" : "",
+                       method.meets_velocities ? "; meets the constraints on velocities by itself" : "");
 }
 
 }  // namespace
@@ -58,8 +79,7 @@ void describe_method(const MethodDescription& method, std::ostream& out) {
     fmt::print(out, "{}: {}\n", method.name, method.summary);
     print_sources(out, method.cites);
     fmt::print(out, "{}; {}{}{}{}\n", order_text(method.order), solving_text(method), control_text(method),
-               method.symmetric ? "; symmetric" : "",
-               method.own_multipliers ? "; multipliers are its own unknowns, projections do not apply" : "");
+               claims_text(method), constraints_text(method));
     print_options(out, method.options);
 }
 

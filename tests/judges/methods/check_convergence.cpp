@@ -23,7 +23,7 @@ class Runaway final : public System {
 }  // namespace
 
 Objection convergence_objection(const Method& entry) {
-    if (!entry.description.implicit) return "";
+    if (!entry.description.is_implicit()) return "";
     Runaway system;
     const auto integrator = entry.bind(system, default_options(entry.description.options));
     std::vector<Real> y = {1, 0};

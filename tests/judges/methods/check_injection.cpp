@@ -47,7 +47,7 @@ std::string where(const std::string& what, const Real& poison, int step) {
 Objection system_objection(const Method& entry, const Model& model, const std::string& form, int healthy_steps) {
     // A spoiled stage, from the first on; an implicit step may need any number of solves. Steps in quad are slow, and
     // those of many stages run through five of them: all are seen in double, by the same code.
-    const int solves = entry.description.implicit ? 1 : entry.description.stages;
+    const int solves = entry.description.is_implicit() ? 1 : entry.description.stages;
     const int stride = KREISEL_QUAD && solves > 5 ? (solves - 1) / 4 : 1;
     for (const Target& target : targets())
         for (const Real& poison : poisons())
@@ -81,7 +81,7 @@ Objection state_objection(const Method& entry, const Model& model, const std::st
 Objection injection_objection(const Method& entry) {
     for (const auto& [problem, form] : {std::pair("forced_heavy_top", "SO3"), std::pair("forced_heavy_top", "SO3xR3"),
                                         std::pair("double_pendulum", "SO3xR3"), std::pair("double_pendulum", "SE3")}) {
-        if (!runs_on(entry.description, form)) continue;
+        if (!runs_on(entry, models::standard(problem), form)) continue;
         for (const int healthy_steps : {0, step_count / 2, step_count - 1})
             for (const auto judge : {system_objection, state_objection}) {
                 const Objection objection = judge(entry, models::standard(problem), form, healthy_steps);

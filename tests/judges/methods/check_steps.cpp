@@ -11,7 +11,7 @@ inline namespace KREISEL_PRECISION {
 using namespace stepping;
 
 Objection solves_objection(const Method& entry) {
-    if (entry.description.implicit) return "";  // as many as the Newton iteration takes
+    if (entry.description.variable_cost) return "";
     return first_objection(entry, [&](const models::Named& named, const std::string& formulation) -> Objection {
         const auto inner = make_system(named.model, formulation);
         SwitchedSystem system(*inner, *inner);
@@ -22,10 +22,11 @@ Objection solves_objection(const Method& entry) {
         Status status = integrator->start(0, y.data());
         for (int i = 0; i < steps && status == Status::ok; ++i) status = integrator->step(h * i, h, y.data());
         if (status != Status::ok) return std::string("a run ends in ") + name(status);
+        const long declared = entry.description.solves_at_start + steps * long{entry.description.stages};
         for (const long found : {system.solves, system.evaluations()})
-            if (found != steps * entry.description.stages)
-                return std::to_string(found) + " solves in " + std::to_string(steps) + " steps of " +
-                       std::to_string(entry.description.stages);
+            if (found != declared)
+                return std::to_string(found) + " solves in " + std::to_string(steps) + " steps, " +
+                       std::to_string(declared) + " declared";
         return "";
     });
 }
@@ -66,7 +67,7 @@ Real return_defect(const Model& model, const std::string& formulation, const Met
 }  // namespace
 
 Objection reversal_objection(const Method& entry) {
-    if (!entry.description.symmetric) return "";
+    if (!entry.description.claims(Property::symmetric)) return "";
     return first_objection(entry, [&](const models::Named& named, const std::string& formulation) -> Objection {
         const Real defect = return_defect(named.model, formulation, entry);
         return defect <= 10000 * epsilon ? "" : "returns by " + to_text(defect) + " beside its start";

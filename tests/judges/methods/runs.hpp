@@ -14,7 +14,7 @@ template <class F>
 Objection first_objection(const Method& entry, F judge) {
     for (const models::Named& named : models::for_methods())
         for (const std::string& formulation : models::applicable(named.model)) {
-            if (!stepping::runs_on(entry.description, formulation)) continue;
+            if (!stepping::runs_on(entry, named.model, formulation)) continue;
             const Objection objection = judge(named, formulation);
             if (!objection.empty()) return objection + " (" + named.name + " as " + formulation + ")";
         }

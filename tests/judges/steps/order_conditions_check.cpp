@@ -22,7 +22,7 @@ Objection estimate_objection(const SchemeOrders& found, int declared) {
 }
 
 Objection without_scheme(const Method& method) {
-    if (method.description.implicit) return "";
+    if (method.description.is_implicit()) return "";
     const StepCheck* check = step_check_of(method);
     if (check && !check->without_conditions.empty()) return "";
     return "no order conditions for an explicit method without a scheme: declare it, or state why it has none";

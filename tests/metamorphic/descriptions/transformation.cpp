@@ -45,7 +45,7 @@ auto always(Agreement agreement) {
     return [agreement](const Model&, const Combination&) { return agreement; };
 }
 
-bool is_implicit(const Combination& combination) { return method(combination.method).description.implicit; }
+bool is_implicit(const Combination& combination) { return method(combination.method).description.is_implicit(); }
 
 /// If an unknown changes sign, its difference quotient does not.
 Agreement of_mirrors(const Model& model, const Combination& combination) {
@@ -165,8 +165,8 @@ const std::vector<Transformation>& transformations() {
         add_descriptions(list);
         // A method without memory restarts in every step.
         list.push_back({"restarted", restarted, [](const Model&, const Combination& c) {
-                            return method(c.method).description.own_multipliers ? Agreement::truncation
-                                                                                : Agreement::round_off;
+                            return method(c.method).description.meets_constraints() ? Agreement::truncation
+                                                                                    : Agreement::round_off;
                         }});
         return list;
     }();
