@@ -1,6 +1,7 @@
 # Several files in one translation unit. Files compiled together share their unnamed namespaces; a missing #include
-# shows only in a build with KREISEL_UNITY=OFF. Of the numerical code only what is data (kreisel_unite_data):
-# measurements must not depend on a file's neighbours.
+# shows only in a build with KREISEL_UNITY=OFF. Of the numerical code in double only what is data: measurements must not
+# depend on a file's neighbours. Quad is not measured, and its arithmetic, calls of functions, is the same however files
+# are compiled.
 function(kreisel_unite target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${KREISEL_UNITY} UNITY_BUILD_MODE BATCH
                                              UNITY_BUILD_BATCH_SIZE 8)
@@ -10,19 +11,18 @@ function(kreisel_unite target)
   endif()
 endfunction()
 
-# Problems, and methods that are no more than a tableau: files without an unnamed namespace.
-function(kreisel_unite_data target layer)
-  if(NOT layer MATCHES "^(problems|methods)$")
-    return()
-  endif()
-  kreisel_unite(${target})
-  get_target_property(sources ${target} SOURCES)
-  foreach(source IN LISTS sources)
+# Those of `sources` that are data, in double: problems, and methods that are no more than a tableau, which are files
+# without an unnamed namespace.
+function(kreisel_data_sources result layer)
+  set(data "")
+  foreach(source IN LISTS ARGN)
     file(STRINGS ${source} local_names REGEX "^namespace {")
-    if(source MATCHES "_closed_form.cpp$" OR (layer STREQUAL "methods" AND local_names))
-      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    if((layer STREQUAL "problems" AND NOT source MATCHES "_closed_form.cpp$") OR
+       (layer STREQUAL "methods" AND NOT local_names))
+      list(APPEND data ${source})
     endif()
   endforeach()
+  set(${result} ${data} PARENT_SCOPE)
 endfunction()
 
 # The driver and tests take much longer to compile than to run; the numerical code they run keeps its flags.

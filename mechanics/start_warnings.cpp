@@ -18,7 +18,7 @@ namespace {
 
 constexpr int most_rows_examined = 120;
 
-std::string text(const Real& x) {
+std::string two_digits(const Real& x) {
     std::ostringstream out;
     out.precision(2);
     out << to_double(x);
@@ -86,7 +86,7 @@ std::string mass_ratio(const Model& model) {
         largest = ratio;
         who = "\"" + model.name_of(joint.first) + "\" and \"" + model.name_of(joint.second) + "\"";
     }
-    return largest > 1000 ? "; the masses of " + who + " have a ratio of " + text(largest) : "";
+    return largest > 1000 ? "; the masses of " + who + " have a ratio of " + two_digits(largest) : "";
 }
 
 std::string of_conditioning(const Model& model, const Real& condition) {
@@ -97,8 +97,8 @@ std::string of_conditioning(const Model& model, const Real& condition) {
     for (Real share = Real(1) / 10; share > left; share /= 10) ++digits;
     return "constraint rows are nearly dependent in the metric of the masses: the pivots of M^(-1/2) C^T have a ratio "
            "of " +
-           text(condition) + ", so that accelerations and multipliers keep some " + std::to_string(digits) + " digits" +
-           mass_ratio(model);
+           two_digits(condition) + ", so that accelerations and multipliers keep some " + std::to_string(digits) +
+           " digits" + mass_ratio(model);
 }
 
 std::string of_singularity(const Model& model, const ConstraintRank& here) {
@@ -116,13 +116,13 @@ std::string of_singularity(const Model& model, const ConstraintRank& here) {
 }
 
 /// A vector in body axes, rotated to space axes by the start.
-Vec3 in_space(const Model& model, int body, const Vec3& vector) {
+Vec3 turned(const Model& model, int body, const Vec3& vector) {
     return body == ground ? vector : Vec3(model.bodies[static_cast<std::size_t>(body)].start.R * vector);
 }
 
 /// Angular velocity of a body in space axes, of a velocity of the formulation SO3xR3.
 Vec3 turning(const Model& model, const VecX& motion, int body) {
-    return body == ground ? Vec3(Vec3::Zero()) : in_space(model, body, motion.segment<3>(6 * body + 3));
+    return body == ground ? Vec3(Vec3::Zero()) : turned(model, body, motion.segment<3>(6 * body + 3));
 }
 
 /// Springs whose axes the joints allow to part.
@@ -133,7 +133,7 @@ std::vector<std::string> of_springs(const Model& model) {
     const std::optional<VecX> motion = some_motion(model, *system, initial_state(*system, model), 0);
     for (std::size_t i = 0; motion && i < model.torsion_springs.size(); ++i) {
         const TorsionSpring& spring = model.torsion_springs[i];
-        const Vec3 axis = in_space(model, spring.second, spring.axes_second.col(2));
+        const Vec3 axis = turned(model, spring.second, spring.axes_second.col(2));
         const Vec3 relative = turning(model, *motion, spring.second) - turning(model, *motion, spring.first);
         if (relative.cross(axis).norm() > sqrt(epsilon))
             warnings.push_back(

@@ -18,7 +18,7 @@ Real floor_of(const Real& x) {
 /// Full turns between an angle and its representative nearest to another.
 Real turns_to(const Real& angle, const Real& near) { return floor_of((near - angle) / full_turn + Real(1) / 2); }
 
-std::string text(const Real& x) {
+std::string six_digits(const Real& x) {
     std::ostringstream out;
     out << to_double(x);  // six digits
     return out.str();
@@ -56,10 +56,11 @@ std::string Turns::reason() const {
     const std::string who = model_.name_of_torsion_spring(fault_.spring);
     if (fault_.kind == Fault::parted)
         return who + " has axes that part: perpendicular to the first, a unit vector of the second body is " +
-               text(fault_.size) + " long, and below 0.5 full turns are not defined";
+               six_digits(fault_.size) + " long, and below 0.5 full turns are not defined";
     if (fault_.kind == Fault::fast)
-        return who + " turns by " + text(fault_.size) + " rad in a step, where full turns are counted below pi only";
-    return who + " is " + text(fault_.size) +
+        return who + " turns by " + six_digits(fault_.size) +
+               " rad in a step, where full turns are counted below pi only";
+    return who + " is " + six_digits(fault_.size) +
            " rad from where its rate at the start of the step leads, and full turns are counted up to pi/2 only";
 }
 

@@ -57,7 +57,7 @@ void enlarge(Sizes& sizes, const Sizes& others) {
 }
 
 /// One run: times and states of its big steps, the start included, up to where it stopped.
-struct Run {
+struct Trajectory {
     std::vector<Real> times;
     std::vector<std::vector<Real>> states;
     Sizes sizes{};  ///< largest of all steps
@@ -76,24 +76,24 @@ class Integration {
     Integration& operator=(const Integration&) = delete;
 
     /// Big steps as large as the tolerance allows, from the guess H.
-    Run adaptive(const Real& t_end, Real H, const std::stop_token& stop);
+    Trajectory adaptive(const Real& t_end, Real H, const std::stop_token& stop);
     /// Every big step of another run in two halves.
-    Run halved(const Run& coarse, const std::stop_token& stop);
+    Trajectory halved(const Trajectory& coarse, const std::stop_token& stop);
 
     QuaternionForm form;
 
   private:
     /// H is a guess of the big steps.
-    Run begin(const Real& H);
+    Trajectory begin(const Real& H);
     /// Appends the step to time t. On failure, or if its local error exceeds `allowed`, the run is as before.
-    bool append(Run& run, const Real& t, const Real& allowed);
+    bool append(Trajectory& run, const Real& t, const Real& allowed);
 
     Extrapolation gbs_;
     Real local_error_ = 0;  // of the last step, relative to the sizes
 };
 
-Run Integration::begin(const Real& H) {
-    Run run{{Real(0)}, {form.start()}};
+Trajectory Integration::begin(const Real& H) {
+    Trajectory run{{Real(0)}, {form.start()}};
     const Real* w = run.states[0].data();
     run.sizes = norms(w, form.bodies());
     const auto scale = form.acceleration_scale(0, w);
@@ -102,7 +102,7 @@ Run Integration::begin(const Real& H) {
     return run;
 }
 
-bool Integration::append(Run& run, const Real& t, const Real& allowed) {
+bool Integration::append(Trajectory& run, const Real& t, const Real& allowed) {
     std::vector<Real> w = run.states.back();
     run.status = gbs_.step(run.times.back(), t - run.times.back(), w.data());
     if (run.status != Status::ok) return false;
@@ -119,9 +119,9 @@ bool Integration::append(Run& run, const Real& t, const Real& allowed) {
 
 /// The local error is that of H^{2k-1}. Steps shrink no further than to 2^-40 of the whole: a failure there is a
 /// singularity, and an inaccurate step is accepted; the halved run gives the error.
-Run Integration::adaptive(const Real& t_end, Real H, const std::stop_token& stop) {
+Trajectory Integration::adaptive(const Real& t_end, Real H, const std::stop_token& stop) {
     using std::pow;
-    Run run = begin(H);
+    Trajectory run = begin(H);
     const Real smallest = abs(t_end) / 1099511627776;
     const Real infinity = std::numeric_limits<Real>::infinity();
     while (run.times.back() != t_end) {
@@ -141,8 +141,8 @@ Run Integration::adaptive(const Real& t_end, Real H, const std::stop_token& stop
     return run;
 }
 
-Run Integration::halved(const Run& coarse, const std::stop_token& stop) {
-    Run run = begin(0);
+Trajectory Integration::halved(const Trajectory& coarse, const std::stop_token& stop) {
+    Trajectory run = begin(0);
     enlarge(run.sizes, coarse.sizes);
     for (std::size_t n = 1; n < coarse.times.size(); ++n) {
         if ((run.interrupted = stop.stop_requested())) return run;
@@ -161,7 +161,7 @@ Real first_step(const Model& model, const Real& t_end) {
 }
 
 /// Last big step up to which two runs agree.
-std::size_t agreed_steps(const Run& coarse, const Run& fine, int bodies) {
+std::size_t agreed_steps(const Trajectory& coarse, const Trajectory& fine, int bodies) {
     const Real limit = Real(1) / 1000000000000;
     std::vector<Real> difference(static_cast<std::size_t>(bodies * QuaternionForm::body_size));
     std::size_t n = 1;
@@ -173,7 +173,8 @@ std::size_t agreed_steps(const Run& coarse, const Run& fine, int bodies) {
 }
 
 /// The end state of the fine run, with its differences from the coarse one.
-void compare_ends(QuaternionForm& form, const Real& t_end, const Run& coarse, const Run& fine, ReferenceSolution& out) {
+void compare_ends(QuaternionForm& form, const Real& t_end, const Trajectory& coarse, const Trajectory& fine,
+                  ReferenceSolution& out) {
     const Real *a = coarse.states.back().data(), *b = fine.states.back().data();
     out.states = form.states(b);
     out.angles = form.angles(b);
@@ -193,8 +194,8 @@ void compare_ends(QuaternionForm& form, const Real& t_end, const Run& coarse, co
 ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop) {
     if (!isfinite(t_end)) throw std::invalid_argument("a reference solution needs a finite end time");
     Integration integration(model);
-    const Run coarse = integration.adaptive(t_end, first_step(model, t_end), stop);
-    const Run fine = integration.halved(coarse, stop);
+    const Trajectory coarse = integration.adaptive(t_end, first_step(model, t_end), stop);
+    const Trajectory fine = integration.halved(coarse, stop);
 
     ReferenceSolution out;
     out.interrupted = coarse.interrupted || fine.interrupted;
@@ -207,7 +208,7 @@ ReferenceSolution reference_solution(const Model& model, const Real& t_end, cons
     out.sizes = {fine.sizes[0], fine.sizes[2], fine.sizes[3]};
     out.route = "extrapolation of order " + std::to_string(2 * columns) + " on quaternion coordinates, " +
                 std::to_string(steps) + " and " + std::to_string(2 * steps) + " big steps";
-    for (const Run* run : {&coarse, &fine})
+    for (const Trajectory* run : {&coarse, &fine})
         if (run->status != Status::ok) out.stopped = name(run->status);
     if (!out.stopped.empty()) return out;
     compare_ends(integration.form, t_end, coarse, fine, out);

@@ -15,8 +15,6 @@ Column column_of(const ConstraintRow& row, const std::vector<std::string>& joint
             row.direction ? "N m" : "N"};
 }
 
-std::array<Number, 3> numbers(const Vec3& v) { return {to_number(v[0]), to_number(v[1]), to_number(v[2])}; }
-
 }  // namespace
 
 JointForces::JointForces(System& system, const Model& model)
@@ -80,7 +78,8 @@ void JointForces::report(ReportedState& state) const {
     }
     const std::vector<bool> unique = unique_joints();
     for (std::size_t j = 0; j < reactions_.size(); ++j)
-        state.reactions.push_back({joints_[j], numbers(reactions_[j].force), numbers(reactions_[j].torque), unique[j]});
+        state.reactions.push_back(
+            {joints_[j], to_numbers(reactions_[j].force), to_numbers(reactions_[j].torque), unique[j]});
 }
 
 MultiplierDistance multiplier_distance(const std::vector<ConstraintRow>& rows, const std::vector<Real>& a,

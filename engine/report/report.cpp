@@ -10,10 +10,11 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-std::array<Number, 3> numbers(const Vec3& v) { return {to_number(v[0]), to_number(v[1]), to_number(v[2])}; }
 Vec3 vector(const std::array<Number, 3>& n) { return {from_number(n[0]), from_number(n[1]), from_number(n[2])}; }
 
 }  // namespace
+
+std::array<Number, 3> to_numbers(const Vec3& v) { return {to_number(v[0]), to_number(v[1]), to_number(v[2])}; }
 
 Number to_number(const Real& x) { return {to_double(x), to_text(x)}; }
 Real from_number(const Number& x) { return from_text(x.text); }
@@ -34,7 +35,7 @@ ReportedState to_report(const Real& t, const std::vector<BodyState>& states, con
     ReportedState report{to_number(t), {}, {}, {}, {}};
     for (std::size_t i = 0; i < states.size(); ++i) {
         const BodyState& s = states[i];
-        ReportedBody body{model.bodies[i].name, numbers(s.x), numbers(s.v), numbers(s.omega), {}};
+        ReportedBody body{model.bodies[i].name, to_numbers(s.x), to_numbers(s.v), to_numbers(s.omega), {}};
         for (int j = 0; j < 3; ++j)
             for (int k = 0; k < 3; ++k) body.R[static_cast<std::size_t>(3 * j + k)] = to_number(s.R(j, k));
         report.bodies.push_back(body);

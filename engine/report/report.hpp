@@ -3,6 +3,7 @@
 // Conversion between Real and the text in which numbers leave and enter the engine.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/engine.hpp"
@@ -12,6 +13,7 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 Number to_number(const Real& x);
+std::array<Number, 3> to_numbers(const Vec3& v);
 ConstraintSummary to_summary(const ConstraintRank& rank);
 Real from_number(const Number& x);
 

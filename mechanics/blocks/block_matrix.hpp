@@ -4,6 +4,7 @@
 // entries joint by joint.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "lie/linear.hpp"
@@ -12,6 +13,9 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 using Mat6 = Eigen::Matrix<Real, 6, 6>;
+
+/// A joint or an entry as an index of a vector.
+inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The blocks of joint pairs that share a body; of each 6x6 array the top left rows[i] x rows[k] entries count.
 struct BlockMatrix {

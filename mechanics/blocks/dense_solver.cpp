@@ -8,8 +8,6 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 class DenseSolver final : public BlockSolver {
   public:
     explicit DenseSolver(const BlockMatrix& pattern)

@@ -13,8 +13,6 @@ namespace {
 
 using BlockAt = std::map<std::pair<std::size_t, std::size_t>, std::size_t>;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 Elimination elimination(const BlockMatrix& pattern) {
     std::vector<std::set<int>> adjacent(pattern.rows.size());
     for (const auto& [row, col] : pattern.entries) adjacent[at(row)].insert(col), adjacent[at(col)].insert(row);

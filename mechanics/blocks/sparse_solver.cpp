@@ -8,8 +8,6 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 class SparseSolver final : public BlockSolver {
   public:
     explicit SparseSolver(const BlockMatrix& pattern) : matrix_(pattern.size, pattern.size) {

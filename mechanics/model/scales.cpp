@@ -8,7 +8,7 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-Vec3 in_space(const Model& model, int body, const Vec3& r) {
+Vec3 point_in_space(const Model& model, int body, const Vec3& r) {
     if (body == ground) return r;
     const BodyState& start = model.bodies[static_cast<std::size_t>(body)].start;
     return start.x + start.R * r;
@@ -19,7 +19,7 @@ template <class F>
 void each_point(const Model& model, F f) {
     for (const Body& body : model.bodies) f(body.start.x);
     for (const Joint& joint : model.joints)
-        f(in_space(model, joint.first, joint.r_first)), f(in_space(model, joint.second, joint.r_second));
+        f(point_in_space(model, joint.first, joint.r_first)), f(point_in_space(model, joint.second, joint.r_second));
 }
 
 }  // namespace

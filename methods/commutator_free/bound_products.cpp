@@ -2,6 +2,7 @@
 #include "methods/commutator_free/bound_products.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -41,16 +42,12 @@ std::vector<Real> weights(const BoundProduct& product, const std::vector<std::ve
     return sum;
 }
 
-Real sum(const std::vector<Real>& numbers) {
-    Real total = 0;
-    for (const Real& x : numbers) total += x;
-    return total;
-}
+Real total(const std::vector<Real>& numbers) { return std::accumulate(numbers.begin(), numbers.end(), Real(0)); }
 
-void check_weights(const std::vector<Real>& weights, const char* what) {
+void check_product(const std::vector<Real>& weights, const char* what) {
     Real size = 1;  // coefficients are rounded, and may be larger than 1
     for (const Real& weight : weights) size += abs(weight);
-    if (!(abs(sum(weights) - 1) <= 64 * epsilon * size))
+    if (!(abs(total(weights) - 1) <= 64 * epsilon * size))
         throw std::invalid_argument(std::string("the coefficients of the ") + what +
                                     " of a commutator-free scheme do not sum to 1");
 }
@@ -74,12 +71,12 @@ BoundProducts::BoundProducts(const CommutatorFreeScheme& scheme, std::size_t str
     for (std::size_t i = 0; i < s; ++i) {
         stages.push_back(bound(scheme.stages[i], i, stride, "stage " + std::to_string(i + 1)));
         of_stages.push_back(weights(stages.back(), of_stages, s, stride));
-        c.push_back(sum(of_stages.back()));
+        c.push_back(total(of_stages.back()));
     }
     result = bound(scheme.result, s, stride, "the result");
-    check_weights(weights(result, of_stages, s, stride), "result");
+    check_product(weights(result, of_stages, s, stride), "result");
     embedded = bound(scheme.embedded, s, stride, "the embedded result");
-    if (!embedded.factors.empty()) check_weights(weights(embedded, of_stages, s, stride), "embedded result");
+    if (!embedded.factors.empty()) check_product(weights(embedded, of_stages, s, stride), "embedded result");
 }
 
 }  // namespace KREISEL_PRECISION

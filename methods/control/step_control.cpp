@@ -8,7 +8,7 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-const Real infinity = std::numeric_limits<Real>::infinity();
+const Real no_limit = std::numeric_limits<Real>::infinity();
 
 }  // namespace
 
@@ -55,7 +55,7 @@ Status StepControl::step(Real& t, const Real& limit, Real* y) {
         }
         ++rejected_;
         last = status == Status::ok ? Status::step_too_small : status;
-        h_ = fitted.h * controller_.after_rejection(status == Status::ok ? error : infinity);
+        h_ = fitted.h * controller_.after_rejection(status == Status::ok ? error : no_limit);
     }
 }
 

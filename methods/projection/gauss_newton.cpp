@@ -10,12 +10,11 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-constexpr int most_iterations = 25;
+constexpr int most_gauss_newton_steps = 25;
 
 /// A row is at round-off below this fraction of its terms. Iterations that no longer halve the largest row have
 /// converged too, if it is at most `stagnation` of the round-off of places; otherwise they have failed.
 const Real round_off = 4 * epsilon, stagnation = 1000 * round_off;
-const Real infinity = std::numeric_limits<Real>::infinity();
 
 }  // namespace
 
@@ -61,10 +60,10 @@ Status GaussNewtonProjection::project_position(const Real& t, Real* y) {
     if (residual_.empty()) return Status::ok;
     system_.position_scale(y, terms_.data());
     Real previous = std::numeric_limits<Real>::max();
-    for (int i = 0; i < most_iterations; ++i) {
+    for (int i = 0; i < most_gauss_newton_steps; ++i) {
         system_.position_residual(t, y, residual_.data());
         const Real size = turn_residual();
-        if (!(size < infinity)) return Status::non_finite;
+        if (!isfinite(size)) return Status::non_finite;
         if (size <= round_off || (2 * size > previous && stands_still())) return Status::ok;
         previous = size;
         for (std::size_t k = terms_.size(); k < residual_.size(); ++k) residual_[k] = 0;

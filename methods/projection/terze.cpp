@@ -19,7 +19,7 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-constexpr int most_iterations = 50;
+constexpr int most_terze_steps = 50;
 const Real tolerance = 45 * epsilon;  // 1e-14 in double
 constexpr int body_size = 12;         // x and the columns of R
 
@@ -57,7 +57,7 @@ class TerzeProjection final : public Projection {
         system_.position_scale(y, terms_.data());
         Real residual_before = std::numeric_limits<Real>::max();
         Real step = 0, step_before = 1;  // the first step is predicted to be followed by one of its square
-        for (int i = 0; i < most_iterations; ++i) {
+        for (int i = 0; i < most_terze_steps; ++i) {
             linearise(t, y);
             if (!residual_.allFinite()) return Status::non_finite;
             const Real residual = relative_residual(y);

@@ -56,7 +56,8 @@ TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") 
     const Real t_end = Real(1) / 4;
     for (const Named& named : redundant_linkages()) {
         REQUIRE_FALSE(has_independent_rows(named.model));
-        const bool all_formulations = named.name == "planar four-bar";
+        const bool all_formulations = named.name == "planar four-bar" && !KREISEL_QUAD;
+        if (KREISEL_QUAD && named.name != "planar four-bar") continue;  // slow, and the same code
         for (const std::string& formulation : applicable(named.model)) {
             if (formulation != "SO3xR3" && !all_formulations) continue;
             INFO(named.name << " as " << formulation);
@@ -87,6 +88,7 @@ TEST_CASE("a linkage moves the same in every unit", "[methods]") {
         REQUIRE(reference.run(Real(1) / 2, 100) == Status::ok);
         for (const int length : {-20, -7, 10, 20})
             for (const int mass : {-20, 0, 20}) {
+                if (KREISEL_QUAD && (abs(length) != 20 || mass == 0)) continue;  // slow, and the same code
                 INFO("lengths times 2^" << length << ", masses times 2^" << mass);
                 const Real L = pow(Real(2), length), m = pow(Real(2), mass);
                 Trip trip(in_units(one, L, m), "SO3xR3", entry);
@@ -173,7 +175,8 @@ Real spin_error(const Trip& trip) { return abs(abs(trip.bodies()[0].omega[2]) - 
 
 TEST_CASE("a step that ends beside the pose where a linkage loses rank is right, in every unit", "[methods]") {
     for (const Real& length : {Real(1), Real(1) / 1048576})
-        for (const Real& distance : {Real(1) / 100, Real(1) / 1000, Real(1) / 10000})
+        for (const Real& distance : {Real(1) / 100, Real(1) / 1000, Real(1) / 10000}) {
+            if (KREISEL_QUAD && length != 1) continue;  // slow, and the same code
             for_each_implicit([&](const Method& entry) {
                 INFO("lengths times " << length << ", " << distance << " rad beside it");
                 const bool own = entry.description.meets_constraints();
@@ -182,6 +185,7 @@ TEST_CASE("a step that ends beside the pose where a linkage loses rank is right,
                 CHECK(spin_error(trip) < Real(1) / 5000);
                 CHECK(trip.position_defect() <= Real(1) / 1000000);  // rows of directions are among them
             });
+        }
 }
 
 TEST_CASE("a step that ends where a linkage loses rank says so, in every unit", "[methods]") {

@@ -74,7 +74,8 @@ TEST_CASE("off the constraints beside a pose where they lose rank a simulation e
     for (const Real& length : {Real(1), Real(1) / 1048576}) {
         if (KREISEL_QUAD && length != 1) continue;  // slow, and the same code
         INFO("lengths times " << length);
-        for (const char* projection : {"none", "position", "velocity"}) {
+        for (const std::string projection : {"none", "position", "velocity"}) {
+            if (KREISEL_QUAD && projection != "none") continue;  // drift begins at 1e-34 in all of them
             INFO(projection);
             Simulation off(linkages::in_units(model, length, 1), {.projection = projection});
             const Status status = off.advance(16, 4000);

@@ -110,7 +110,7 @@ TEST_CASE("a parallelogram passes its flat poses at constant speed, of any size"
                           Case{1, 1 / k / k / k, 7}, Case{1 / k / k, k * k * k, 1 / k / k / 31}, Case{k, 1, k * k * k}})
         for (const std::string formulation : {"SO3xR3", "SE3", "S3xR3"})
             for (const std::string projector : {"none", "velocity", "position", "position_velocity"}) {
-                if (KREISEL_QUAD && (formulation != "SE3" || projector == "none")) continue;  // slow
+                if (KREISEL_QUAD && (formulation != "SE3" || projector != "position_velocity")) continue;  // slow
                 INFO(to_double(c.size) << " m, " << to_double(c.mass) << " kg, " << to_double(c.rate) << " 1/s, "
                                        << formulation << ", " << projector);
                 const Passage passage = pass(parallelogram(c.size, c.mass, c.rate), c.rate, formulation, projector);

@@ -52,9 +52,5 @@ std::unique_ptr<ForceSeries> series_of(const Force& force, const BodyAt& at) {
     return series_maker<Force>(force, at);
 }
 
-/// As many coefficients as the body has.
-inline Vectors vectors(const BodySeries& body) { return Vectors(body.R.size(), Vec3::Zero()); }
-inline Scalars scalars(const BodySeries& body) { return Scalars(body.R.size(), Real(0)); }
-
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -6,14 +6,13 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-Vectors vectors(const BodySeries& body) { return Vectors(body.R.size(), Vec3::Zero()); }
 Scalars scalars(const JointEnds& ends) { return Scalars(ends.d.size(), Real(0)); }
 Real twice(std::size_t k) { return real(k + 1) * real(k + 2); }
 
 /// d = 0.
-class Coincidence final : public PointRowSeries {
+class CoincidenceRow final : public PointRowSeries {
   public:
-    explicit Coincidence(const JointEnds& ends) : PointRowSeries(ends) {
+    explicit CoincidenceRow(const JointEnds& ends) : PointRowSeries(ends) {
         for (int k = 0; k < 3; ++k) {
             n_.push_back(vectors(ends.first));
             n_.back()[0] = Vec3::Unit(k);
@@ -26,9 +25,9 @@ class Coincidence final : public PointRowSeries {
 };
 
 /// b . d = 0 for axes b of the second body. The force acts at the point of the first.
-class Along final : public PointRowSeries {
+class AlongRow final : public PointRowSeries {
   public:
-    Along(const Joint& joint, const JointEnds& ends) : PointRowSeries(ends) {
+    AlongRow(const Joint& joint, const JointEnds& ends) : PointRowSeries(ends) {
         for (const JointRow& row : joint.type->rows)
             if (row.primitive == Primitive::along) {
                 axes_.emplace_back(joint.axes_second.col(row.k));
@@ -50,9 +49,9 @@ class Along final : public PointRowSeries {
 };
 
 /// |d| = L(t), n = d / |d|.
-class Distance final : public PointRowSeries {
+class DistanceRow final : public PointRowSeries {
   public:
-    Distance(const Joint& joint, const JointEnds& ends)
+    DistanceRow(const Joint& joint, const JointEnds& ends)
         : PointRowSeries(ends), joint_(joint), square_(scalars(ends)), length_(square_), law_(square_) {
         n_.push_back(vectors(ends.first));
     }
@@ -78,9 +77,9 @@ class Distance final : public PointRowSeries {
 
 /// A disk of axis b on the plane of normal n: s = n - (n . b) b leads away from the contact, which is L s/|s| below the
 /// centre. One row on its height, two on the velocity of the point in contact.
-class Contact final : public PointRowSeries {
+class ContactRow final : public PointRowSeries {
   public:
-    Contact(const Joint& joint, const JointEnds& ends)
+    ContactRow(const Joint& joint, const JointEnds& ends)
         : PointRowSeries(ends),
           radius_(joint.length),
           axis_(ends.second, joint.axes_second.col(2)),
@@ -138,10 +137,10 @@ void JointEnds::follow(std::size_t i) {
 }
 
 std::unique_ptr<PointRowSeries> point_rows(const Joint& joint, const JointEnds& ends) {
-    if (joint.type->has(Primitive::coincidence)) return std::make_unique<Coincidence>(ends);
-    if (joint.type->has(Primitive::along)) return std::make_unique<Along>(joint, ends);
-    if (joint.type->has(Primitive::distance)) return std::make_unique<Distance>(joint, ends);
-    if (joint.type->has(Primitive::contact)) return std::make_unique<Contact>(joint, ends);
+    if (joint.type->has(Primitive::coincidence)) return std::make_unique<CoincidenceRow>(ends);
+    if (joint.type->has(Primitive::along)) return std::make_unique<AlongRow>(joint, ends);
+    if (joint.type->has(Primitive::distance)) return std::make_unique<DistanceRow>(joint, ends);
+    if (joint.type->has(Primitive::contact)) return std::make_unique<ContactRow>(joint, ends);
     return nullptr;
 }
 

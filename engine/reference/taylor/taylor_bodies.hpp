@@ -73,5 +73,9 @@ class Attached {
     Vectors series_;
 };
 
+/// As many coefficients as the body has.
+inline Vectors vectors(const BodySeries& body) { return Vectors(body.R.size(), Vec3::Zero()); }
+inline Scalars scalars(const BodySeries& body) { return Scalars(body.R.size(), Real(0)); }
+
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -37,7 +37,7 @@ class LoadSeries final : public ForceSeries {
     Vectors force_;
 };
 
-const SeriesRegistration<Load, LoadSeries> registration;
+const SeriesRegistration<Load, LoadSeries> load_series;
 
 }  // namespace
 

@@ -55,7 +55,7 @@ class SpringSeries final : public ForceSeries {
     bool stretches_;
 };
 
-const SeriesRegistration<Spring, SpringSeries> registration;
+const SeriesRegistration<Spring, SpringSeries> spring_series;
 
 }  // namespace
 

@@ -77,7 +77,7 @@ class TorsionSpringSeries final : public ForceSeries {
     Real expected_;
 };
 
-const SeriesRegistration<TorsionSpring, TorsionSpringSeries> registration;
+const SeriesRegistration<TorsionSpring, TorsionSpringSeries> torsion_spring_series;
 
 }  // namespace
 
