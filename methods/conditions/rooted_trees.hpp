@@ -6,10 +6,11 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "tests/judges/conditions/numeric_tableau.hpp"
+#include "methods/conditions/numeric_tableau.hpp"
 
 namespace kreisel::orders {
 
@@ -24,8 +25,14 @@ class RootedTrees {
     /// In ascending order, all of them before the tree.
     const std::vector<std::size_t>& branches(std::size_t tree) const { return branches_[tree]; }
     std::vector<std::size_t> of_order(int n) const;
+    /// "t" for a node without branches, else its branches in brackets: "[t [t]]".
+    std::string text(std::size_t tree) const;
+    /// The elementary weight of a tree, to be summed over all indices: "b_i c_i a_ij c_j".
+    std::string weight_text(std::size_t tree, const std::string& weights) const;
 
   private:
+    /// What the node of `index` contributes, and the nodes above it, whose indices follow `last`.
+    std::string factors(std::size_t tree, char index, char& last) const;
     /// Extends `branches` by trees not before `first` until they have `rest` nodes more.
     void extend(std::vector<std::size_t> branches, std::size_t first, int rest, int nodes);
 
@@ -96,13 +103,26 @@ std::vector<T> butcher_conditions(StageWeights<T>& stages, const std::vector<T>&
     return residuals;
 }
 
+/// By how much the weights miss the condition of a tree.
+template <class T>
+T missed_by(StageWeights<T>& stages, std::size_t tree, const std::vector<T>& w, int total = 1) {
+    return stages.weight(tree, w) - T(total) / T(stages.trees().density(tree));
+}
+
+/// The first tree whose condition does not hold within `slack`; the number of trees if all hold.
+template <class T>
+std::size_t first_missed(StageWeights<T>& stages, const std::vector<T>& w, const T& slack, int total = 1) {
+    std::size_t tree = 0;
+    while (tree < stages.trees().size() && !(abs(missed_by(stages, tree, w, total)) > slack)) ++tree;
+    return tree;
+}
+
 /// The largest p up to that of `trees` such that all conditions with up to p nodes hold within `slack`.
 template <class T>
 int butcher_order(StageWeights<T>& stages, const std::vector<T>& w, const T& slack, int total = 1) {
     const RootedTrees& trees = stages.trees();
-    for (std::size_t tree = 0; tree < trees.size(); ++tree)
-        if (abs(T(stages.weight(tree, w) - T(total) / T(trees.density(tree)))) > slack) return trees.nodes(tree) - 1;
-    return trees.nodes(trees.size() - 1);
+    const std::size_t missed = first_missed(stages, w, slack, total);
+    return missed < trees.size() ? trees.nodes(missed) - 1 : trees.nodes(trees.size() - 1);
 }
 
 }  // namespace kreisel::orders

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/judges/conditions/tableau_orders.hpp"
+#include "methods/conditions/tableau_orders.hpp"
 
 namespace kreisel::orders {
 
@@ -26,13 +26,28 @@ T size_of(const NumericTableau<T>& tableau) {
 }
 
 template <class T>
+std::string missed_text(StageWeights<T>& stages, const std::vector<T>& w, const std::string& name, std::size_t tree) {
+    const RootedTrees& trees = stages.trees();
+    if (tree == trees.size()) return "";
+    const Float100 by(missed_by(stages, tree, w));
+    return "sum " + trees.weight_text(tree, name) + " = 1" +
+           (tree > 0 ? "/" + std::to_string(trees.density(tree)) : "") + " (tree " + trees.text(tree) +
+           ") is missed by " + by.str(3);
+}
+
+template <class T>
 TableauOrders orders_in(const NumericTableau<T>& tableau, const T& slack) {
     const T within = slack * size_of(tableau);
     StageWeights<T> stages(all_trees(), tableau.a);
+    const auto order_of = [&](const std::vector<T>& w, const std::string& name, std::string& missed) {
+        const std::size_t tree = first_missed(stages, w, within);
+        missed = missed_text(stages, w, name, tree);
+        return tree < all_trees().size() ? all_trees().nodes(tree) - 1 : most_order;
+    };
     TableauOrders found;
-    found.step = butcher_order(stages, tableau.b, within);
+    found.step = order_of(tableau.b, "b", found.missed);
     if (tableau.b_hat.empty()) return found;
-    found.embedded = butcher_order(stages, tableau.b_hat, within);
+    found.embedded = order_of(tableau.b_hat, "b_hat", found.missed_embedded);
     std::vector<T> e = tableau.b;
     for (std::size_t i = 0; i < e.size(); ++i) e[i] -= tableau.b_hat.at(i);
     found.difference = butcher_order(stages, e, within, 0) + 1;

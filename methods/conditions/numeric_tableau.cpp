@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/judges/conditions/numeric_tableau.hpp"
+#include "methods/conditions/numeric_tableau.hpp"
 
 #include <stdexcept>
-#include <string>
+
+#include "methods/conditions/exact_text.hpp"
 
 namespace kreisel::orders {
 
-namespace {
-
-/// [-]digits.digits as numerator / 10^k.
-Rational decimal_rational(std::string text) {
-    const auto point = text.find('.');
-    if (point == std::string::npos) return Rational(boost::multiprecision::cpp_int(text));
-    const std::size_t decimals = text.size() - point - 1;
-    text.erase(point, 1);
-    const bool negative = text.front() == '-';
-    text.erase(0, negative ? 1 : 0);
-    text.erase(0, text.find_first_not_of('0'));  // a leading 0 would make it octal
-    const boost::multiprecision::cpp_int numerator(text.empty() ? "0" : text);
-    const Rational magnitude(
-        numerator, boost::multiprecision::pow(boost::multiprecision::cpp_int(10), static_cast<unsigned>(decimals)));
-    return negative ? -magnitude : magnitude;
-}
-
-}  // namespace
-
 Rational exact(const Coefficient& coefficient) {
-    if (coefficient.digits) return decimal_rational(coefficient.digits);
+    if (coefficient.digits) return read_exact(coefficient.digits);
     if (coefficient.denominator == 0) throw std::invalid_argument("a coefficient has the denominator 0");
     return Rational(coefficient.numerator, coefficient.denominator);
 }
