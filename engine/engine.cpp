@@ -61,9 +61,8 @@ class RealEngine final : public Engine {
         return summary;
     }
 
-    Order declared_order(const std::string& name, const OptionValues& options) const override {
-        const Method& entry = method(name);
-        return entry.factory.order(options, entry.description.order);
+    MethodDescription method(const std::string& name, const OptionValues& options) const override {
+        return kreisel::method(name).under(options);
     }
     std::string skip_reason(const Cell& cell) const override { return why_skipped(cell); }
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,

@@ -180,8 +180,8 @@ class Engine {
     /// Builds the system. Throws ParameterError if the parameters do not describe a system.
     virtual SystemSummary summary(const std::string& problem, const ParameterValues&,
                                   const std::string& formulation) const = 0;
-    /// The order a method declares under these options.
-    virtual Order declared_order(const std::string& method, const OptionValues&) const = 0;
+    /// A method under these options, which may decide its order and its estimate.
+    virtual MethodDescription method(const std::string& name, const OptionValues&) const = 0;
     /// Why this cell cannot run; empty if it can. Throws ParameterError, OptionError.
     virtual std::string skip_reason(const Cell&) const = 0;
     /// Runs one cell. `reference` may be null: then no error.* is measured. `samples` may be null too: samples are then

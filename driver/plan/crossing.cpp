@@ -52,8 +52,7 @@ std::vector<Stepping> steppings_of(const MethodDescription& method, const Config
 
 class Crossing {
   public:
-    Crossing(const Engines& engines, Diagnostics& sink, Plan& plan)
-        : engines_(engines), methods_(engines.binary64.methods()), sink_(sink), plan_(plan) {}
+    Crossing(const Engines& engines, Diagnostics& sink, Plan& plan) : engines_(engines), sink_(sink), plan_(plan) {}
 
     void cross() {
         const Config& config = plan_.config;
@@ -73,7 +72,8 @@ class Crossing {
                   const OptionedEntry& projection) {
         const Config& config = plan_.config;
         for (const std::string& precision : config.precisions) {
-            for (const Stepping& stepping : steppings_of(*find_named(methods_, method.name), config)) {
+            const MethodDescription described = engines_.of(precision).method(method.name, method.options);
+            for (const Stepping& stepping : steppings_of(described, config)) {
                 PlannedCell planned;
                 planned.cell = {.problem = problem.name,
                                 .parameters = problem.parameters,
@@ -95,6 +95,7 @@ class Crossing {
                 planned.label = problem.label;
                 planned.precision = precision;
                 planned.skip_reason = stepping.skip_reason;
+                identify(planned, described.order);
                 add(std::move(planned), problem, method, projection);
             }
         }
@@ -103,8 +104,6 @@ class Crossing {
     void add(PlannedCell planned, const ProblemEntry& problem, const OptionedEntry& method,
              const OptionedEntry& projection) {
         const SystemSummary& system = plan_.systems.at({problem.label, planned.cell.formulation});
-        const Engine& engine = engines_.of(planned.precision);
-        identify(planned, engine.declared_order(method.name, method.options));
         if (!system.skip_reason.empty()) { planned.skip_reason = system.skip_reason; }
         if (planned.skip_reason.empty()) { planned.skip_reason = ask(planned, problem, method, projection); }
         planned.weight = weight_of(planned, system.bodies);
@@ -130,7 +129,6 @@ class Crossing {
     }
 
     const Engines& engines_;
-    const std::vector<MethodDescription> methods_;
     Diagnostics& sink_;
     Plan& plan_;
     std::set<std::string> reported_;

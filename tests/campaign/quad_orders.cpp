@@ -105,7 +105,7 @@ std::string objection(const ErrorCurves& curves, const Reference& exact, const O
 /// The number of curves. Above order 4, slopes that have not settled may do so with twice as many steps.
 int certify(const std::string& problem, const std::string& formulation, const MethodDescription& method,
             const OptionValues& options) {
-    const Order order = engine_binary128().declared_order(method.name, options);
+    const Order order = engine_binary128().method(method.name, options).order;
     const int p = order.configuration;
     const Reference& exact = reference(problem, end_time(p));
     INFO(method.name << " " << json_value(options) << " on " << problem << " as " << formulation);

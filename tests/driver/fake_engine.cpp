@@ -117,10 +117,16 @@ std::vector<MethodDescription> FakeEngine::methods() const {
     midpoint.options = lift_options();
     MethodDescription quaternion{"baseline/rk4_quaternion", 4, {}, "quaternions", 4};
     quaternion.options = {{"renormalise", "after each step", true}};
+    MethodDescription tableau{"fake/tableau", 1, {}, "options that are texts"};
+    tableau.options = {{.name = "a", .summary = "rows", .standard = "", .text = OptionText::rows},
+                       {.name = "b", .summary = "weights", .standard = "1", .text = OptionText::numbers},
+                       {.name = "label", .summary = "of the tableau", .standard = "", .text = OptionText::label},
+                       {.name = "order", .summary = "of the tableau", .standard = 1L, .count_min = 1, .count_max = 10}};
     return {rk4,
             midpoint,
             quaternion,
             relaxed,
+            tableau,
             {"fake/nan", 1, {}},
             {"fake/infinite", 1, {}},
             {"fake/slow", 1, {}},
@@ -167,9 +173,11 @@ SystemSummary FakeEngine::summary(const std::string& problem, const ParameterVal
     return summary;
 }
 
-Order FakeEngine::declared_order(const std::string& name, const OptionValues&) const {
+MethodDescription FakeEngine::method(const std::string& name, const OptionValues& options) const {
     const auto all = methods();
-    return std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; })->order;
+    auto described = *std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+    if (name == "fake/tableau") { described.order = static_cast<int>(std::get<long>(options.at("order"))); }
+    return described;
 }
 
 std::string FakeEngine::skip_reason(const Cell& cell) const {

@@ -14,7 +14,7 @@ namespace kreisel {
 /// SE3), fake/relaxed (a real option), fake/nan (fails half way), fake/infinite (reports an infinite metric), fake/slow
 /// (one millisecond per step, checks stop requests, samples on the way), fake/deaf (ignores stop requests),
 /// fake/throws, fake/throws_int, fake/pair (has an estimate of its error, which is the tolerance), fake/own (chooses
-/// its steps itself).
+/// its steps itself), fake/tableau (options that are texts; one of them decides its order).
 class FakeEngine final : public Engine {
   public:
     std::vector<ProblemDescription> problems() const override;
@@ -24,7 +24,7 @@ class FakeEngine final : public Engine {
     std::vector<MetricDescription> metrics() const override;
     SystemSummary summary(const std::string& problem, const ParameterValues&,
                           const std::string& formulation) const override;
-    Order declared_order(const std::string& method, const OptionValues&) const override;
+    MethodDescription method(const std::string& name, const OptionValues&) const override;
     std::string skip_reason(const Cell&) const override;
     using Engine::run;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;

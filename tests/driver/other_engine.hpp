@@ -18,8 +18,8 @@ class OtherEngine : public Engine {
                           const std::string& formulation) const override {
         return fake_.summary(problem, values, formulation);
     }
-    Order declared_order(const std::string& method, const OptionValues& options) const override {
-        return fake_.declared_order(method, options);
+    MethodDescription method(const std::string& name, const OptionValues& options) const override {
+        return fake_.method(name, options);
     }
     std::string skip_reason(const Cell& cell) const override { return fake_.skip_reason(cell); }
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,

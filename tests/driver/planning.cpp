@@ -48,6 +48,24 @@ TEST_CASE("a wildcard stands for all methods, or for those of a family") {
     CHECK_THROWS_WITH(planned(R"(["rkmc/*"])"), Catch::Contains("method"));
 }
 
+TEST_CASE("numbers and rows have one text, however they are written, and the cell's hash and order know it") {
+    const auto planned = [](const std::string& options) {
+        return plan_from(R"({"name": "n", "kind": "drift", "problems": ["heavy_top"], "methods": [{"name": )"
+                         R"("fake/tableau", )" +
+                         options + R"(}], "time": {"end": 2, "steps": 4}})");
+    };
+    const Plan lists = planned(R"("a": [[], ["1/2"], [0, "-0.25"]], "b": [1, "2/3"], "order": 3)");
+    REQUIRE(lists.cells.size() == 1);
+    const PlannedCell& cell = lists.cells.front();
+    CHECK(cell.cell.options.at("a") == OptionValue("; 1/2; 0 -0.25"));
+    CHECK(cell.cell.options.at("b") == OptionValue("1 2/3"));
+    CHECK(cell.identity.order == Order(3));
+    CHECK(planned(R"("a": " ;1/2;  0 -0.25 ", "b": "1  2/3", "order": 3)").cells.front().hash == cell.hash);
+    CHECK(planned(R"("a": "; 1/2; 0 -0.25", "b": "1 1/3", "order": 3)").cells.front().hash != cell.hash);
+    const std::string resolved = resolved_config(lists.config);
+    CHECK(plan_from(resolved).cells.front().hash == cell.hash);
+}
+
 TEST_CASE("every axis is crossed with every other, the steps varying fastest") {
     const Plan plan = plan_from(R"({"name": "n", "kind": "drift", "precision": ["double", "quad"],
         "problems": ["heavy_top", "double_pendulum"], "formulations": ["SO3xR3", "SE3"],

@@ -64,6 +64,23 @@ TEST_CASE("a legend says the order, or why there is none") {
     CHECK_THAT(legend_of([](double h) { return 1e-3 * std::pow(h, 0.1); }), Catch::EndsWith(": no convergence"));
 }
 
+TEST_CASE("a label among the options of a method stands for those that it settles") {
+    const auto row = [](const std::string& label, const std::string& b, const std::string& chart) {
+        ResultRow row;
+        row.method = "rkmk/tableau";
+        row.options = {{"label", label}, {"b", b}, {"coordinates", chart}};
+        return row;
+    };
+    const std::vector<ResultRow> rows = {row("mine", "1", "exp"), row("mine", "1", "cayley"), row("", "0 1", "exp"),
+                                         row("", "1/2 1/2", "exp")};
+    const CellNames names(rows);
+    CHECK(names.axis(rows[0], "method") == "rkmk/tableau mine exp");
+    CHECK(names.axis(rows[1], "method") == "rkmk/tableau mine cayley");
+    CHECK(names.axis(rows[2], "method") == "rkmk/tableau b=0 1 exp");
+    const std::vector<ResultRow> twice = {row("mine", "1", "exp"), row("mine", "0 1", "exp")};
+    CHECK(CellNames(twice).axis(twice[1], "method") == "rkmk/tableau mine b=0 1");
+}
+
 TEST_CASE("fewer than four step sizes are too few, and a method that failed says how") {
     const ResultFolder folder;
     const auto failed = result_line("ff", 64, 0,
