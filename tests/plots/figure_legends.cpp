@@ -65,19 +65,19 @@ TEST_CASE("a legend says the order, or why there is none") {
 }
 
 TEST_CASE("a label among the options of a method stands for those that it settles") {
-    const auto row = [](const std::string& label, const std::string& b, const std::string& chart) {
+    const auto cell = [](const std::string& label, const std::string& b, const std::string& chart) {
         ResultRow row;
         row.method = "rkmk/tableau";
         row.options = {{"label", label}, {"b", b}, {"coordinates", chart}};
         return row;
     };
-    const std::vector<ResultRow> rows = {row("mine", "1", "exp"), row("mine", "1", "cayley"), row("", "0 1", "exp"),
-                                         row("", "1/2 1/2", "exp")};
+    const std::vector<ResultRow> rows = {cell("mine", "1", "exp"), cell("mine", "1", "cayley"), cell("", "0 1", "exp"),
+                                         cell("", "1/2 1/2", "exp")};
     const CellNames names(rows);
     CHECK(names.axis(rows[0], "method") == "rkmk/tableau mine exp");
     CHECK(names.axis(rows[1], "method") == "rkmk/tableau mine cayley");
     CHECK(names.axis(rows[2], "method") == "rkmk/tableau b=0 1 exp");
-    const std::vector<ResultRow> twice = {row("mine", "1", "exp"), row("mine", "0 1", "exp")};
+    const std::vector<ResultRow> twice = {cell("mine", "1", "exp"), cell("mine", "0 1", "exp")};
     CHECK(CellNames(twice).axis(twice[1], "method") == "rkmk/tableau mine b=0 1");
 }
 
