@@ -108,7 +108,7 @@ std::vector<Control> faults_of_attempts() {
             pair_control("ignores_a_projection", {.ignores_projection = true}, Check::attempts), optimist};
 }
 
-std::vector<Control> faults_of_brackets_and_products() {
+std::vector<Control> faults_of_families() {
     CommutatorFreeScheme swapped = scheme_of<CommutatorFreeScheme>("commutator_free/cf4");
     const CommutatorFreeScheme cf4 = swapped;
     std::swap(swapped.result.factors[0], swapped.result.factors[1]);
@@ -123,13 +123,15 @@ std::vector<Control> faults_of_brackets_and_products() {
     return {
         control("commutator_free/cf4", "swapped_final_factors", claiming(commutator_free(swapped), cf4), 2,
                 {Check::one_step}),
-        control("rkmk/mk4", "wrong_sign_of_brackets", claiming(few_commutators(negated), mk4), 2, {Check::one_step})};
+        control("rkmk/mk4", "wrong_sign_of_brackets", claiming(few_commutators(negated), mk4), 2, {Check::one_step}),
+        // Its rows have order 2, and h^3 next, which their extrapolation leaves.
+        control("extrapolation/midpoint4", "with_one_sided_base", one_sided_extrapolation(), 3, {Check::one_step})};
 }
 
 std::vector<Control> make_controls() {
     std::vector<Control> all;
     for (const auto make : {faults_of_dexpinv_and_nodes, faults_of_products, faults_of_coefficients, faults_of_conduct,
-                            faults_of_attempts, faults_of_brackets_and_products})
+                            faults_of_attempts, faults_of_families})
         for (const Control& one : make()) all.push_back(one);
     return all;
 }
