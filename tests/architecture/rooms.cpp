@@ -44,6 +44,7 @@ const std::vector<Room>& rooms() {
         {"mechanics/solve",
          {equations, "mechanics/blocks", "mechanics/model", "mechanics/joints", "mechanics/forces", "lie"},
          numbers},
+        {"mechanics/free_body", {equations, "lie"}, {"Eigen/", "boost/multiprecision/", "boost/math/"}},
         {formulation, {equations, "mechanics/blocks/solver_choice.hpp", registration}, {}},
         {"mechanics/formulations",
          {equations, axes, formulation, "mechanics/model", "mechanics/joints", "mechanics/forces", "mechanics/solve",

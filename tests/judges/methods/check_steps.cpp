@@ -22,10 +22,12 @@ Objection solves_objection(const Method& entry) {
         Status status = integrator->start(0, y.data());
         for (int i = 0; i < steps && status == Status::ok; ++i) status = integrator->step(h * i, h, y.data());
         if (status != Status::ok) return std::string("a run ends in ") + name(status);
-        const long declared = entry.description.solves_at_start + steps * long{entry.description.stages};
-        for (const long found : {system.solves, system.evaluations()})
+        const long solves = entry.description.solves_at_start + steps * long{entry.description.stages};
+        const long forces = steps * long{entry.description.force_evaluations};  // counted where there is no solve
+        for (const auto& [found, declared] :
+             {std::pair(system.solves, solves), std::pair(system.evaluations(), solves + forces)})
             if (found != declared)
-                return std::to_string(found) + " solves in " + std::to_string(steps) + " steps, " +
+                return std::to_string(found) + " solves or evaluations in " + std::to_string(steps) + " steps, " +
                        std::to_string(declared) + " declared";
         return "";
     });
