@@ -121,6 +121,7 @@ TEST_CASE("double and quad runs of one cell agree to double round-off", "[campai
                   .steps = 64,
                   .samples = 0,
                   .metrics = {}};
+        if (!engine_binary64().skip_reason(cell).empty()) continue;
         const Outcome narrow = engine_binary64().run(cell, nullptr, {}),
                       wide = engine_binary128().run(cell, nullptr, {});
         INFO(method.name);

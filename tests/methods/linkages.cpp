@@ -16,7 +16,7 @@ namespace {
 template <class F>
 void for_each_implicit(F f) {
     for (const Method& entry : methods())
-        if (entry.description.is_implicit()) {
+        if (entry.description.is_implicit() && runs_on(entry, planar_four_bar(), "SO3xR3")) {
             INFO(entry.description.name);
             f(entry);
         }
@@ -74,7 +74,8 @@ TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") 
                 }
                 CHECK(errors[1] < 1e-2);
                 CHECK(std::log2(errors[0] / errors[1]) >= 1.85);
-                if (entry.description.meets_constraints()) CHECK(std::log2(multipliers[0] / multipliers[1]) >= 1.8);
+                if (entry.description.meets_constraints())
+                    CHECK(std::log2(multipliers[0] / multipliers[1]) >= entry.description.order.multipliers - 0.2);
             });
         }
     }
@@ -130,7 +131,9 @@ TEST_CASE("implicit methods handle stiff springs and dampers", "[methods]") {
                                                                                     {8, 9},
                                                                                     {9, 10},
                                                                                     {10, 11}})}) {
-                    Trip trip(with_stiff_springs(model, stiffness, damping), "SO3xR3", entry);
+                    const Model sprung = with_stiff_springs(model, stiffness, damping);
+                    if (!runs_on(entry, sprung, "SO3xR3")) continue;
+                    Trip trip(sprung, "SO3xR3", entry);
                     REQUIRE(trip.integrator->start(0, trip.y.data()) == Status::ok);
                     for (int i = 0; i < 20; ++i) REQUIRE(trip.integrator->step(i * h, h, trip.y.data()) == Status::ok);
                 }

@@ -16,12 +16,6 @@ void require_ok(Status status, const std::string& what) {
     if (status != Status::ok) throw std::domain_error(what + " ends in " + name(status));
 }
 
-MatrixGroup matrix_group(const std::string& formulation) {
-    for (const MatrixGroup& group : {matrix_so3(), matrix_s3(), matrix_so3xr3(), matrix_s3xr3(), matrix_se3()})
-        if (group.name == formulation) return group;
-    throw std::out_of_range("no dense matrices for formulation " + formulation);
-}
-
 /// Inverse of MatrixGroup::matrix: the position stands in the last column of a body that has one.
 VecX stored(const MatX& g, Eigen::Index size) {
     VecX q(size);
@@ -36,6 +30,12 @@ VecX stored(const MatX& g, Eigen::Index size) {
 }
 
 }  // namespace
+
+MatrixGroup matrix_group(const std::string& formulation) {
+    for (const MatrixGroup& group : {matrix_so3(), matrix_s3(), matrix_so3xr3(), matrix_s3xr3(), matrix_se3()})
+        if (group.name == formulation) return group;
+    throw std::out_of_range("no dense matrices for formulation " + formulation);
+}
 
 DenseBodies::DenseBodies(const std::string& formulation)
     : body_(matrix_group(formulation)), size_(body_.group->size()), dim_(body_.group->dim()) {}
@@ -108,6 +108,14 @@ void RecordedRun::solve_mass(const VecX& q, MatX& rates) {
     for (Eigen::Index i = 0; i < rates.rows(); i += rows)
         rates.middleRows(i, rows) =
             MatX(blocks.middleCols(i, rows)).partialPivLu().solve(MatX(rates.middleRows(i, rows))).eval();
+}
+
+MatX RecordedRun::mass(const VecX& q) {
+    const Eigen::Index rows = system_->mass_block(), n = system_->velocities();
+    MatX blocks(rows, n), M = MatX::Zero(n, n);
+    system_->mass(q.data(), blocks.data());
+    for (Eigen::Index i = 0; i < n; i += rows) M.block(i, i, rows, rows) = blocks.middleCols(i, rows);
+    return M;
 }
 
 MatX RecordedRun::position_rows(const RecordedState& state) {

@@ -15,6 +15,18 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
+/// The group of one body. Throws std::out_of_range for an unknown formulation.
+MatrixGroup matrix_group(const std::string& formulation);
+
+/// Block by block of the dimension of the group, block(u) of each part of u.
+template <class F>
+MatX block_diagonal(const MatrixGroup& group, const VecX& u, F block) {
+    const Eigen::Index size = group.group->dim();
+    MatX all = MatX::Zero(u.size(), u.size());
+    for (Eigen::Index i = 0; i < u.size(); i += size) all.block(i, i, size, size) = block(VecX(u.segment(i, size)));
+    return all;
+}
+
 /// The configurations of a formulation, each body as a matrix.
 class DenseBodies {
   public:
@@ -53,6 +65,8 @@ class RecordedRun {
     VecX index1_rate(const RecordedState& state);
     /// v' from M v' = Q - C^T lambda with the multipliers of the state.
     VecX rate(const RecordedState& state);
+    /// M, dense.
+    MatX mass(const VecX& q);
     /// The rows of C that belong to Phi.
     MatX position_rows(const RecordedState& state);
     VecX position_defect(const RecordedState& state);
