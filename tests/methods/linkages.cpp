@@ -73,8 +73,11 @@ TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") 
                     multipliers[i] = multiplier_error(trip, t_end);
                 }
                 CHECK(errors[1] < 1e-2);
-                CHECK(std::log2(errors[0] / errors[1]) >= 1.85);
-                if (entry.description.meets_constraints()) CHECK(std::log2(multipliers[0] / multipliers[1]) >= 1.8);
+                const Order& order = entry.description.order;
+                if (errors[1] > 1e-10)  // which the solution of order 4 is known to
+                    CHECK(std::log2(errors[0] / errors[1]) >= order.configuration - 0.15);
+                if (entry.description.meets_constraints())
+                    CHECK(std::log2(multipliers[0] / multipliers[1]) >= order.multipliers - 0.2);
             });
         }
     }
@@ -176,7 +179,7 @@ TEST_CASE("a step that ends beside the pose where a linkage loses rank is right,
         for (const Real& distance : {Real(1) / 100, Real(1) / 1000, Real(1) / 10000})
             for_each_implicit([&](const Method& entry) {
                 INFO("lengths times " << length << ", " << distance << " rad beside it");
-                const bool own = entry.description.meets_constraints();
+                const bool own = !entry.description.projectable || entry.description.meets_constraints();
                 Trip trip(in_units(parallelogram(), length, 1), "SO3xR3", entry, own ? "none" : "position_velocity");
                 REQUIRE(trip.run(pi() / 2 - distance, 64) == Status::ok);
                 CHECK(spin_error(trip) < Real(1) / 5000);

@@ -7,6 +7,7 @@
 
 #include "tests/judges/families/scheme_family.hpp"
 #include "tests/judges/steps/baseline_step.hpp"
+#include "tests/judges/steps/gauss_step.hpp"
 #include "tests/judges/steps/stabilised_step.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
@@ -82,6 +83,11 @@ TEST_CASE("steps of methods with multipliers satisfy their equations", "[one_ste
     }
     CHECK(generalised_alpha_step_objection(method("generalized_alpha/index2"), {.start_at_rate = true}) != "");
     CHECK(bliedf2_step_objection(method("multistep/bliedf2"), {.sign_of_previous = -1}) != "");
+}
+
+TEST_CASE("steps of stages satisfy their equations", "[one_step]") {
+    CHECK(gauss_step_objection(method("rkmk/gauss2"), 2, true) != "");  // in coordinates around the start
+    CHECK(gauss_step_objection(method("rkmk/gauss2"), 3) != "");
 }
 
 TEST_CASE("steps are checked in every formulation, with and without constraints", "[one_step]") {

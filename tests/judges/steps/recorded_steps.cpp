@@ -62,6 +62,20 @@ VecX DenseBodies::moved(const VecX& q, const VecX& u) const {
     return next;
 }
 
+VecX DenseBodies::bracket(const VecX& u, const VecX& v) const {
+    VecX w(u.size());
+    for (Eigen::Index i = 0; i < u.size(); i += dim_)
+        w.segment(i, dim_) = dense_ad(body_, u.segment(i, dim_)) * v.segment(i, dim_);
+    return w;
+}
+
+VecX DenseBodies::pulled_back(const VecX& u, const VecX& v) const {
+    VecX w(u.size());
+    for (Eigen::Index i = 0; i < u.size(); i += dim_)
+        w.segment(i, dim_) = dense_dexpinv_left(body_, u.segment(i, dim_), v.segment(i, dim_));
+    return w;
+}
+
 RecordedRun::RecordedRun(const Method& method, const OptionValues& options, const Model& model,
                          const std::string& formulation, const Real& step, int steps)
     : bodies(formulation), h(step), system_(make_system(model, formulation)) {
@@ -86,6 +100,13 @@ VecX RecordedRun::index1_rate(const RecordedState& state) {
     require_ok(system_->accelerations(state.t, state.q.data(), state.v.data(), rate.data(), nullptr),
                "the index-1 form");
     return rate;
+}
+
+VecX RecordedRun::index1_multipliers(const RecordedState& state) {
+    VecX rate(system_->velocities()), lambda(system_->constraints());
+    require_ok(system_->accelerations(state.t, state.q.data(), state.v.data(), rate.data(), lambda.data()),
+               "the index-1 form");
+    return lambda;
 }
 
 VecX RecordedRun::rate(const RecordedState& state) {
@@ -137,6 +158,8 @@ void Violations::see(const std::string& equation, const VecX& residual) {
 Objection Violations::objection(const Real& tolerance) const {
     return largest_ < tolerance ? "" : worst_ + " is missed by " + to_text(largest_);
 }
+
+VecX solved_square(const MatX& S, const VecX& r) { return S.partialPivLu().solve(r); }
 
 VecX outside_range(const MatX& T, const VecX& r) {
     if (T.cols() == 0) return r;
