@@ -124,17 +124,18 @@ TEST_CASE("on R the BLieDF method is the backward differentiation formula", "[me
 }
 
 TEST_CASE("the first step is as accurate as any other", "[methods]") {
-    // Its error against rkmk/rk4, which is far smaller, falls with h^(p+1): an own start must not cost an order.
+    // Its error against a method of order 9, which is far smaller, falls with h^(p+1): an own start must not cost an
+    // order.
+    const Method& precise = method("rkmk/verner9");
     for (const Method& entry : methods()) {
         if (!entry.description.is_implicit()) continue;
         INFO(entry.description.name);
         double errors[2];
         for (int i = 0; i < 2; ++i) {
             LineSystem system(oscillator);
-            const Real h = Real(1) / (64 << i);
+            const Real h = Real(1) / ((entry.description.order.configuration > 4 ? 8 : 64) << i);
             const auto y = march(entry, default_options(entry.description.options), system, h, 1).back();
-            const auto exact =
-                march(method("rkmk/rk4"), default_options(method("rkmk/rk4").description.options), system, h, 1).back();
+            const auto exact = march(precise, default_options(precise.description.options), system, h, 1).back();
             errors[i] = std::hypot(to_double(y[0] - exact[0]), to_double(y[1] - exact[1]));
         }
         CHECK(std::log2(errors[0] / errors[1]) >= entry.description.order.configuration + 1 - 0.2);
@@ -163,7 +164,8 @@ TEST_CASE("methods with multipliers stay on the constraints, and report multipli
                 const Real* v = s.v(trip.y.data());
                 REQUIRE(s.accelerations(Real(20) / 1000, trip.y.data(), v, dv.data(), exact.data()) == Status::ok);
                 const Eigen::Map<const VecX> own(trip.integrator->multipliers(), exact.size());
-                CHECK((own - exact).norm() <= max(Real(1), Real(exact.norm())) / (spins_fast(named.model) ? 10 : 1000));
+                const bool coarse = spins_fast(named.model) || entry.description.order.multipliers == 1;
+                CHECK((own - exact).norm() <= max(Real(1), Real(exact.norm())) / (coarse ? 10 : 1000));
             }
     });
 }
@@ -276,8 +278,11 @@ TEST_CASE("NaN never ends as ok in an implicit step", "[methods]") {
             for (const Real& poison : {not_a_number, infinite})
                 for (const int healthy_steps : {0, 3, 9}) {
                     // A method without multipliers uses only the index-1 form.
-                    if (!entry.description.meets_constraints() && what != acceleration) continue;
-                    if (entry.description.meets_constraints() && what == acceleration && healthy_steps > 0) continue;
+                    const bool multipliers = entry.description.reports_multipliers;
+                    if (!multipliers && what != acceleration) continue;
+                    if (multipliers && what == acceleration && healthy_steps > 0) continue;
+                    // Rows on velocities alone do not enter, nor do their own.
+                    if (multipliers && !entry.description.meets_velocities && what == velocity) continue;
                     INFO(entry.description.name << ", quantity " << static_cast<int>(what) << ", step "
                                                 << healthy_steps);
                     Trip trip(standard("double_pendulum"), "SO3xR3", entry);

@@ -8,6 +8,7 @@
 #include "tests/judges/families/scheme_family.hpp"
 #include "tests/judges/steps/baseline_step.hpp"
 #include "tests/judges/steps/gauss_step.hpp"
+#include "tests/judges/steps/half_explicit_step.hpp"
 #include "tests/judges/steps/stabilised_step.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
@@ -86,6 +87,9 @@ TEST_CASE("steps of methods with multipliers satisfy their equations", "[one_ste
 }
 
 TEST_CASE("steps of stages satisfy their equations", "[one_step]") {
+    CHECK(herk3_step_objection(method("half_explicit/herk3"), {.first_solved = true}) != "");
+    CHECK(herk3_step_objection(method("half_explicit/herk3"), {.without_dexpinv = true}) != "");
+    CHECK(herk3_step_objection(method("half_explicit/herk2")) != "");
     CHECK(gauss_step_objection(method("rkmk/gauss2"), 2, true) != "");  // in coordinates around the start
     CHECK(gauss_step_objection(method("rkmk/gauss2"), 3) != "");
 }

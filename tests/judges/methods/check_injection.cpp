@@ -45,9 +45,9 @@ std::string where(const std::string& what, const Real& poison, int step) {
 }
 
 Objection system_objection(const Method& entry, const Model& model, const std::string& form, int healthy_steps) {
-    // A spoiled stage, from the first on; an implicit step may need any number of solves. Steps in quad are slow, and
+    // A spoiled stage, from the first on; steps with multipliers may need any number of solves. Steps in quad are slow, and
     // those of many stages run through five of them: all are seen in double, by the same code.
-    const int solves = entry.description.is_implicit() ? 1 : entry.description.stages;
+    const int solves = entry.description.form == Form::explicit_steps ? entry.description.stages : 1;
     const int stride = KREISEL_QUAD && solves > 5 ? (solves - 1) / 4 : 1;
     for (const Target& target : targets())
         for (const Real& poison : poisons())
