@@ -80,10 +80,17 @@ TEST_CASE("steps of methods with multipliers satisfy their equations", "[one_ste
                          negated = {.multipliers_negated = true};
     for (const StabilisedForm& wrong : {left, end, massless, bare, negated}) {
         CHECK(generalised_alpha_step_objection(method("generalized_alpha/index2"), wrong) != "");
-        CHECK(bliedf2_step_objection(method("multistep/bliedf2"), wrong) != "");
+        CHECK(bliedf_step_objection(method("multistep/bliedf2"), 2, wrong) != "");
     }
     CHECK(generalised_alpha_step_objection(method("generalized_alpha/index2"), {.start_at_rate = true}) != "");
-    CHECK(bliedf2_step_objection(method("multistep/bliedf2"), {.sign_of_previous = -1}) != "");
+    CHECK(bliedf_step_objection(method("multistep/bliedf2"), 2, {.sign_of_previous = -1}) != "");
+    CHECK(bliedf_step_objection(method("multistep/bliedf3"), 3, {.sign_of_previous = -1}) != "");
+    CHECK(bliedf_step_objection(method("multistep/bliedf3"), 3, {.sign_of_bracket = -1}) != "");
+    CHECK(bliedf_step_objection(method("multistep/bliedf2"), 3) != "");
+    const Method& index3 = method("generalized_alpha/index3");
+    for (const StabilisedForm& wrong : {left, negated, StabilisedForm{.sign_of_bracket = -1},
+                                        StabilisedForm{.start_at_rate = true}, StabilisedForm{.unperturbed = true}})
+        CHECK(position_alpha_step_objection(index3, wrong) != "");
 }
 
 TEST_CASE("steps of stages satisfy their equations", "[one_step]") {
