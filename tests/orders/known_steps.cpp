@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/judges/families/scheme_family.hpp"
+#include "tests/judges/steps/adams_bashforth_step.hpp"
 #include "tests/judges/steps/baseline_step.hpp"
 #include "tests/judges/steps/stabilised_step.hpp"
 #include "tests/judges/steps/step_checks.hpp"
@@ -82,6 +83,17 @@ TEST_CASE("steps of methods with multipliers satisfy their equations", "[one_ste
     }
     CHECK(generalised_alpha_step_objection(method("generalized_alpha/index2"), {.start_at_rate = true}) != "");
     CHECK(bliedf2_step_objection(method("multistep/bliedf2"), {.sign_of_previous = -1}) != "");
+}
+
+TEST_CASE("steps of Adams-Bashforth methods pull the slopes of earlier states back", "[one_step]") {
+    for (const int k : {2, 3, 4}) {
+        const Method& adams = method("multistep/adams_bashforth" + std::to_string(k));
+        CHECK(adams_bashforth_step_objection(adams, k) == "");
+        for (const AdamsForm& wrong :
+             {AdamsForm{.recentred = false}, AdamsForm{.sign_of_sigma = -1}, AdamsForm{.differences_left_out = 1}})
+            CHECK(adams_bashforth_step_objection(adams, k, wrong) != "");
+        CHECK(adams_bashforth_step_objection(method("rkmk/rk4"), k) != "");
+    }
 }
 
 TEST_CASE("steps are checked in every formulation, with and without constraints", "[one_step]") {

@@ -53,6 +53,13 @@ VecX DenseBodies::increment(const VecX& q, const VecX& next, Side side) const {
     return u;
 }
 
+VecX DenseBodies::pulled_back(const VecX& u, const VecX& v) const {
+    VecX rate(u.size());
+    for (Eigen::Index i = 0; i < u.size(); i += dim_)
+        rate.segment(i, dim_) = dense_dexpinv_left(body_, VecX(u.segment(i, dim_)), VecX(v.segment(i, dim_)));
+    return rate;
+}
+
 VecX DenseBodies::moved(const VecX& q, const VecX& u) const {
     VecX next = q;  // labels of torsion springs stand behind the poses
     for (Eigen::Index i = 0; (i + 1) * size_ <= q.size(); ++i) {

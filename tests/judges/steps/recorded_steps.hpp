@@ -23,6 +23,8 @@ class DenseBodies {
 
     /// u with next = q exp(u); from the left: next = exp(u) q. NaN if entries lie outside the algebra.
     VecX increment(const VecX& q, const VecX& next, Side side = Side::right) const;
+    /// The left-trivialised dexp^{-1}_{-u}(v).
+    VecX pulled_back(const VecX& u, const VecX& v) const;
     /// q exp(u), as stored.
     VecX moved(const VecX& q, const VecX& u) const;
 
