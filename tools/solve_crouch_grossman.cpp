@@ -6,7 +6,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "tests/judges/conditions/crouch_grossman_solution.hpp"
+#include "tests/judges/conditions/solved/crouch_grossman_solution.hpp"
 
 namespace {
 

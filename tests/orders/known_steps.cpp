@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "tests/judges/families/scheme_family.hpp"
-#include "tests/judges/steps/adams_bashforth_step.hpp"
 #include "tests/judges/steps/baseline_step.hpp"
+#include "tests/judges/steps/multistep/adams_bashforth_step.hpp"
 #include "tests/judges/steps/stabilised_step.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include "methods/tableaus/bound_tableau.hpp"
-#include "tests/judges/conditions/crouch_grossman_solution.hpp"
 #include "tests/judges/conditions/registered.hpp"
+#include "tests/judges/conditions/solved/crouch_grossman_solution.hpp"
 
 using namespace kreisel;
 using namespace kreisel::orders;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/judges/conditions/published_crouch_grossman.hpp"
+#include "tests/judges/conditions/solved/published_crouch_grossman.hpp"
 
 namespace kreisel::orders {
 

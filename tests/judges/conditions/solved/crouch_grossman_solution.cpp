@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/judges/conditions/crouch_grossman_solution.hpp"
+#include "tests/judges/conditions/solved/crouch_grossman_solution.hpp"
 
 #include <Eigen/QR>
 #include <stdexcept>

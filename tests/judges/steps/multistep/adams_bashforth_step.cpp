@@ -3,7 +3,7 @@
 // Adams-Bashforth methods on a group [faltinsen2001], written in backward differences of the slopes in the chart around
 // the newest state: with gamma = 1, 1/2, 5/12, 3/8 [hairer1993, Sec. III.1],
 //   log(q^{-1} q+) = h sum_m gamma_m nabla^m k~,   v+ - v = h sum_m gamma_m nabla^m v'.
-#include "tests/judges/steps/adams_bashforth_step.hpp"
+#include "tests/judges/steps/multistep/adams_bashforth_step.hpp"
 
 #include "tests/judges/steps/step_checks.hpp"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "tests/judges/conditions/crouch_grossman_system.hpp"
-#include "tests/judges/conditions/published_crouch_grossman.hpp"
+#include "tests/judges/conditions/solved/published_crouch_grossman.hpp"
 
 namespace kreisel::orders {
 
