@@ -115,7 +115,8 @@ TEST_CASE("Crouch-Grossman steps have the order that their conditions predict", 
 
 TEST_CASE("Munthe-Kaas steps have the order of their tableau", "[local_order]") {
     for (const Method* method : registered<MuntheKaasScheme>())
-        for (const auto& options : {with("exp", "exact"), with("exp", "seed"), with("cayley", "exact")})
+        for (const auto& options :
+             {with("exp", "exact"), with("exp", "seed"), with("cayley", "exact"), with("second_kind", "exact")})
             check_order(*method, options, method->description.order.configuration);
 }
 
