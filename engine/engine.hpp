@@ -153,7 +153,8 @@ struct Outcome {
     std::optional<ReportedState> final;
     ConstraintSummary constraints;
     std::vector<std::pair<std::string, Number>> metrics;
-    std::optional<LostIntegral> lost;  ///< the one violated most, at the end
+    std::map<std::string, std::string> unmeasured;  ///< metrics structure.* that are not defined, and why
+    std::optional<LostIntegral> lost;               ///< the one violated most, at the end
     Cost cost;
 };
 

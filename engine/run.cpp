@@ -6,6 +6,7 @@
 #include "engine/observers/timing.hpp"
 #include "engine/pace.hpp"
 #include "engine/sampler.hpp"
+#include "engine/structure_probe.hpp"
 #include "methods/contract/method.hpp"
 #include "problems/problem.hpp"
 #include "support/number_text.hpp"
@@ -78,6 +79,7 @@ class Run {
     StepMetrics step_metrics_;
     IntegralMetrics integral_metrics_;
     std::optional<JointForces> joint_forces_;
+    std::optional<StructureProbe> structure_;
     std::optional<Conservation> conservation_;
     std::optional<Sampler> sampler_;
     Outcome outcome_;
@@ -98,6 +100,7 @@ Run::Run(const Cell& cell, SampleSink* sink)
     observation_.move_to(simulation_.time(), simulation_.state().data());
     if (!cell.timed || cell.samples > 0) joint_forces_.emplace(simulation_.system(), simulation_.model());
     if (!cell.timed) conservation_.emplace(observation_);
+    if (!cell.timed && StructureProbe::is_wanted(cell)) structure_.emplace(cell, setup_of(cell));
     if (cell.samples > 0)
         sampler_.emplace(cell, simulation_,
                          Sampled{simulation_.model(), *joint_forces_, step_metrics_, integral_metrics_},
@@ -115,6 +118,7 @@ Outcome Run::execute(const Reference* reference, const std::stop_token& stop) {
 
 void Run::measure(const std::stop_token& stop) {
     observe();
+    if (structure_) structure_->observe(simulation_.time(), start_);
     if (sampler_) sampler_->begin(observation_);
     advance(observes(), stop);
     count_work();
@@ -207,10 +211,12 @@ void Run::finish(const Reference* reference) {
     outcome_.cost.output_evaluations = observation_.evaluations();
     if (joint_forces_) outcome_.cost.output_evaluations += joint_forces_->evaluations();
     if (sampler_) outcome_.cost.output_evaluations += sampler_->evaluations();
+    if (structure_) outcome_.cost.output_evaluations += structure_->evaluations();
     // A run that failed in its first step has measured only its start.
     if (!finished && outcome_.steps_done == 0) return;
     step_metrics_.report(finished, outcome_.metrics);
     integral_metrics_.report(finished, outcome_.metrics);
+    if (structure_) structure_->report(outcome_);
 }
 
 void Run::report_end(const Real& t, const Reference* reference) {
@@ -222,6 +228,7 @@ void Run::report_end(const Real& t, const Reference* reference) {
     } else if (found) {
         multipliers = joint_forces_->multipliers();
     }
+    if (structure_) structure_->observe(t, simulation_.state());
     const std::vector<BodyState>& states = observation_.bodies();
     outcome_.final = to_report(t, states, simulation_.model(), multipliers, observation_.springs());
     if (found) joint_forces_->report(*outcome_.final);

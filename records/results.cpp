@@ -191,6 +191,7 @@ ResultRow result_row(const CellRecord& record) {
     for (const auto& [name, count] : outcome.counts) { row.cost[name] = count.value; }
     if (outcome.final) { row.scale = scales(*outcome.final); }
     if (identity.order) { row.declared_order = declared_orders(*identity.order); }
+    row.unmeasured = outcome.unmeasured;
     if (outcome.lost) { row.lost_integral = outcome.lost->name, row.lost_share = outcome.lost->share; }
     if (!outcome.reference) { return row; }
     row.reference_error = outcome.reference->error;

@@ -13,6 +13,7 @@ std::vector<std::string> metric_names(const std::vector<std::string>& integrals)
     for (const MetricDescription& metric : metric_catalogue()) {
         names.emplace_back(metric.name);
         if (is_defect(metric)) { names.push_back(names.back() + ".final"); }
+        if (is_structure(metric)) { names.push_back(names.back() + ".uncertainty"); }
     }
     for (const std::string& integral : integrals) {
         for (const IntegralSuffix& suffix : integral_suffixes) {

@@ -58,7 +58,7 @@ std::vector<std::string> known_metrics(const Plan& plan) {
 void check_metrics(const Document& document, const std::vector<std::string>& names, Diagnostics& sink, Plan& plan) {
     if (!plan.config.metrics_given) { return; }
     std::vector<std::string> suggestions = names;
-    suggestions.insert(suggestions.end(), {"error.*", "defect.*", "invariant.*"});
+    suggestions.insert(suggestions.end(), {"error.*", "defect.*", "structure.*", "invariant.*"});
     for (std::size_t i = 0; i < plan.config.metrics.size(); ++i) {
         const std::string& pattern = plan.config.metrics[i];
         const bool plain = pattern.find('*') == std::string::npos;

@@ -23,8 +23,9 @@ enum class MetricRows { any, lengths, directions };
 enum class MetricScale { own, one, position, velocity, omega, force, torque, acceleration, angular_acceleration };
 
 /// `error`: distance from the reference at the end. `defect`: deviation from the constraints or the group, the largest
-/// over all steps; NAME.final is the one at the end.
-enum class MetricKind { error, defect };
+/// over all steps; NAME.final is the one at the end. `structure`: of single steps of one size, the largest at the start
+/// and at the end of a run, where it is above ten times its uncertainty, NAME.uncertainty.
+enum class MetricKind { error, defect, structure };
 
 struct MetricDescription {
     std::string name, unit;

@@ -27,7 +27,7 @@ void report_errors(const Reference& reference, double t_end, const std::vector<B
     if (!multipliers.empty() && multipliers.size() == exact_multipliers.size())
         comparison.apart.multipliers = multiplier_distance(rows, multipliers, exact_multipliers);
     for (const Metric& metric : metrics()) {
-        if (metric.of_step || !occurs(metric.description.rows, rows)) continue;
+        if (metric.description.kind != MetricKind::error || !occurs(metric.description.rows, rows)) continue;
         const std::string& name = metric.description.name;
         const Real error =
             metric.of_separation ? metric.of_separation(comparison.apart) : metric.of_comparison(comparison);

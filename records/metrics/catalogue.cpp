@@ -12,7 +12,7 @@ const std::vector<MetricDescription>& metric_catalogue() {
 
 const MetricDescription* find_metric(const std::string& name) {
     std::string_view base = name;
-    for (const std::string_view suffix : {".final", ".max"}) {
+    for (const std::string_view suffix : {".final", ".max", ".uncertainty"}) {
         if (base.ends_with(suffix)) { base.remove_suffix(suffix.size()); }
     }
     for (const MetricDescription& metric : metric_catalogue()) {

@@ -18,7 +18,10 @@ inline bool is_defect(const MetricDescription& metric) { return metric.kind == M
 /// A distance from the reference at the end.
 inline bool is_error(const MetricDescription& metric) { return metric.kind == MetricKind::error; }
 
-/// The entry of a name, with or without ".final" or ".max"; null where there is none.
+/// What single steps do to the geometry of the motion; "NAME.uncertainty" is what it is certain to.
+inline bool is_structure(const MetricDescription& metric) { return metric.kind == MetricKind::structure; }
+
+/// The entry of a name, with or without ".final", ".max" or ".uncertainty"; null where there is none.
 const MetricDescription* find_metric(const std::string& name);
 
 /// One error of a level, for what holds for all of them.

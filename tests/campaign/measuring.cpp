@@ -49,7 +49,9 @@ TEST_CASE("metrics are listed by kind, place and name, and are the same in both 
         const MetricDescription& metric = metrics[i];
         INFO(metric.name);
         CHECK(metric.name == of_quad[i].name);
-        CHECK(metric.name.starts_with(metric.kind == MetricKind::error ? "error." : "defect."));
+        const std::map<MetricKind, std::string> prefixes = {
+            {MetricKind::error, "error."}, {MetricKind::defect, "defect."}, {MetricKind::structure, "structure."}};
+        CHECK(metric.name.starts_with(prefixes.at(metric.kind)));
         CHECK_FALSE((metric.unit.empty() || metric.symbol.empty() || metric.summary.empty()));
         const auto order = [](const MetricDescription& one) { return std::tuple(one.kind, one.place, one.name); };
         if (i > 0) { CHECK(order(metrics[i - 1]) < order(metric)); }

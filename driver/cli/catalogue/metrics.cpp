@@ -49,6 +49,9 @@ std::vector<NamedText> metric_rows() {
         rows.emplace_back(metric.name, fmt::format("{} [{}]", metric.summary, metric.unit));
     }
     rows.emplace_back("defect.<name>.final", "the defect at the end");
+    rows.emplace_back(
+        "structure.<name>.uncertainty",
+        "what differences and round-off leave; what is below ten times that counts as zero, and is absent");
     for (const IntegralSuffix& suffix : integral_suffixes) {
         rows.emplace_back(std::string("invariant.<integral>") + suffix.name,
                           fmt::format("{} [{}]", suffix.summary, suffix.unit));
@@ -67,9 +70,11 @@ std::vector<std::string> integral_names(const Engine& engine) {
 bool describe_metric(const Engine& engine, const std::string& name, std::ostream& out) {
     const MetricDescription* metric = find_metric(name);
     if (metric == nullptr) { return describe_invariant(engine, name, out); }
-    const bool final = name != metric->name;
-    if (final && !(is_defect(*metric) && name.ends_with(".final"))) { return false; }
-    fmt::print(out, "{}: {}{} [{}]\n", name, final ? "the same at the end: " : "", metric->summary, metric->unit);
+    const char* part = "";
+    if (is_defect(*metric) && name.ends_with(".final")) { part = "the same at the end: "; }
+    if (is_structure(*metric) && name.ends_with(".uncertainty")) { part = "to how much this is certain: "; }
+    if (name != metric->name && *part == 0) { return false; }
+    fmt::print(out, "{}: {}{} [{}]\n", name, part, metric->summary, metric->unit);
     return true;
 }
 
