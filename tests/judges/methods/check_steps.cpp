@@ -2,6 +2,7 @@
 //
 // Judgements of steps against each other: counted, repeated, and reversed.
 #include "tests/judges/methods/checks.hpp"
+#include "tests/judges/methods/domains.hpp"
 #include "tests/judges/methods/runs.hpp"
 #include "tests/judges/methods/switched_system.hpp"
 
@@ -67,8 +68,10 @@ Real return_defect(const Model& model, const std::string& formulation, const Met
 }  // namespace
 
 Objection reversal_objection(const Method& entry) {
-    if (!entry.description.claims(Property::symmetric)) return "";
+    const std::optional<Domain> claimed = claimed_domain(entry.description, Property::symmetric);
+    if (!claimed) return "";
     return first_objection(entry, [&](const models::Named& named, const std::string& formulation) -> Objection {
+        if (domain_of(named.model, *make_system(named.model, formulation)) > *claimed) return "";
         const Real defect = return_defect(named.model, formulation, entry);
         return defect <= 10000 * epsilon ? "" : "returns by " + to_text(defect) + " beside its start";
     });
