@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
+
 #include "driver/cli/catalogue/configs.hpp"
 #include "driver/cli/catalogue/kinds.hpp"
 #include "driver/cli/catalogue/methods.hpp"
@@ -36,6 +38,22 @@ void list_topic(const Engine& engine, const std::string& topic, std::ostream& ou
     if (wanted("metrics")) { print_rows(out, "Metrics", metric_rows()); }
     list_kinds(topic, out);
     if (wanted("configs")) { list_configs(out); }
+}
+
+void list_methods(const Engine& engine, const MethodFilter& filter, std::ostream& out) {
+    std::vector<std::string> families;
+    std::vector<MethodDescription> fitting;
+    for (MethodDescription& method : engine.methods()) {
+        families.push_back(method.name.substr(0, method.name.find('/')));
+        if (filter.fits(method)) { fitting.push_back(std::move(method)); }
+    }
+    if (!filter.family.empty() && std::find(families.begin(), families.end(), filter.family) == families.end()) {
+        const std::string nearest = nearest_name(filter.family, families);
+        throw UsageError(fmt::format("expected a family of methods (see kreisel list methods), got {}{}",
+                                     in_quotes(filter.family),
+                                     nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?"));
+    }
+    print_rows(out, "Methods", method_rows(fitting));
 }
 
 void describe(const Engine& engine, const std::string& name, std::ostream& out) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/cli/catalogue/methods.hpp"
 #include "driver/config/catalogue.hpp"
 
 namespace kreisel {
@@ -16,6 +17,8 @@ const std::vector<std::string>& catalogue_topics();
 
 /// Prints one topic, or all if `topic` is empty.
 void list_topic(const Engine& engine, const std::string& topic, std::ostream& out);
+/// Prints the methods that fit. Throws UsageError, with the nearest name, for a family that there is not.
+void list_methods(const Engine& engine, const MethodFilter& filter, std::ostream& out);
 
 /// Prints all about one name. Throws UsageError, with the nearest name, if there is none.
 void describe(const Engine& engine, const std::string& name, std::ostream& out);

@@ -90,15 +90,33 @@ CLI::App* CommandLine::command(const std::string& name, const std::string& text,
     return sub;
 }
 
-void CommandLine::add_catalogue() {
+void CommandLine::add_list() {
+    MethodFilter& filter = arguments_.filter;
     CLI::App* list = command(
         "list", "What there is: problems, methods, projections, formulations, metrics, kinds, figures, tables, configs",
-        [this] {
-            list_topic(engines_.binary64, arguments_.topic, terminal_.out);
+        [this, &filter] {
+            if (filter.empty()) {
+                list_topic(engines_.binary64, arguments_.topic, terminal_.out);
+            } else if (arguments_.topic == "methods") {
+                list_methods(engines_.binary64, filter, terminal_.out);
+            } else {
+                throw UsageError("--family and properties select methods: kreisel list methods ...");
+            }
             return Exit::ok;
         });
     list->add_option("topic", arguments_.topic, "One of them; all if left out")
         ->check(CLI::IsMember(catalogue_topics()));
+    list->add_option("--family", filter.family, "Of methods: those of a family, such as rkmk");
+    for (const Property property :
+         {Property::symplectic, Property::symmetric, Property::momentum, Property::energy, Property::constraints}) {
+        list->add_flag_callback(
+            std::string("--") + name(property), [&filter, property] { filter.preserves.push_back(property); },
+            "Of methods: those that declare it on some class of systems");
+    }
+}
+
+void CommandLine::add_catalogue() {
+    add_list();
     CLI::App* info = command(
         "info", "All about one problem, method, projection, formulation, metric, kind, figure or table", [this] {
             describe(engines_.binary64, arguments_.name, terminal_.out);

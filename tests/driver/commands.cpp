@@ -178,6 +178,20 @@ TEST_CASE("each topic is listed for itself") {
     }
 }
 
+TEST_CASE("methods are listed by family and by the properties that they declare") {
+    const auto symmetric = run_program({"list", "methods", "--symmetric"});
+    CHECK(symmetric.code == 0);
+    CHECK(tells(symmetric.out, "rkmk/midpoint"));
+    CHECK(tells(symmetric.out, "symmetric (potential systems)"));
+    CHECK_FALSE(tells(symmetric.out, "rkmk/rk4"));
+    CHECK(tells(run_program({"list", "methods", "--family", "rkmk"}).out, "rkmk/rk4"));
+    CHECK_FALSE(tells(run_program({"list", "methods", "--symmetric", "--symplectic"}).out, "rkmk/"));
+    const auto unknown = run_program({"list", "methods", "--family", "rkmc"});
+    CHECK(unknown.code == 2);
+    CHECK(tells(unknown.messages, "did you mean \"rkmk\"?"));
+    CHECK(run_program({"list", "problems", "--symplectic"}).code == 2);
+}
+
 TEST_CASE("info tells the unit of a first integral's metric and which problem has it") {
     const auto result = run_program({"info", "invariant.energy.slope"});
     CHECK(result.code == 0);

@@ -114,6 +114,7 @@ std::vector<MethodDescription> FakeEngine::methods() const {
     MethodDescription rk4{"rkmk/rk4", 4, {"kutta1901"}, "classical", 4};
     rk4.options = lift_options();
     MethodDescription midpoint{"rkmk/midpoint", 2, {}, "explicit midpoint", 2};
+    midpoint.preserves = {{Property::symmetric, Domain::potential}};  // it is not, but some method of a test must be
     midpoint.options = lift_options();
     MethodDescription quaternion{"baseline/rk4_quaternion", 4, {}, "quaternions", 4};
     quaternion.options = {{"renormalise", "after each step", true}};

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
+
 #include "driver/config/options.hpp"
 #include "records/json/writer.hpp"
 
@@ -66,11 +68,17 @@ std::string constraints_text(const MethodDescription& method) {
 
 }  // namespace
 
+bool MethodFilter::fits(const MethodDescription& method) const {
+    return (family.empty() || method.name.starts_with(family + "/")) &&
+           std::all_of(preserves.begin(), preserves.end(), [&](Property one) { return method.claims(one); });
+}
+
 std::vector<NamedText> method_rows(const std::vector<MethodDescription>& methods) {
     std::vector<NamedText> rows;
     rows.reserve(methods.size());
     for (const MethodDescription& method : methods) {
-        rows.emplace_back(method.name, fmt::format("{}; {}", order_text(method.order), method.summary));
+        rows.emplace_back(method.name,
+                          fmt::format("{}; {}{}", order_text(method.order), method.summary, claims_text(method)));
     }
     return rows;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 #include "driver/cli/catalogue/rows.hpp"
@@ -11,7 +12,15 @@
 
 namespace kreisel {
 
-/// Name, order and summary of each.
+/// Which methods are listed: of a family, and of those that declare all of these properties on some class of systems.
+struct MethodFilter {
+    std::string family;  ///< empty: all
+    std::vector<Property> preserves;
+    bool empty() const { return family.empty() && preserves.empty(); }
+    bool fits(const MethodDescription& method) const;
+};
+
+/// Name, order and summary of each, with the properties it declares.
 std::vector<NamedText> method_rows(const std::vector<MethodDescription>& methods);
 
 void describe_method(const MethodDescription& method, std::ostream& out);
