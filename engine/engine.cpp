@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/engine.hpp"
 
+#include "engine/linearised/linearise.hpp"
 #include "engine/metrics/metric.hpp"
 #include "engine/reference/reference.hpp"
 #include "engine/reference/taylor/taylor_route.hpp"
 #include "engine/report/report.hpp"
 #include "engine/run.hpp"
+#include "engine/scheme_rows.hpp"
 #include "engine/skip.hpp"
 #include "mechanics/formulation.hpp"
 #include "mechanics/joints/joint_rows.hpp"
@@ -65,6 +67,9 @@ class RealEngine final : public Engine {
         const Method& entry = method(name);
         return entry.factory.order(options, entry.description.order);
     }
+    std::vector<SchemeRow> scheme(const std::string& name) const override {
+        return scheme_rows(method(name).factory.scheme);
+    }
     std::string skip_reason(const Cell& cell) const override { return why_skipped(cell); }
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,
                 SampleSink* samples) const override {
@@ -116,6 +121,15 @@ class RealEngine final : public Engine {
         if (exact.size() == rows.size() && lambda.size() == rows.size())
             apart.multipliers = multiplier_distance(rows, lambda, exact);
         return {.difference = errors_of(apart, rows), .failure = ""};
+    }
+
+    Linearisation linearise(const std::string& name, const ParameterValues& values,
+                            const std::string& formulation_name) const override {
+        const Model model = problem(name).build(Parameters(values));
+        check_start(model);
+        Linearisation none;
+        none.skip_reason = formulation(formulation_name).why_not(model);
+        return none.skip_reason.empty() ? linearised(model, formulation_name) : none;
     }
 
     std::string reference_digest() const override { return KREISEL_REFERENCE_DIGEST; }

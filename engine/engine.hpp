@@ -166,6 +166,39 @@ struct SystemSummary {
     std::vector<std::string> warnings;
 };
 
+/// An eigenvalue of a linearised motion (1/s).
+struct Eigenvalue {
+    Number real, imaginary;
+    int multiplicity = 1;
+};
+
+/// A part of a steady motion: "rotation about (0, 0, 1) through (0, 0, 0)", its rate in rad/s or m/s.
+struct MotionPart {
+    std::string name;
+    Number rate;
+    std::string unit;
+};
+
+/// Motion near the start of a problem, an equilibrium or a steady motion, on the constraint manifold
+/// (engine/linearised/linearise.hpp).
+struct Linearisation {
+    std::string skip_reason;              ///< not empty: the formulation does not apply, and why
+    std::string refusal;                  ///< not empty: there is no linearisation, and why
+    std::vector<MotionPart> motion = {};  ///< none at an equilibrium
+    Number rate;                          ///< of the motion, or of small ones about an equilibrium (1/s)
+    Number residual;    ///< by which the start misses the steady motion (1/s), each unknown in units of the mechanism
+    int dimension = 0;  ///< of the constraint manifold in TG
+    std::vector<Eigenvalue> eigenvalues = {};    ///< by falling real part; zeros are those of no symmetry
+    std::vector<Eigenvalue> of_symmetries = {};  ///< along the orbit of the symmetries, mostly zeros
+    double uncertainty = 0;                      ///< difference of two step sizes of the derivatives (1/s)
+};
+
+/// Coefficients of a method: of a stage "a_3", of the step "b", or of a factor of exponentials.
+struct SchemeRow {
+    std::string label;
+    std::vector<std::string> coefficients;  ///< rationals, or decimals
+};
+
 /// All numerical code of one precision. Thread-safe: every call builds its own objects.
 class Engine {
   public:
@@ -182,6 +215,8 @@ class Engine {
                                   const std::string& formulation) const = 0;
     /// The order a method declares under these options.
     virtual Order declared_order(const std::string& method, const OptionValues&) const = 0;
+    /// The coefficients of a method; none where its family has no such data.
+    virtual std::vector<SchemeRow> scheme(const std::string& method) const = 0;
     /// Why this cell cannot run; empty if it can. Throws ParameterError, OptionError.
     virtual std::string skip_reason(const Cell&) const = 0;
     /// Runs one cell. `reference` may be null: then no error.* is measured. `samples` may be null too: samples are then
@@ -195,6 +230,9 @@ class Engine {
                                 const std::stop_token&) const = 0;
     /// Compares a reference with a computation of its state by the second route.
     virtual ReferenceCheck check_reference(const std::string& name, const ParameterValues&, const Reference&) const = 0;
+    /// Linearises the motion at the start of a problem. Throws ParameterError.
+    virtual Linearisation linearise(const std::string& problem, const ParameterValues&,
+                                    const std::string& formulation) const = 0;
     /// Identifies all code that affects a reference; methods are not part of it.
     virtual std::string reference_digest() const = 0;
 };

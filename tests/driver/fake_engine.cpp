@@ -238,4 +238,19 @@ ReferenceCheck FakeEngine::check_reference(const std::string&, const ParameterVa
     return {{{"error.position", number(std::abs(x - reference.state.bodies[0].x[0].value))}}, ""};
 }
 
+Linearisation FakeEngine::linearise(const std::string& problem, const ParameterValues& parameters,
+                                    const std::string& formulation) const {
+    Linearisation result;
+    result.skip_reason = summary(problem, parameters, formulation).skip_reason;
+    if (mass_of(parameters) > 1000) { result.refusal = "it is neither an equilibrium nor a steady motion"; }
+    result.motion = {{"spin of top about (0, 0, 1)", number(2), "rad/s"}};
+    result.rate = number(2);
+    result.residual = number(1e-30);
+    result.dimension = 6;
+    result.eigenvalues = {{number(0), number(1), 2}, {number(1e-31), number(-1), 2}};
+    result.of_symmetries = {{number(0), number(0), 2}};
+    result.uncertainty = 1e-25;
+    return result;
+}
+
 }  // namespace kreisel

@@ -25,6 +25,8 @@ class FakeEngine final : public Engine {
     SystemSummary summary(const std::string& problem, const ParameterValues&,
                           const std::string& formulation) const override;
     Order declared_order(const std::string& method, const OptionValues&) const override;
+    /// Two rows of any method.
+    std::vector<SchemeRow> scheme(const std::string&) const override { return {{"a_2", {"1/2"}}, {"b", {"0", "1"}}}; }
     std::string skip_reason(const Cell&) const override;
     using Engine::run;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;
@@ -32,6 +34,9 @@ class FakeEngine final : public Engine {
     Reference reference(const std::string& problem, const ParameterValues&, double t_end,
                         const std::stop_token&) const override;
     ReferenceCheck check_reference(const std::string& problem, const ParameterValues&, const Reference&) const override;
+    /// An oscillator of frequency 1 on the first formulation, of multiplicity 2; refused where the mass is above 1000.
+    Linearisation linearise(const std::string& problem, const ParameterValues&,
+                            const std::string& formulation) const override;
     std::string reference_digest() const override { return digest; }
 
     mutable std::atomic<int> runs = 0, references = 0;

@@ -21,6 +21,7 @@ class OtherEngine : public Engine {
     Order declared_order(const std::string& method, const OptionValues& options) const override {
         return fake_.declared_order(method, options);
     }
+    std::vector<SchemeRow> scheme(const std::string& method) const override { return fake_.scheme(method); }
     std::string skip_reason(const Cell& cell) const override { return fake_.skip_reason(cell); }
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,
                 SampleSink* samples) const override {
@@ -33,6 +34,10 @@ class OtherEngine : public Engine {
     ReferenceCheck check_reference(const std::string& problem, const ParameterValues& values,
                                    const Reference& reference) const override {
         return fake_.check_reference(problem, values, reference);
+    }
+    Linearisation linearise(const std::string& problem, const ParameterValues& values,
+                            const std::string& formulation) const override {
+        return fake_.linearise(problem, values, formulation);
     }
     std::string reference_digest() const override { return fake_.reference_digest(); }
 
