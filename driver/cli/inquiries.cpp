@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Commands that ask about methods and configs without running an experiment of the user.
+#include "driver/cli/cite/cite.hpp"
+#include "driver/cli/command_line.hpp"
+
+namespace kreisel {
+
+namespace {
+
+constexpr const char* one_config = "A JSON file, or the name of a config that comes with kreisel";
+
+}  // namespace
+
+void CommandLine::add_filter(CLI::App& list) {
+    list.add_option("--family", arguments_.filter.family, "Only the methods of this family, the name before the slash");
+    for (const MethodTrait& trait : method_traits()) {
+        list.add_flag_callback(
+            "--" + trait.name, [this, name = trait.name] { arguments_.filter.traits.push_back(name); }, trait.summary);
+    }
+}
+
+void CommandLine::add_inquiries() {
+    CLI::App* cite = command("cite", "BibTeX of the sources of the methods, projections and problems of a config",
+                             [this] { return cite_command(arguments_.configs.front(), engines_, terminal_); });
+    cite->add_option("config", arguments_.configs, one_config)->required()->expected(1);
+}
+
+}  // namespace kreisel
