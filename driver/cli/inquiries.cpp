@@ -3,6 +3,7 @@
 // Commands that ask about methods and configs without running an experiment of the user.
 #include "driver/cli/cite/cite.hpp"
 #include "driver/cli/command_line.hpp"
+#include "driver/cli/linearise/linearise.hpp"
 
 namespace kreisel {
 
@@ -24,6 +25,11 @@ void CommandLine::add_inquiries() {
     CLI::App* cite = command("cite", "BibTeX of the sources of the methods, projections and problems of a config",
                              [this] { return cite_command(arguments_.configs.front(), engines_, terminal_); });
     cite->add_option("config", arguments_.configs, one_config)->required()->expected(1);
+    CLI::App* linearise = command(
+        "linearise", "Eigenvalues of the motion near the start of each problem, an equilibrium or a steady motion",
+        [this] { return linearise_command(arguments_.configs.front(), arguments_.output, engines_, terminal_); });
+    linearise->add_option("config", arguments_.configs, one_config)->required()->expected(1);
+    linearise->add_option("-o,--output", arguments_.output, "Folder for the table as Markdown, CSV and LaTeX");
 }
 
 }  // namespace kreisel
