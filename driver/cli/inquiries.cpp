@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Commands that ask about methods and configs without running an experiment of the user.
+#include "driver/cli/certify/certify.hpp"
 #include "driver/cli/cite/cite.hpp"
 #include "driver/cli/command_line.hpp"
 #include "driver/cli/linearise/linearise.hpp"
@@ -30,6 +31,11 @@ void CommandLine::add_inquiries() {
         [this] { return linearise_command(arguments_.configs.front(), arguments_.output, engines_, terminal_); });
     linearise->add_option("config", arguments_.configs, one_config)->required()->expected(1);
     linearise->add_option("-o,--output", arguments_.output, "Folder for the table as Markdown, CSV and LaTeX");
+    CLI::App* certify =
+        command("certify", "The data sheet of a method: what it declares, and what is observed",
+                [this] { return certify_command(arguments_.name, arguments_.output, engines_, terminal_); });
+    certify->add_option("method", arguments_.name, "Its name, as kreisel list methods shows it")->required();
+    certify->add_option("-o,--output", arguments_.output, "Folder for the sheet as text, Markdown and LaTeX");
 }
 
 }  // namespace kreisel
