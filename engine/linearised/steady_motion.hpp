@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The equations of motion seen from a frame that moves along with a steady motion y(t) = exp(t a) y_0 exp(t b)
-// (relative equilibrium [marsden1992, Sec. 4.3]): a is a symmetry of space, b are spins of bodies about their axes of
+// (relative equilibrium [marsden1992]): a is a symmetry of space, b are spins of bodies about their axes of
 // symmetry. y_0 is at rest there.
 #pragma once
 

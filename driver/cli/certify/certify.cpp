@@ -25,14 +25,8 @@ constexpr std::size_t digits_shown = 14;
 const std::vector<std::string> once = {"problem",   "formulation", "method", "projection",
                                        "precision", "steps",       "h [s]",  "status"};
 
-// The shipped config of a trial, and what the sheet shows of its results.
-struct SheetPart {
-    const char* config;
-    std::vector<std::string> tables;
-};
-const std::vector<SheetPart> sheet_parts = {{"certified_orders", {"certification", "proportionality", "orders"}},
-                                            {"certified_conservation", {"invariants", "drift"}},
-                                            {"certified_cost", {"cost", "work_precision"}}};
+// The shipped configs of the trials, in the order of the sheet.
+constexpr const char* trials[] = {"certified_orders", "certified_conservation", "certified_cost"};
 
 MethodDescription method_called(const std::string& name, const Engine& engine) {
     const auto methods = engine.methods();
@@ -57,13 +51,12 @@ TextTable coefficients_of(const std::vector<SchemeRow>& scheme) {
     return table;
 }
 
-// Tables by name, those that do not apply or are empty left out.
-void add_tables(const std::vector<std::string>& names, const Results& results, const std::filesystem::path& folder,
-                DataSheet& sheet) {
-    for (const std::string& name : names) {
-        const ResultTable* table = find_named(result_tables(), name);
-        if (table == nullptr || !table->applies(results)) { continue; }
-        for (const TablePair& pair : table->make(results, folder)) {
+// What `kreisel table` would print of the results, and orders at a glance.
+void add_tables(const Results& results, const std::filesystem::path& folder, DataSheet& sheet) {
+    for (const ResultTable& table : result_tables()) {
+        const bool shown = table.is_printed(results) || table.name == "certification";
+        if (!shown || !table.applies(results)) { continue; }
+        for (const TablePair& pair : table.make(results, folder)) {
             if (!pair.brief.rows.empty()) { sheet.tables.push_back(without_constant_columns(pair.brief, once)); }
         }
     }
@@ -111,10 +104,10 @@ Exit certify_command(const std::string& name, const std::filesystem::path& outpu
     const TemporaryFolder folder;
     std::vector<std::string> complaints;
     try {
-        for (const SheetPart& part : sheet_parts) {
-            const Results results = run_trial(part.config, method, folder.path(), engines, terminal.messages);
+        for (const char* trial : trials) {
+            const Results results = run_trial(trial, method, folder.path(), engines, terminal.messages);
             const std::size_t before = sheet.tables.size();
-            add_tables(part.tables, results, folder.path() / part.config, sheet);
+            add_tables(results, folder.path() / trial, sheet);
             for (std::string& one : complaints_about(results, sheet, before)) { complaints.push_back(std::move(one)); }
         }
     } catch (const TrialInterrupted&) { return Exit::interrupted; }

@@ -41,7 +41,7 @@ class EigenvalueTables {
     EigenvalueTables() {
         brief.columns = {"problem", "formulation", "directions", "real [1/s]", "imaginary [1/s]", "multiplicity"};
         full.columns = brief.columns;
-        full.columns.insert(full.columns.end(), {"uncertainty [1/s]", "residual [1/s]", "rate [1/s]", "motion"});
+        full.columns.insert(full.columns.end(), {"uncertainty [1/s]", "residual [1/s]", "rate [1/s]", "moves as"});
         brief.notes = {
             "Eigenvalues of the motion relative to the equilibrium or steady motion. Those along the orbit of the "
             "symmetries are apart; the others are of the motion up to symmetries, zeros among them of neighbouring "
