@@ -5,6 +5,7 @@
 #include "driver/cli/cite/cite.hpp"
 #include "driver/cli/command_line.hpp"
 #include "driver/cli/linearise/linearise.hpp"
+#include "driver/cli/published/published.hpp"
 
 namespace kreisel {
 
@@ -36,6 +37,9 @@ void CommandLine::add_inquiries() {
                 [this] { return certify_command(arguments_.name, arguments_.output, engines_, terminal_); });
     certify->add_option("method", arguments_.name, "Its name, as kreisel list methods shows it")->required();
     certify->add_option("-o,--output", arguments_.output, "Folder for the sheet as text, Markdown and LaTeX");
+    CLI::App* published = command("published", "Published numbers beside ours, and the digits that agree",
+                                  [this] { return published_command(arguments_.output, engines_, terminal_); });
+    published->add_option("-o,--output", arguments_.output, "Folder for the table as Markdown, CSV and LaTeX");
 }
 
 }  // namespace kreisel
