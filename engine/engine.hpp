@@ -55,6 +55,12 @@ struct ReportedState {
     std::vector<long> turns = {};
 };
 
+/// A reference solution at a time on the way, with its own uncertainty by metric error.*.
+struct ReferenceSample {
+    ReportedState state;
+    std::map<std::string, Number> error;
+};
+
 /// A reference solution at one time, its uncertainty (the larger of the differences between two step sizes and between
 /// two routes, in the unit of each `error.*` metric) and the horizon T* up to which all of them agree. Past it the
 /// uncertainty may be of any size, and an error is measured only where it is above 100 times that.
@@ -65,12 +71,16 @@ struct Reference {
     double horizon = 0;        ///< s
     std::string route;         ///< how it was computed, for the manifest
     bool interrupted = false;  ///< it was asked to stop; all else is empty
+    /// At t_end k / K, k = 1 ... K, if it was asked for K samples. `error` then has also the largest uncertainty of all
+    /// samples, error.*.max, where each has one: no maximum over the samples is less certain.
+    std::vector<ReferenceSample> samples = {};
 };
 
 /// The result of checking a reference.
 struct ReferenceCheck {
-    std::map<std::string, Number> difference;  ///< the keys of Reference::error
-    std::string failure;                       ///< not empty: why there is nothing to compare
+    std::map<std::string, Number> difference;                 ///< the keys of Reference::error, but for those of maxima
+    std::string failure;                                      ///< not empty: why there is nothing to compare
+    std::vector<std::map<std::string, Number>> samples = {};  ///< the same of each sample
 };
 
 /// One cell of an experiment: everything that determines its numbers.
@@ -190,10 +200,15 @@ class Engine {
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop) const {
         return run(cell, reference, stop, nullptr);
     }
-    /// The reference solution of a problem at `t_end`; requested only from the quad engine.
-    virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end,
+    /// The reference solution of a problem at `t_end`, and at so many equidistant samples on the way; requested only
+    /// from the quad engine.
+    virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end, long samples,
                                 const std::stop_token&) const = 0;
-    /// Compares a reference with a computation of its state by the second route.
+    Reference reference(const std::string& problem, const ParameterValues& parameters, double t_end,
+                        const std::stop_token& stop) const {
+        return reference(problem, parameters, t_end, 0, stop);
+    }
+    /// Compares a reference with a computation of its states by the second route.
     virtual ReferenceCheck check_reference(const std::string& name, const ParameterValues&, const Reference&) const = 0;
     /// Identifies all code that affects a reference; methods are not part of it.
     virtual std::string reference_digest() const = 0;

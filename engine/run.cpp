@@ -50,8 +50,9 @@ bool interpolates(const Cell& cell) {
 /// A simulation and its observers: all objects of one cell.
 class Run {
   public:
-    Run(const Cell& cell, SampleSink* sink);
-    Outcome execute(const Reference* reference, const std::stop_token& stop);
+    /// `reference` and `sink` may be null.
+    Run(const Cell& cell, const Reference* reference, SampleSink* sink);
+    Outcome execute(const std::stop_token& stop);
 
   private:
     bool observes() const { return !step_metrics_.idle() || !integral_metrics_.idle() || sampler_; }
@@ -65,10 +66,11 @@ class Run {
     std::string place(long step) const;
     [[gnu::cold]] void fail(Status status, const std::string& where, const std::string& reason = "");
     [[gnu::cold]] void fail_not_finite();
-    void finish(const Reference* reference);
-    void report_end(const Real& t, const Reference* reference);
+    void finish();
+    void report_end(const Real& t);
 
     const Cell& cell_;
+    const Reference* reference_;
     double heap_before_;
     Simulation simulation_;
     double memory_;
@@ -79,12 +81,14 @@ class Run {
     IntegralMetrics integral_metrics_;
     std::optional<JointForces> joint_forces_;
     std::optional<Conservation> conservation_;
+    std::optional<SampleErrors> sample_errors_;
     std::optional<Sampler> sampler_;
     Outcome outcome_;
 };
 
-Run::Run(const Cell& cell, SampleSink* sink)
+Run::Run(const Cell& cell, const Reference* reference, SampleSink* sink)
     : cell_(cell),
+      reference_(reference),
       heap_before_(heap_bytes()),
       simulation_(problem(cell.problem).build(Parameters(cell.parameters)), setup_of(cell)),
       memory_(heap_bytes() - heap_before_),
@@ -98,16 +102,19 @@ Run::Run(const Cell& cell, SampleSink* sink)
     observation_.move_to(simulation_.time(), simulation_.state().data());
     if (!cell.timed || cell.samples > 0) joint_forces_.emplace(simulation_.system(), simulation_.model());
     if (!cell.timed) conservation_.emplace(observation_);
+    if (reference && cell.samples > 0)
+        sample_errors_.emplace(*reference, simulation_.system().constraint_rows(), cell.metrics);
     if (cell.samples > 0)
         sampler_.emplace(cell, simulation_,
-                         Sampled{simulation_.model(), *joint_forces_, step_metrics_, integral_metrics_},
+                         Sampled{simulation_.model(), *joint_forces_, step_metrics_, integral_metrics_,
+                                 sample_errors_ ? &*sample_errors_ : nullptr},
                          interpolates(cell), sink);
 }
 
-Outcome Run::execute(const Reference* reference, const std::stop_token& stop) {
+Outcome Run::execute(const std::stop_token& stop) {
     const double begin = thread_seconds();
     cell_.timed ? time_steps(stop) : measure(stop);
-    finish(reference);
+    finish();
     outcome_.cost.cpu_s = thread_seconds() - begin;
     if (cell_.repeated && outcome_.status == "ok") outcome_.cost.run_s = repeat(stop).fastest();
     return std::move(outcome_);
@@ -199,11 +206,11 @@ void Run::count_work() {
     cost.rejected = simulation_.stepper() ? simulation_.stepper()->rejected() : 0;
 }
 
-void Run::finish(const Reference* reference) {
+void Run::finish() {
     const Real t = pace_.time(outcome_.steps_done);
     const bool finished = outcome_.status == "ok";
     outcome_.t_reached = to_double(t);
-    if (finished && !cell_.timed) report_end(t, reference);
+    if (finished && !cell_.timed) report_end(t);
     outcome_.cost.output_evaluations = observation_.evaluations();
     if (joint_forces_) outcome_.cost.output_evaluations += joint_forces_->evaluations();
     if (sampler_) outcome_.cost.output_evaluations += sampler_->evaluations();
@@ -213,7 +220,7 @@ void Run::finish(const Reference* reference) {
     integral_metrics_.report(finished, outcome_.metrics);
 }
 
-void Run::report_end(const Real& t, const Reference* reference) {
+void Run::report_end(const Real& t) {
     observation_.move_to(t, simulation_.state().data());
     const bool found = joint_forces_->find(t, observation_.y(), simulation_.multipliers());
     std::vector<Real> multipliers;
@@ -225,16 +232,17 @@ void Run::report_end(const Real& t, const Reference* reference) {
     const std::vector<BodyState>& states = observation_.bodies();
     outcome_.final = to_report(t, states, simulation_.model(), multipliers, observation_.springs());
     if (found) joint_forces_->report(*outcome_.final);
-    if (reference)
-        report_errors(*reference, cell_.t_end, states, multipliers, simulation_.system().constraint_rows(),
+    if (reference_)
+        report_errors(*reference_, cell_.t_end, {states, multipliers}, simulation_.system().constraint_rows(),
                       cell_.metrics, outcome_.metrics);
+    if (sample_errors_) sample_errors_->report(cell_.t_end, outcome_.metrics);
     outcome_.lost = conservation_->lost(observation_);
 }
 
 }  // namespace
 
 Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop, SampleSink* samples) {
-    return Run(cell, samples).execute(reference, stop);
+    return Run(cell, reference, samples).execute(stop);
 }
 
 }  // namespace KREISEL_PRECISION

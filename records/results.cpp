@@ -54,7 +54,8 @@ std::map<std::string, double> scales(const ReportedState& final) {
     std::map<std::string, double> scale;
     for (const MetricDescription& metric : metric_catalogue()) {
         const auto size = sizes.find(metric.scale);
-        if (is_error(metric) && size != sizes.end()) { scale[metric.name] = size->second; }
+        if (!is_error(metric) || size == sizes.end()) { continue; }
+        scale[metric.name] = scale[metric.name + largest_of_error] = size->second;
     }
     return scale;
 }
@@ -67,6 +68,7 @@ std::map<std::string, int> declared_orders(const Order& order) {
     for (const MetricDescription& metric : metric_catalogue()) {
         if (const auto level = levels.find(metric.level); level != levels.end()) {
             orders.emplace(metric.name, level->second);
+            orders.emplace(metric.name + largest_of_error, level->second);
         }
     }
     return orders;

@@ -88,8 +88,8 @@ void Campaign::compute_reference(const std::string& hash, const std::stop_token&
     auto stored = store_.find(planned);
     if (!stored) {
         try {
-            const Reference reference =
-                engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end, token);
+            const Reference reference = engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end,
+                                                                     planned.samples, token);
             if (reference.interrupted) { return; }
             stored = store_.make(planned, reference);
         } catch (const std::exception& error) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver/plan/crossing.hpp"
 
+#include <fmt/format.h>
+
 #include <set>
 
 #include "driver/plan/identify.hpp"
@@ -13,15 +15,19 @@ namespace kreisel {
 
 namespace {
 
+// A reference that knows samples is another one than that which does not.
 void name_reference(PlannedCell& planned, Plan& plan) {
     const Cell& cell = planned.cell;
-    const std::string content = ObjectWriter()
-                                    .member("problem", json_text(cell.problem))
-                                    .member("parameters", json_value(cell.parameters))
-                                    .member("t_end", json_number(cell.t_end))
-                                    .text();
+    const long samples = asks_for_largest_errors(cell.metrics) ? cell.samples : 0;
+    if (samples == 0 && !asks_for_errors(cell.metrics)) { return; }
+    ObjectWriter object;
+    object.member("problem", json_text(cell.problem))
+        .member("parameters", json_value(cell.parameters))
+        .member("t_end", json_number(cell.t_end));
+    if (samples > 0) { object.member("samples", fmt::format("{}", samples)); }
+    const std::string content = object.text();
     planned.reference = hash_text(content);
-    plan.references.insert({planned.reference, {cell.problem, cell.parameters, cell.t_end, content}});
+    plan.references.insert({planned.reference, {cell.problem, cell.parameters, cell.t_end, samples, content}});
 }
 
 // Constant steps, or a tolerance.
@@ -108,7 +114,7 @@ class Crossing {
         if (!system.skip_reason.empty()) { planned.skip_reason = system.skip_reason; }
         if (planned.skip_reason.empty()) { planned.skip_reason = ask(planned, problem, method, projection); }
         planned.weight = weight_of(planned, system.bodies);
-        if (planned.skip_reason.empty() && asks_for_errors(planned.cell.metrics)) { name_reference(planned, plan_); }
+        if (planned.skip_reason.empty()) { name_reference(planned, plan_); }
         plan_.cells.push_back(std::move(planned));
     }
 

@@ -8,6 +8,7 @@
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
 #include "records/json/diagnostics.hpp"
+#include "records/metrics/catalogue.hpp"
 #include "support/nearest.hpp"
 #include "support/pattern.hpp"
 
@@ -103,6 +104,11 @@ class FigureCheck {
             sink_.add({pointer,
                        "a metric that this experiment measures (key \"metrics\"; here " +
                            (config_.metrics.empty() ? "none" : listed(config_.metrics)) + ")",
+                       in_quotes(metric)});
+        } else if (is_largest_error(metric) && config_.samples == 0) {
+            sink_.add({pointer,
+                       "a metric that is measured without samples (a maximum over them needs \"output\": {\"samples\": "
+                       "K})",
                        in_quotes(metric)});
         }
     }

@@ -29,10 +29,11 @@ bool has_rows_of(const ConstraintSummary& constraints, MetricRows rows) {
     return false;
 }
 
-// Whether some cell can measure a metric: metrics of constraints need constraints, and those of multipliers unique
-// ones.
+// Whether some cell can measure a metric: metrics of constraints need constraints, those of multipliers unique ones,
+// and maxima over samples need samples.
 bool can_be_measured(const Plan& plan, const std::string& name) {
     const MetricDescription* metric = find_metric(name);
+    if (is_largest_error(name) && plan.config.samples == 0) { return false; }
     return std::any_of(plan.systems.begin(), plan.systems.end(), [&](const auto& entry) {
         const SystemSummary& system = entry.second;
         if (!system.skip_reason.empty()) { return false; }

@@ -61,7 +61,10 @@ void Samples::take(Observation& now, const Real* multipliers) {
     for (const BodyState& body : now.bodies()) append_body(body, motion);
     for (const SpringAngle& spring : now.springs()) motion.insert(motion.end(), {spring.theta, Real(spring.turns)});
     std::vector<std::string> forces;
-    sources_.joint_forces.append_values(sources_.joint_forces.find(now.t(), now.y(), multipliers), forces);
+    const bool found = sources_.joint_forces.find(now.t(), now.y(), multipliers);
+    sources_.joint_forces.append_values(found, forces);
+    static const std::vector<Real> unknown;
+    if (sources_.errors) sources_.errors->add({now.bodies(), found ? sources_.joint_forces.multipliers() : unknown});
     sources_.step_metrics.append_values(measured);
     sources_.integral_metrics.append_values(measured);
     SampleLine line;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/observers/errors.hpp"
 #include "engine/observers/integral_metrics.hpp"
 #include "engine/observers/step_metrics.hpp"
 #include "engine/report/joint_forces.hpp"
@@ -19,6 +20,7 @@ struct Sampled {
     JointForces& joint_forces;
     StepMetrics& step_metrics;
     IntegralMetrics& integral_metrics;
+    SampleErrors* errors;  ///< null without a reference
 };
 
 class Samples {
@@ -27,6 +29,10 @@ class Samples {
     Samples(Sampled sources, SampleSink* sink);
     /// Takes a sample. `multipliers`: the method's own, or null. The metrics are those that were observed last.
     void take(Observation& now, const Real* multipliers);
+    /// One that could not be interpolated.
+    void leave_out() {
+        if (sources_.errors) sources_.errors->leave_out();
+    }
 
   private:
     std::vector<Column> columns() const;

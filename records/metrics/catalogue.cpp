@@ -21,6 +21,11 @@ const MetricDescription* find_metric(const std::string& name) {
     return nullptr;
 }
 
+bool is_largest_error(const std::string& name) {
+    const MetricDescription* metric = find_metric(name);
+    return metric != nullptr && is_error(*metric) && name == metric->name + largest_of_error;
+}
+
 std::string metric_of(MetricLevel level) {
     for (const MetricDescription& metric : metric_catalogue()) {
         if (metric.level == level) { return metric.name; }

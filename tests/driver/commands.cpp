@@ -65,7 +65,9 @@ TEST_CASE("a file or folder that is not there ends with 3") {
 TEST_CASE("a metric is described by its name") {
     CHECK(tells(run_program({"info", "defect.position"}).out, "largest |Phi| over all steps"));
     CHECK(tells(run_program({"info", "defect.position.final"}).out, "at the end"));
+    CHECK(tells(run_program({"info", "error.position.max"}).out, "the largest over the samples"));
     CHECK(run_program({"info", "error.position.final"}).code == 2);
+    CHECK(run_program({"info", "defect.position.max"}).code == 2);
 }
 
 TEST_CASE("help and version end with 0") {

@@ -214,28 +214,39 @@ Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std:
     if (reference != nullptr &&
         (cell.t_end <= reference->horizon || error > 100 * reference->error.at("error.position").value)) {
         outcome.metrics.emplace_back("error.position", number(error));
+        if (!reference->samples.empty()) { outcome.metrics.emplace_back("error.position.max", number(2 * error)); }
     }
     outcome.metrics.emplace_back("invariant.energy", number(1.0 / static_cast<double>(steps)));
     return misbehave(cell, outcome);
 }
 
 Reference FakeEngine::reference(const std::string& problem, const ParameterValues& parameters, double t_end,
-                                const std::stop_token& stop) const {
+                                long samples, const std::stop_token& stop) const {
     ++references;
     if (t_end > 1000 && !sleep_unless(std::lround(t_end), stop)) {
         return {.state = {}, .error = {}, .interrupted = true};
     }
     if (problem == "double_pendulum" && t_end > 100) { throw std::runtime_error("the two step sizes do not agree"); }
     const double uncertainty = t_end > 50 ? 1e-4 : 1e-20;  // chaos past the horizon
-    return {state_at(t_end, mass_of(parameters)), {{"error.position", number(uncertainty)}}, 50, "fake"};
+    Reference reference{state_at(t_end, mass_of(parameters)), {{"error.position", number(uncertainty)}}, 50, "fake"};
+    for (long k = 1; k <= samples; ++k) {
+        const double t = t_end * static_cast<double>(k) / static_cast<double>(samples);
+        reference.samples.push_back({state_at(t, mass_of(parameters)), {{"error.position", number(uncertainty)}}});
+    }
+    if (samples > 0) { reference.error["error.position.max"] = number(uncertainty); }
+    return reference;
 }
 
 ReferenceCheck FakeEngine::check_reference(const std::string&, const ParameterValues& parameters,
                                            const Reference& reference) const {
-    const double t = reference.state.t.value;
-    if (t > reference.horizon) { return {{}, "it lies past its horizon"}; }
-    const double x = state_at(t, mass_of(parameters)).bodies[0].x[0].value;
-    return {{{"error.position", number(std::abs(x - reference.state.bodies[0].x[0].value))}}, ""};
+    if (reference.state.t.value > reference.horizon) { return {{}, "it lies past its horizon"}; }
+    const auto difference = [&](const ReportedState& state) -> std::map<std::string, Number> {
+        const double x = state_at(state.t.value, mass_of(parameters)).bodies[0].x[0].value;
+        return {{"error.position", number(std::abs(x - state.bodies[0].x[0].value))}};
+    };
+    ReferenceCheck check{difference(reference.state), ""};
+    for (const ReferenceSample& sample : reference.samples) { check.samples.push_back(difference(sample.state)); }
+    return check;
 }
 
 }  // namespace kreisel

@@ -28,8 +28,9 @@ class FakeEngine final : public Engine {
     std::string skip_reason(const Cell&) const override;
     using Engine::run;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;
+    using Engine::reference;
     /// Ends after t_end ms if t_end is above 1000 and no stop is requested.
-    Reference reference(const std::string& problem, const ParameterValues&, double t_end,
+    Reference reference(const std::string& problem, const ParameterValues&, double t_end, long samples,
                         const std::stop_token&) const override;
     ReferenceCheck check_reference(const std::string& problem, const ParameterValues&, const Reference&) const override;
     std::string reference_digest() const override { return digest; }

@@ -26,9 +26,10 @@ class OtherEngine : public Engine {
                 SampleSink* samples) const override {
         return fake_.run(cell, reference, stop, samples);
     }
-    Reference reference(const std::string& problem, const ParameterValues& values, double t_end,
+    using Engine::reference;
+    Reference reference(const std::string& problem, const ParameterValues& values, double t_end, long samples,
                         const std::stop_token& stop) const override {
-        return fake_.reference(problem, values, t_end, stop);
+        return fake_.reference(problem, values, t_end, samples, stop);
     }
     ReferenceCheck check_reference(const std::string& problem, const ParameterValues& values,
                                    const Reference& reference) const override {

@@ -145,6 +145,20 @@ TEST_CASE("a reference is planned once for each problem, and only where errors a
     CHECK(plan_from(one_cell("\"heavy_top\"", R"(, "metrics": ["error.rotation"])")).references.size() == 1);
     CHECK(plan_from(one_cell("\"heavy_top\"", R"(, "metrics": ["*.position"])")).references.size() == 1);
     CHECK(plan_from(one_cell("\"heavy_top\"", R"(, "metrics": ["defect.position"])")).references.empty());
+    const auto of_samples = [&](const std::string& metric, const std::string& output) {
+        return plan_from(one_cell("\"heavy_top\"", R"(, "metrics": [")" + metric + "\"]" + output));
+    };
+    const std::string two = R"(, "output": {"samples": 2})";
+    const auto samples_of = [](const Plan& plan) { return plan.references.at(plan.cells.at(0).reference).samples; };
+    CHECK(samples_of(of_samples("error.*", two)) == 2);
+    CHECK(samples_of(of_samples("error.rotation.max", two)) == 2);
+    CHECK(samples_of(of_samples("error.rotation", two)) == 0);
+    CHECK(of_samples("error.rotation", two).cells[0].reference == of_samples("error.*", "").cells[0].reference);
+    CHECK(of_samples("error.rotation", two).cells[0].reference != of_samples("error.*", two).cells[0].reference);
+    const Plan without = of_samples("error.rotation.max", "");
+    CHECK(without.references.empty());
+    REQUIRE(without.warnings.size() == 1);
+    CHECK_THAT(without.warnings[0], Catch::Contains("fits no metric that a cell of this config can measure"));
 }
 
 TEST_CASE("a resolved config is a config and leads to the same cells") {

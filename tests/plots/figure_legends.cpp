@@ -185,6 +185,7 @@ TEST_CASE("components are drawn until the time asked for, in one panel or stacke
 
 TEST_CASE("an axis is labelled with symbol and unit, even for an uncommon metric") {
     CHECK(metric_label("error.position", {}) == "|x − x_{ref}| [m]");
+    CHECK(metric_label("error.position.max", {}) == "max |x − x_{ref}| [m]");
     CHECK(metric_label("invariant.energy", {{"invariant.energy", "J"}}) == "max |E − E_0| [J]");
     CHECK(metric_label("invariant.spin_axial", {}) == "invariant.spin\\_axial");
     CHECK(metric_label("defect.position.final", {}) == "defect.position.final [m]");

@@ -182,6 +182,8 @@ const std::vector<BadConfig>& bad_configs() {
         {R"({"figure": {"kind": "drift"}})", "/figure/kind", "stores samples"},
         {R"({"figure": {"kind": "convergence", "metric": "error.postion"}})", "/figure/metric",
          "did you mean \"error.position\"?"},
+        {R"({"figure": {"kind": "convergence", "metric": "error.omega.max"}})", "/figure/metric",
+         "a maximum over them needs"},
         {R"({"figure": [{"kind": "convergence", "metric": ["error.omega", "error.spin"]}]})", "/figure/0/metric/1",
          "kreisel list metrics"},
         {R"({"metrics": ["defect.*"], "figure": {"kind": "convergence"}})", "/figure", "this experiment measures"},
