@@ -69,6 +69,10 @@ class RealEngine final : public Engine {
         return run_cell(cell, reference, stop, samples);
     }
 
+    std::optional<double> run_time(const Cell& cell, const std::stop_token& stop) const override {
+        return time_cell(cell, stop);
+    }
+
     using Engine::reference;
     Reference reference(const std::string& name, const ParameterValues& values, double t_end, long samples,
                         const std::stop_token& stop) const override {

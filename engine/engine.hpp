@@ -103,6 +103,10 @@ struct Cell {
     bool repeated = false;             ///< measure, and then the time of the steps by themselves too (Cost::run_s)
 };
 
+/// The rounds in which the CPU time of cells is taken, each cell in turn: the first by Engine::run, the others by
+/// Engine::run_time.
+inline constexpr int timing_rounds = 5;
+
 struct Cost {
     long evaluations = 0;            ///< solves of the dynamics inside the steps, or residuals of implicit ones
     long exponentials = 0;           ///< of the group inside the steps, or other maps of local coordinates
@@ -113,7 +117,7 @@ struct Cost {
     long projection_iterations = 0;  ///< Gauss-Newton iterations, all steps
     long output_evaluations = 0;     ///< solves for start, metrics and samples
     double cpu_s = 0;
-    std::optional<double> run_s;   ///< of a timed cell: CPU time of the fastest of several runs, s
+    std::optional<double> run_s;   ///< of a timed cell: CPU time of its fastest run in the first round, s
     std::optional<double> step_s;  ///< the same per step, s
     std::optional<double> memory;  ///< of a timed cell: what model, system, method, projection and state occupy, bytes
 };
@@ -200,6 +204,9 @@ class Engine {
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop) const {
         return run(cell, reference, stop, nullptr);
     }
+    /// A further round of a timed or repeated cell: CPU time of the fastest of its runs, s; nothing if they do not come
+    /// to the end.
+    virtual std::optional<double> run_time(const Cell&, const std::stop_token&) const = 0;
     /// The reference solution of a problem at `t_end`, and at so many equidistant samples on the way; requested only
     /// from the quad engine.
     virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end, long samples,

@@ -53,6 +53,8 @@ class Run {
     /// `reference` and `sink` may be null.
     Run(const Cell& cell, const Reference* reference, SampleSink* sink);
     Outcome execute(const std::stop_token& stop);
+    /// A round of runs without measuring: the fastest, s; nothing if one has not come to its end.
+    std::optional<double> time(const std::stop_token& stop);
 
   private:
     bool observes() const { return !step_metrics_.idle() || !integral_metrics_.idle() || sampler_; }
@@ -145,7 +147,7 @@ void Run::time_steps(const std::stop_token& stop) {
 /// Runs several times from the start, without observers.
 RepeatedTimes Run::repeat(const std::stop_token& stop) {
     RepeatedTimes times;
-    while (outcome_.status == "ok" && !times.reliable()) {
+    while (outcome_.status == "ok" && !times.enough()) {
         simulation_.restart(0, start_);
         const double begin = thread_seconds();
         advance(false, stop);
@@ -206,6 +208,11 @@ void Run::count_work() {
     cost.rejected = simulation_.stepper() ? simulation_.stepper()->rejected() : 0;
 }
 
+std::optional<double> Run::time(const std::stop_token& stop) {
+    const double fastest = repeat(stop).fastest();
+    return outcome_.status == "ok" ? std::optional(fastest) : std::nullopt;
+}
+
 void Run::finish() {
     const Real t = pace_.time(outcome_.steps_done);
     const bool finished = outcome_.status == "ok";
@@ -243,6 +250,10 @@ void Run::report_end(const Real& t) {
 
 Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop, SampleSink* samples) {
     return Run(cell, reference, samples).execute(stop);
+}
+
+std::optional<double> time_cell(const Cell& cell, const std::stop_token& stop) {
+    return Run(cell, nullptr, nullptr).time(stop);
 }
 
 }  // namespace KREISEL_PRECISION

@@ -28,6 +28,7 @@ class FakeEngine final : public Engine {
     std::string skip_reason(const Cell&) const override;
     using Engine::run;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;
+    std::optional<double> run_time(const Cell&, const std::stop_token&) const override;
     using Engine::reference;
     /// Ends after t_end ms if t_end is above 1000 and no stop is requested.
     Reference reference(const std::string& problem, const ParameterValues&, double t_end, long samples,
@@ -36,6 +37,7 @@ class FakeEngine final : public Engine {
     std::string reference_digest() const override { return digest; }
 
     mutable std::atomic<int> runs = 0, references = 0;
+    mutable std::vector<long> timed;  ///< the steps of the cells that were timed further, in their order
     std::string digest = "fake";
 };
 

@@ -26,6 +26,9 @@ class OtherEngine : public Engine {
                 SampleSink* samples) const override {
         return fake_.run(cell, reference, stop, samples);
     }
+    std::optional<double> run_time(const Cell& cell, const std::stop_token& stop) const override {
+        return fake_.run_time(cell, stop);
+    }
     using Engine::reference;
     Reference reference(const std::string& problem, const ParameterValues& values, double t_end, long samples,
                         const std::stop_token& stop) const override {
