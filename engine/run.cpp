@@ -64,7 +64,7 @@ class Run {
     void measure(const std::stop_token& stop);
     void time_steps(const std::stop_token& stop);
     RepeatedTimes repeat(const std::stop_token& stop);
-    void count_work();
+    Cost work() const;
     std::string place(long step) const;
     [[gnu::cold]] void fail(Status status, const std::string& where, const std::string& reason = "");
     [[gnu::cold]] void fail_not_finite();
@@ -109,7 +109,8 @@ Run::Run(const Cell& cell, const Reference* reference, SampleSink* sink)
     if (cell.samples > 0)
         sampler_.emplace(cell, simulation_,
                          Sampled{simulation_.model(), *joint_forces_, step_metrics_, integral_metrics_,
-                                 sample_errors_ ? &*sample_errors_ : nullptr},
+                                 sample_errors_ ? &*sample_errors_ : nullptr,
+                                 cell.repeated ? [this] { return work(); } : std::function<Cost()>()},
                          interpolates(cell), sink);
 }
 
@@ -126,7 +127,7 @@ void Run::measure(const std::stop_token& stop) {
     observe();
     if (sampler_) sampler_->begin(observation_);
     advance(observes(), stop);
-    count_work();
+    outcome_.cost = work();
 }
 
 void Run::observe() {
@@ -152,7 +153,7 @@ RepeatedTimes Run::repeat(const std::stop_token& stop) {
         const double begin = thread_seconds();
         advance(false, stop);
         times.add(thread_seconds() - begin);
-        if (cell_.timed && outcome_.cost.evaluations == 0) count_work();
+        if (cell_.timed && outcome_.cost.evaluations == 0) outcome_.cost = work();
     }
     return times;
 }
@@ -197,8 +198,8 @@ void Run::fail(Status status, const std::string& where, const std::string& reaso
 
 void Run::fail_not_finite() { fail(Status::non_finite, where_not_finite(simulation_.bodies(), simulation_.model())); }
 
-void Run::count_work() {
-    Cost& cost = outcome_.cost;
+Cost Run::work() const {
+    Cost cost = outcome_.cost;
     cost.evaluations = simulation_.system().evaluations();
     cost.exponentials = simulation_.work().exponentials;
     cost.brackets = simulation_.work().brackets;
@@ -206,6 +207,7 @@ void Run::count_work() {
     cost.projection_iterations = simulation_.projection().iterations();
     cost.accepted = outcome_.steps_done;
     cost.rejected = simulation_.stepper() ? simulation_.stepper()->rejected() : 0;
+    return cost;
 }
 
 std::optional<double> Run::time(const std::stop_token& stop) {

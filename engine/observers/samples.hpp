@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The samples of a run: the bodies, angles of torsion springs, joint forces, and the metrics of the steps.
+// The samples of a run: the bodies, angles of torsion springs, joint forces, the metrics of the steps, and what these
+// have taken.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,7 +22,8 @@ struct Sampled {
     JointForces& joint_forces;
     StepMetrics& step_metrics;
     IntegralMetrics& integral_metrics;
-    SampleErrors* errors;  ///< null without a reference
+    SampleErrors* errors;          ///< null without a reference
+    std::function<Cost()> work{};  ///< what the steps have taken so far; null: samples do not tell
 };
 
 class Samples {

@@ -199,6 +199,9 @@ const std::vector<BadConfig>& bad_configs() {
         {R"({"figure": {"kind": "convergence", "x": "rejected"}})", "/figure/x", "tolerances in"},
         {R"({"time": {"steps": null, "tolerance": 1e-3}, "figure": {"kind": "work_precision", "x": "h"}})", "/figure/x",
          "steps of one size"},
+        {R"({"output": {"samples": 4}, "figure": {"kind": "drift", "x": "evaluations"}})", "/figure/x",
+         "whose samples tell their cost"},
+        {R"({"output": {"samples": 4}, "figure": {"kind": "drift", "x": "h"}})", "/figure/x", "\"evaluations\""},
         {R"({"figure": {"kind": "work_precision", "labels": "no"}})", "/figure/labels", "true or false"},
         {R"({"figure": {"kind": "work_precision", "metric": "cost.step"}})", "/figure/metric", "defect.*"},
     };
