@@ -11,6 +11,14 @@ add_dependencies(kreisel_driver kreisel_commit)
 target_sources(kreisel_driver PRIVATE ${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp)
 set_source_files_properties(${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON
                                                                                         SKIP_PRECOMPILE_HEADERS ON)
+# The bibliography, which `kreisel cite` prints from.
+set(bibliography ${CMAKE_SOURCE_DIR}/paper/references.bib)
+set(bibliography_source ${CMAKE_BINARY_DIR}/generated/kreisel_bibliography.cpp)
+add_custom_command(OUTPUT ${bibliography_source} DEPENDS ${bibliography} ${CMAKE_SOURCE_DIR}/cmake/bibliography.cmake
+                   COMMAND ${CMAKE_COMMAND} -D FROM=${bibliography} -D TO=${bibliography_source}
+                           -P ${CMAKE_SOURCE_DIR}/cmake/bibliography.cmake)
+target_sources(kreisel_driver PRIVATE ${bibliography_source})
+set_source_files_properties(${bibliography_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 target_include_directories(kreisel_driver PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
 target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 GSL::gsl Threads::Threads)
 

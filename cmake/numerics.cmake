@@ -6,6 +6,7 @@
 # kreisel_<precision>          all of them
 # KREISEL_OBJECTS_<precision>  only the objects, for targets of neither precision
 # kreisel_parts                those of neither precision, part of kreisel_<precision> and of kreisel_driver
+#                              (mechanics/parts, methods/conditions)
 
 function(kreisel_flags precision)
   set(target kreisel_flags_${precision})
@@ -25,9 +26,9 @@ function(kreisel_flags precision)
 endfunction()
 
 # What joints are made of: plain data, the same in both precisions, which the driver reads too. Objects again, since its
-# files only register.
+# files only register. And the order conditions, in arithmetic of their own.
 file(GLOB parts_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/mechanics/parts/*.cpp
-     ${CMAKE_SOURCE_DIR}/mechanics/parts/*/*.cpp)
+     ${CMAKE_SOURCE_DIR}/mechanics/parts/*/*.cpp ${CMAKE_SOURCE_DIR}/methods/conditions/*.cpp)
 add_library(kreisel_parts OBJECT ${parts_sources})
 target_include_directories(kreisel_parts PRIVATE ${CMAKE_SOURCE_DIR})
 
@@ -74,7 +75,9 @@ macro(kreisel_numerics precision)
   target_sources(kreisel_mechanics_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_parts>)
   target_sources(kreisel_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_parts>)
   kreisel_layer(${precision} problems ${CMAKE_SOURCE_DIR}/problems/*.cpp ${CMAKE_SOURCE_DIR}/problems/*/*.cpp)
-  kreisel_layer(${precision} methods ${CMAKE_SOURCE_DIR}/methods/*.cpp ${CMAKE_SOURCE_DIR}/methods/*/*.cpp)
+  file(GLOB methods_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/methods/*.cpp ${CMAKE_SOURCE_DIR}/methods/*/*.cpp)
+  list(FILTER methods_sources EXCLUDE REGEX "/methods/conditions/")
+  kreisel_layer(${precision} methods ${methods_sources})
   kreisel_layer(${precision} engine ${CMAKE_SOURCE_DIR}/engine/*.cpp ${CMAKE_SOURCE_DIR}/engine/*/*.cpp
                 ${CMAKE_SOURCE_DIR}/engine/*/*/*.cpp ${CMAKE_SOURCE_DIR}/engine/*/*/*/*.cpp)
 endmacro()

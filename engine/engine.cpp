@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/engine.hpp"
 
+#include "engine/linearised/linearise.hpp"
 #include "engine/metrics/metric.hpp"
-#include "engine/reference/reference.hpp"
-#include "engine/reference/taylor/taylor_route.hpp"
 #include "engine/report/report.hpp"
+#include "engine/reported_reference.hpp"
 #include "engine/run.hpp"
+#include "engine/scheme_rows.hpp"
 #include "engine/skip.hpp"
 #include "mechanics/formulation.hpp"
-#include "mechanics/joints/joint_rows.hpp"
 #include "mechanics/start.hpp"
 #include "mechanics/start_warnings.hpp"
 #include "methods/contract/method.hpp"
@@ -61,9 +61,11 @@ class RealEngine final : public Engine {
         return summary;
     }
 
-    Order declared_order(const std::string& name, const OptionValues& options) const override {
-        const Method& entry = method(name);
-        return entry.factory.order(options, entry.description.order);
+    MethodDescription method(const std::string& name, const OptionValues& options) const override {
+        return kreisel::method(name).under(options);
+    }
+    std::vector<SchemeRow> scheme(const std::string& name) const override {
+        return scheme_rows(kreisel::method(name).factory.scheme);
     }
     std::string skip_reason(const Cell& cell) const override { return why_skipped(cell); }
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,
@@ -71,51 +73,27 @@ class RealEngine final : public Engine {
         return run_cell(cell, reference, stop, samples);
     }
 
-    Reference reference(const std::string& name, const ParameterValues& values, double t_end,
-                        const std::stop_token& stop) const override {
-        const Problem& entry = problem(name);
-        const Model model = entry.build(Parameters(values));
-        ReferenceSolution solution = confirmed_reference(model, decimal(t_end), stop);
-        if (solution.interrupted) return {.state = {}, .error = {}, .interrupted = true};
-        if (!solution.stopped.empty())
-            return {.state = {}, .error = {}, .horizon = 0, .route = solution.route + ", stopped: " + solution.stopped};
-        if (entry.closed_form) {
-            allow_for(solution, distance(solution.states, entry.closed_form(Parameters(values), decimal(t_end))));
-            solution.route += "; closed form";
-        }
-        Reference reference;
-        reference.state = to_report(decimal(t_end), solution.states, model, solution.multipliers, solution.angles);
-        if (solution.compared) {
-            // Past the horizon, the multipliers' difference at the end by itself means nothing.
-            const bool agreed = !solution.multipliers.empty() && abs(solution.horizon) >= abs(decimal(t_end));
-            reference.error = errors_of(
-                {{solution.position_error, solution.rotation_error, solution.velocity_error, solution.omega_error},
-                 agreed ? solution.multiplier_error : Separation::unknown_multipliers()},
-                constraint_rows(model));
-        }
-        reference.horizon = to_double(solution.horizon);
-        reference.route = solution.route;
-        return reference;
+    std::optional<double> run_time(const Cell& cell, const std::stop_token& stop) const override {
+        return time_cell(cell, stop);
     }
 
+    using Engine::reference;
+    Reference reference(const std::string& name, const ParameterValues& values, double t_end, long samples,
+                        const std::stop_token& stop) const override {
+        return reported_reference(problem(name), values, t_end, samples, stop);
+    }
     ReferenceCheck check_reference(const std::string& name, const ParameterValues& values,
                                    const Reference& reference) const override {
-        if (reference.state.bodies.empty()) return {.difference = {}, .failure = "it has no state: " + reference.route};
-        if (reference.state.t.value > reference.horizon)
-            return {.difference = {}, .failure = "it lies past its horizon"};
+        return checked_reference(problem(name), values, reference);
+    }
+
+    Linearisation linearise(const std::string& name, const ParameterValues& values,
+                            const std::string& formulation_name) const override {
         const Model model = problem(name).build(Parameters(values));
-        TaylorRoute route(model);
-        std::vector<Real> lambda, exact;
-        Status status = route.advance(from_number(reference.state.t), {});
-        if (status == Status::ok) status = route.multipliers(lambda);
-        if (status != Status::ok)
-            return {.difference = {}, .failure = std::string("Taylor series: ") + kreisel::name(status)};
-        for (const Number& row : reference.state.multipliers) exact.push_back(from_number(row));
-        Separation apart{distance(route.states(), from_report(reference.state))};
-        const auto rows = constraint_rows(model);
-        if (exact.size() == rows.size() && lambda.size() == rows.size())
-            apart.multipliers = multiplier_distance(rows, lambda, exact);
-        return {.difference = errors_of(apart, rows), .failure = ""};
+        check_start(model);
+        Linearisation none;
+        none.skip_reason = formulation(formulation_name).why_not(model);
+        return none.skip_reason.empty() ? linearised(model, formulation_name) : none;
     }
 
     std::string reference_digest() const override { return KREISEL_REFERENCE_DIGEST; }

@@ -55,6 +55,12 @@ struct ReportedState {
     std::vector<long> turns = {};
 };
 
+/// A reference solution at a time on the way, with its own uncertainty by metric error.*.
+struct ReferenceSample {
+    ReportedState state;
+    std::map<std::string, Number> error;
+};
+
 /// A reference solution at one time, its uncertainty (the larger of the differences between two step sizes and between
 /// two routes, in the unit of each `error.*` metric) and the horizon T* up to which all of them agree. Past it the
 /// uncertainty may be of any size, and an error is measured only where it is above 100 times that.
@@ -65,12 +71,16 @@ struct Reference {
     double horizon = 0;        ///< s
     std::string route;         ///< how it was computed, for the manifest
     bool interrupted = false;  ///< it was asked to stop; all else is empty
+    /// At t_end k / K, k = 1 ... K, if it was asked for K samples. `error` then has also the largest uncertainty of all
+    /// samples, error.*.max, where each has one: no maximum over the samples is less certain.
+    std::vector<ReferenceSample> samples = {};
 };
 
 /// The result of checking a reference.
 struct ReferenceCheck {
-    std::map<std::string, Number> difference;  ///< the keys of Reference::error
-    std::string failure;                       ///< not empty: why there is nothing to compare
+    std::map<std::string, Number> difference;                 ///< the keys of Reference::error, but for those of maxima
+    std::string failure;                                      ///< not empty: why there is nothing to compare
+    std::vector<std::map<std::string, Number>> samples = {};  ///< the same of each sample
 };
 
 /// One cell of an experiment: everything that determines its numbers.
@@ -93,6 +103,10 @@ struct Cell {
     bool repeated = false;             ///< measure, and then the time of the steps by themselves too (Cost::run_s)
 };
 
+/// The rounds in which the CPU time of cells is taken, each cell in turn: the first by Engine::run, the others by
+/// Engine::run_time.
+inline constexpr int timing_rounds = 5;
+
 struct Cost {
     long evaluations = 0;            ///< solves of the dynamics inside the steps, or residuals of implicit ones
     long exponentials = 0;           ///< of the group inside the steps, or other maps of local coordinates
@@ -103,7 +117,7 @@ struct Cost {
     long projection_iterations = 0;  ///< Gauss-Newton iterations, all steps
     long output_evaluations = 0;     ///< solves for start, metrics and samples
     double cpu_s = 0;
-    std::optional<double> run_s;   ///< of a timed cell: CPU time of the fastest of several runs, s
+    std::optional<double> run_s;   ///< of a timed cell: CPU time of its fastest run in the first round, s
     std::optional<double> step_s;  ///< the same per step, s
     std::optional<double> memory;  ///< of a timed cell: what model, system, method, projection and state occupy, bytes
 };
@@ -153,7 +167,8 @@ struct Outcome {
     std::optional<ReportedState> final;
     ConstraintSummary constraints;
     std::vector<std::pair<std::string, Number>> metrics;
-    std::optional<LostIntegral> lost;  ///< the one violated most, at the end
+    std::map<std::string, std::string> unmeasured;  ///< metrics structure.* that are not defined, and why
+    std::optional<LostIntegral> lost;               ///< the one violated most, at the end
     Cost cost;
 };
 
@@ -164,6 +179,39 @@ struct SystemSummary {
     ConstraintSummary constraints;
     std::vector<IntegralDescription> integrals;
     std::vector<std::string> warnings;
+};
+
+/// An eigenvalue of a linearised motion (1/s).
+struct Eigenvalue {
+    Number real, imaginary;
+    int multiplicity = 1;
+};
+
+/// A part of a steady motion: "rotation about (0, 0, 1) through (0, 0, 0)", its rate in rad/s or m/s.
+struct MotionPart {
+    std::string name;
+    Number rate;
+    std::string unit;
+};
+
+/// Motion near the start of a problem, an equilibrium or a steady motion, on the constraint manifold
+/// (engine/linearised/linearise.hpp).
+struct Linearisation {
+    std::string skip_reason;              ///< not empty: the formulation does not apply, and why
+    std::string refusal;                  ///< not empty: there is no linearisation, and why
+    std::vector<MotionPart> motion = {};  ///< none at an equilibrium
+    Number rate;                          ///< of the motion, or of small ones about an equilibrium (1/s)
+    Number residual;    ///< by which the start misses the steady motion (1/s), each unknown in units of the mechanism
+    int dimension = 0;  ///< of the constraint manifold in TG
+    std::vector<Eigenvalue> eigenvalues = {};    ///< by falling real part; zeros are those of no symmetry
+    std::vector<Eigenvalue> of_symmetries = {};  ///< along the orbit of the symmetries, mostly zeros
+    double uncertainty = 0;                      ///< difference of two step sizes of the derivatives (1/s)
+};
+
+/// Coefficients of a method: of a stage "a_3", of the step "b", or of a factor of exponentials.
+struct SchemeRow {
+    std::string label;
+    std::vector<std::string> coefficients;  ///< rationals, or decimals
 };
 
 /// All numerical code of one precision. Thread-safe: every call builds its own objects.
@@ -180,8 +228,10 @@ class Engine {
     /// Builds the system. Throws ParameterError if the parameters do not describe a system.
     virtual SystemSummary summary(const std::string& problem, const ParameterValues&,
                                   const std::string& formulation) const = 0;
-    /// The order a method declares under these options.
-    virtual Order declared_order(const std::string& method, const OptionValues&) const = 0;
+    /// A method under these options, which may decide its order and its estimate.
+    virtual MethodDescription method(const std::string& name, const OptionValues&) const = 0;
+    /// The coefficients of a method; none where its family has no such data.
+    virtual std::vector<SchemeRow> scheme(const std::string& method) const = 0;
     /// Why this cell cannot run; empty if it can. Throws ParameterError, OptionError.
     virtual std::string skip_reason(const Cell&) const = 0;
     /// Runs one cell. `reference` may be null: then no error.* is measured. `samples` may be null too: samples are then
@@ -190,11 +240,22 @@ class Engine {
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop) const {
         return run(cell, reference, stop, nullptr);
     }
-    /// The reference solution of a problem at `t_end`; requested only from the quad engine.
-    virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end,
+    /// A further round of a timed or repeated cell: CPU time of the fastest of its runs, s; nothing if they do not come
+    /// to the end.
+    virtual std::optional<double> run_time(const Cell&, const std::stop_token&) const = 0;
+    /// The reference solution of a problem at `t_end`, and at so many equidistant samples on the way; requested only
+    /// from the quad engine.
+    virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end, long samples,
                                 const std::stop_token&) const = 0;
-    /// Compares a reference with a computation of its state by the second route.
+    Reference reference(const std::string& problem, const ParameterValues& parameters, double t_end,
+                        const std::stop_token& stop) const {
+        return reference(problem, parameters, t_end, 0, stop);
+    }
+    /// Compares a reference with a computation of its states by the second route.
     virtual ReferenceCheck check_reference(const std::string& name, const ParameterValues&, const Reference&) const = 0;
+    /// Linearises the motion at the start of a problem. Throws ParameterError.
+    virtual Linearisation linearise(const std::string& problem, const ParameterValues&,
+                                    const std::string& formulation) const = 0;
     /// Identifies all code that affects a reference; methods are not part of it.
     virtual std::string reference_digest() const = 0;
 };

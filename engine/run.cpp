@@ -6,6 +6,7 @@
 #include "engine/observers/timing.hpp"
 #include "engine/pace.hpp"
 #include "engine/sampler.hpp"
+#include "engine/structure_probe.hpp"
 #include "methods/contract/method.hpp"
 #include "problems/problem.hpp"
 #include "support/number_text.hpp"
@@ -50,8 +51,11 @@ bool interpolates(const Cell& cell) {
 /// A simulation and its observers: all objects of one cell.
 class Run {
   public:
-    Run(const Cell& cell, SampleSink* sink);
-    Outcome execute(const Reference* reference, const std::stop_token& stop);
+    /// `reference` and `sink` may be null.
+    Run(const Cell& cell, const Reference* reference, SampleSink* sink);
+    Outcome execute(const std::stop_token& stop);
+    /// A round of runs without measuring: the fastest, s; nothing if one has not come to its end.
+    std::optional<double> time(const std::stop_token& stop);
 
   private:
     bool observes() const { return !step_metrics_.idle() || !integral_metrics_.idle() || sampler_; }
@@ -61,14 +65,15 @@ class Run {
     void measure(const std::stop_token& stop);
     void time_steps(const std::stop_token& stop);
     RepeatedTimes repeat(const std::stop_token& stop);
-    void count_work();
+    Cost work() const;
     std::string place(long step) const;
     [[gnu::cold]] void fail(Status status, const std::string& where, const std::string& reason = "");
     [[gnu::cold]] void fail_not_finite();
-    void finish(const Reference* reference);
-    void report_end(const Real& t, const Reference* reference);
+    void finish();
+    void report_end(const Real& t);
 
     const Cell& cell_;
+    const Reference* reference_;
     double heap_before_;
     Simulation simulation_;
     double memory_;
@@ -78,13 +83,16 @@ class Run {
     StepMetrics step_metrics_;
     IntegralMetrics integral_metrics_;
     std::optional<JointForces> joint_forces_;
+    std::optional<StructureProbe> structure_;
     std::optional<Conservation> conservation_;
+    std::optional<SampleErrors> sample_errors_;
     std::optional<Sampler> sampler_;
     Outcome outcome_;
 };
 
-Run::Run(const Cell& cell, SampleSink* sink)
+Run::Run(const Cell& cell, const Reference* reference, SampleSink* sink)
     : cell_(cell),
+      reference_(reference),
       heap_before_(heap_bytes()),
       simulation_(problem(cell.problem).build(Parameters(cell.parameters)), setup_of(cell)),
       memory_(heap_bytes() - heap_before_),
@@ -98,16 +106,21 @@ Run::Run(const Cell& cell, SampleSink* sink)
     observation_.move_to(simulation_.time(), simulation_.state().data());
     if (!cell.timed || cell.samples > 0) joint_forces_.emplace(simulation_.system(), simulation_.model());
     if (!cell.timed) conservation_.emplace(observation_);
+    if (!cell.timed && StructureProbe::is_wanted(cell)) structure_.emplace(cell, setup_of(cell));
+    if (reference && cell.samples > 0)
+        sample_errors_.emplace(*reference, simulation_.system().constraint_rows(), cell.metrics);
     if (cell.samples > 0)
         sampler_.emplace(cell, simulation_,
-                         Sampled{simulation_.model(), *joint_forces_, step_metrics_, integral_metrics_},
+                         Sampled{simulation_.model(), *joint_forces_, step_metrics_, integral_metrics_,
+                                 sample_errors_ ? &*sample_errors_ : nullptr,
+                                 cell.repeated ? [this] { return work(); } : std::function<Cost()>()},
                          interpolates(cell), sink);
 }
 
-Outcome Run::execute(const Reference* reference, const std::stop_token& stop) {
+Outcome Run::execute(const std::stop_token& stop) {
     const double begin = thread_seconds();
     cell_.timed ? time_steps(stop) : measure(stop);
-    finish(reference);
+    finish();
     outcome_.cost.cpu_s = thread_seconds() - begin;
     if (cell_.repeated && outcome_.status == "ok") outcome_.cost.run_s = repeat(stop).fastest();
     return std::move(outcome_);
@@ -115,9 +128,10 @@ Outcome Run::execute(const Reference* reference, const std::stop_token& stop) {
 
 void Run::measure(const std::stop_token& stop) {
     observe();
+    if (structure_) structure_->observe(simulation_.time(), start_);
     if (sampler_) sampler_->begin(observation_);
     advance(observes(), stop);
-    count_work();
+    outcome_.cost = work();
 }
 
 void Run::observe() {
@@ -138,12 +152,12 @@ void Run::time_steps(const std::stop_token& stop) {
 /// Runs several times from the start, without observers.
 RepeatedTimes Run::repeat(const std::stop_token& stop) {
     RepeatedTimes times;
-    while (outcome_.status == "ok" && !times.reliable()) {
+    while (outcome_.status == "ok" && !times.enough()) {
         simulation_.restart(0, start_);
         const double begin = thread_seconds();
         advance(false, stop);
         times.add(thread_seconds() - begin);
-        if (cell_.timed && outcome_.cost.evaluations == 0) count_work();
+        if (cell_.timed && outcome_.cost.evaluations == 0) outcome_.cost = work();
     }
     return times;
 }
@@ -188,8 +202,8 @@ void Run::fail(Status status, const std::string& where, const std::string& reaso
 
 void Run::fail_not_finite() { fail(Status::non_finite, where_not_finite(simulation_.bodies(), simulation_.model())); }
 
-void Run::count_work() {
-    Cost& cost = outcome_.cost;
+Cost Run::work() const {
+    Cost cost = outcome_.cost;
     cost.evaluations = simulation_.system().evaluations();
     cost.exponentials = simulation_.work().exponentials;
     cost.brackets = simulation_.work().brackets;
@@ -197,23 +211,31 @@ void Run::count_work() {
     cost.projection_iterations = simulation_.projection().iterations();
     cost.accepted = outcome_.steps_done;
     cost.rejected = simulation_.stepper() ? simulation_.stepper()->rejected() : 0;
+    return cost;
 }
 
-void Run::finish(const Reference* reference) {
+std::optional<double> Run::time(const std::stop_token& stop) {
+    const double fastest = repeat(stop).fastest();
+    return outcome_.status == "ok" ? std::optional(fastest) : std::nullopt;
+}
+
+void Run::finish() {
     const Real t = pace_.time(outcome_.steps_done);
     const bool finished = outcome_.status == "ok";
     outcome_.t_reached = to_double(t);
-    if (finished && !cell_.timed) report_end(t, reference);
+    if (finished && !cell_.timed) report_end(t);
     outcome_.cost.output_evaluations = observation_.evaluations();
     if (joint_forces_) outcome_.cost.output_evaluations += joint_forces_->evaluations();
     if (sampler_) outcome_.cost.output_evaluations += sampler_->evaluations();
+    if (structure_) outcome_.cost.output_evaluations += structure_->evaluations();
     // A run that failed in its first step has measured only its start.
     if (!finished && outcome_.steps_done == 0) return;
     step_metrics_.report(finished, outcome_.metrics);
     integral_metrics_.report(finished, outcome_.metrics);
+    if (structure_) structure_->report(outcome_);
 }
 
-void Run::report_end(const Real& t, const Reference* reference) {
+void Run::report_end(const Real& t) {
     observation_.move_to(t, simulation_.state().data());
     const bool found = joint_forces_->find(t, observation_.y(), simulation_.multipliers());
     std::vector<Real> multipliers;
@@ -222,19 +244,25 @@ void Run::report_end(const Real& t, const Reference* reference) {
     } else if (found) {
         multipliers = joint_forces_->multipliers();
     }
+    if (structure_) structure_->observe(t, simulation_.state());
     const std::vector<BodyState>& states = observation_.bodies();
     outcome_.final = to_report(t, states, simulation_.model(), multipliers, observation_.springs());
     if (found) joint_forces_->report(*outcome_.final);
-    if (reference)
-        report_errors(*reference, cell_.t_end, states, multipliers, simulation_.system().constraint_rows(),
+    if (reference_)
+        report_errors(*reference_, cell_.t_end, {states, multipliers}, simulation_.system().constraint_rows(),
                       cell_.metrics, outcome_.metrics);
+    if (sample_errors_) sample_errors_->report(cell_.t_end, outcome_.metrics);
     outcome_.lost = conservation_->lost(observation_);
 }
 
 }  // namespace
 
 Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop, SampleSink* samples) {
-    return Run(cell, samples).execute(reference, stop);
+    return Run(cell, reference, samples).execute(stop);
+}
+
+std::optional<double> time_cell(const Cell& cell, const std::stop_token& stop) {
+    return Run(cell, nullptr, nullptr).time(stop);
 }
 
 }  // namespace KREISEL_PRECISION

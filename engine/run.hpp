@@ -15,5 +15,8 @@ inline namespace KREISEL_PRECISION {
 Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop,
                  SampleSink* samples = nullptr);
 
+/// Engine::run_time.
+std::optional<double> time_cell(const Cell& cell, const std::stop_token& stop);
+
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -21,7 +21,7 @@ Real Sampler::next() const {
 
 void Sampler::begin(Observation& start) {
     taken_ = 0;
-    take(start);
+    take(start, simulation_.multipliers());
 }
 
 void Sampler::remember() {
@@ -36,14 +36,14 @@ void Sampler::between(Observation& now) {
     const Status status = interpolant_->set(t_before_, h, before_.data(), simulation_.state().data());
     for (Real t = next(); t < end; t = next()) {
         if (status != Status::ok) {
-            ++taken_;
+            samples_.leave_out(), ++taken_;
             continue;
         }
         interpolant_->at((t - t_before_) / h, inside_.data());
         now.move_to(t, inside_.data());
         sources_.step_metrics.look(now);
         sources_.integral_metrics.look(now);
-        take(now);
+        take(now, nullptr);  // the method's own multipliers are those of the end of the step
     }
 }
 
@@ -53,7 +53,7 @@ bool Sampler::due(long steps_done) const {
 }
 
 void Sampler::at_end(long steps_done, Observation& now) {
-    if (due(steps_done)) take(now);
+    if (due(steps_done)) take(now, simulation_.multipliers());
 }
 
 }  // namespace KREISEL_PRECISION

@@ -35,7 +35,7 @@ class Sampler {
 
   private:
     bool due(long steps_done) const;
-    void take(Observation& now) { samples_.take(now, simulation_.multipliers()), ++taken_; }
+    void take(Observation& now, const Real* multipliers) { samples_.take(now, multipliers), ++taken_; }
     /// Time of the next sample.
     Real next() const;
 

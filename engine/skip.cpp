@@ -59,7 +59,7 @@ std::string why_skipped(const Cell& cell) {
     if (!applies(entry.description.formulations, cell.formulation))
         return only_for(cell.method, entry.description.formulations);
     if (const std::string reason = entry.factory.why_not(cell.options); !reason.empty()) return reason;
-    if (const std::string reason = why_not_paced(cell, entry.description); !reason.empty()) return reason;
+    if (const std::string reason = why_not_paced(cell, entry.under(cell.options)); !reason.empty()) return reason;
     if (entry.factory.declines)
         if (const std::string reason = entry.factory.declines(*make_system(model, cell.formulation)); !reason.empty())
             return cell.method + " does not treat " + reason;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "lie/small_angle.hpp"
 
@@ -39,6 +40,76 @@ bool TruncatedExpChart::pull_back(const Real* u, const Real* v, Real* out) {
     }
     std::copy(sum_.begin(), sum_.end(), out);
     return group_->in_exp_chart(u);  // beyond, the series diverges as the closed form does
+}
+
+namespace {
+
+/// x <- A^{-1} x by Gaussian elimination with row interchanges, A of n columns one after another, which is destroyed.
+/// Returns det A.
+Real solve_in_place(std::vector<Real>& A, std::size_t n, Real* x) {
+    const auto entry = [&](std::size_t i, std::size_t k) -> Real& { return A[k * n + i]; };
+    Real determinant = 1;
+    for (std::size_t k = 0; k < n; ++k) {
+        std::size_t pivot = k;
+        for (std::size_t i = k + 1; i < n; ++i)
+            if (abs(entry(i, k)) > abs(entry(pivot, k))) pivot = i;
+        if (pivot != k) {
+            for (std::size_t j = k; j < n; ++j) std::swap(entry(k, j), entry(pivot, j));
+            std::swap(x[k], x[pivot]);
+            determinant = -determinant;
+        }
+        determinant *= entry(k, k);
+        for (std::size_t i = k + 1; i < n; ++i) {
+            const Real factor = entry(i, k) / entry(k, k);
+            for (std::size_t j = k + 1; j < n; ++j) entry(i, j) -= factor * entry(k, j);
+            x[i] -= factor * x[k];
+        }
+    }
+    for (std::size_t k = n; k-- > 0;) {
+        for (std::size_t j = k + 1; j < n; ++j) x[k] -= entry(k, j) * x[j];
+        x[k] /= entry(k, k);
+    }
+    return determinant;
+}
+
+}  // namespace
+
+SecondKindChart::SecondKindChart(const Group& group)
+    : group_(&group),
+      n_(static_cast<std::size_t>(group.dim())),
+      factor_(static_cast<std::size_t>(group.factor_dim())),
+      direction_(n_),
+      rest_(static_cast<std::size_t>(group.size())),
+      columns_(n_ * factor_),
+      system_(factor_ * factor_) {}
+
+const Real* SecondKindChart::along(std::size_t k, const Real* u, int sign) {
+    std::fill(direction_.begin(), direction_.end(), Real(0));
+    for (std::size_t i = k; i < n_; i += factor_) direction_[i] = sign * u[i];
+    return direction_.data();
+}
+
+void SecondKindChart::append(const Real* q, const Real* u, Real* out) {
+    for (std::size_t k = 0; k < factor_; ++k) group_->append_exp(k == 0 ? q : out, along(k, u, 1), out);
+}
+
+bool SecondKindChart::pull_back(const Real* u, const Real* v, Real* out) {
+    group_->identity(rest_.data());  // r_k^{-1} = exp(-u_d e_d) ... exp(-u_{k+1} e_{k+1})
+    for (std::size_t k = factor_; k-- > 0;) {
+        std::fill(direction_.begin(), direction_.end(), Real(0));
+        for (std::size_t i = k; i < n_; i += factor_) direction_[i] = 1;
+        group_->Ad(rest_.data(), direction_.data(), columns_.data() + k * n_);
+        group_->append_exp(rest_.data(), along(k, u, -1), rest_.data());
+    }
+    if (out != v) std::copy_n(v, n_, out);
+    bool inside = true;
+    for (std::size_t first = 0; first < n_; first += factor_) {
+        for (std::size_t k = 0; k < factor_; ++k)
+            std::copy_n(columns_.data() + k * n_ + first, factor_, system_.data() + k * factor_);
+        // For rotations, the cosine of the second angle.
+        inside &= 64 * solve_in_place(system_, factor_, out + first) >= 1;
+    }
+    return inside;
 }
 
 }  // namespace KREISEL_PRECISION

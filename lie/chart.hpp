@@ -61,5 +61,25 @@ class CayleyChart {
     const Group* group_;
 };
 
+/// Canonical coordinates of the second kind, psi(u) = exp(u_1 e_1) ... exp(u_d e_d) over the basis of each factor of
+/// the algebra [owrenmarthinsen2001]. Pull-backs solve, in each factor,
+///   v = sum_k u_k' Ad_{r_k}^{-1} e_k,   r_k = exp(u_{k+1} e_{k+1}) ... exp(u_d e_d).
+/// A chart of rotations by three angles about axes: it ends where the second one is a quarter turn.
+class SecondKindChart {
+  public:
+    explicit SecondKindChart(const Group& group);
+    void append(const Real* q, const Real* u, Real* out);
+    bool pull_back(const Real* u, const Real* v, Real* out);
+    static int brackets() { return 0; }
+
+  private:
+    /// The components k of the factors of u, times `sign`, and zero elsewhere.
+    const Real* along(std::size_t k, const Real* u, int sign);
+
+    const Group* group_;
+    std::size_t n_, factor_;
+    std::vector<Real> direction_, rest_, columns_, system_;
+};
+
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

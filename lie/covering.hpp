@@ -17,6 +17,7 @@ class Covering final : public Group {
     Covering(std::shared_ptr<const Group> base, int labels)
         : Group(base->dim(), base->size() + labels), base_(std::move(base)) {}
     const Group& base() const { return *base_; }
+    int factor_dim() const override { return base_->factor_dim(); }
 
     void identity(Real* q) const override;
     void multiply(const Real* a, const Real* b, Real* out) const override;

@@ -23,6 +23,9 @@ class Group {
     int dim() const { return dim_; }
     int size() const { return size_; }
 
+    /// The algebra is a direct sum of ideals of this dimension, one after another: those of the bodies.
+    virtual int factor_dim() const { return dim(); }
+
     virtual void identity(Real* q) const = 0;
     virtual void multiply(const Real* a, const Real* b, Real* out) const = 0;
     virtual void inverse(const Real* a, Real* out) const = 0;
@@ -61,6 +64,7 @@ class Group {
 class AdditiveGroup final : public Group {
   public:
     explicit AdditiveGroup(int n) : Group(n, n) {}
+    int factor_dim() const override { return 1; }
     void identity(Real* q) const override;
     void multiply(const Real* a, const Real* b, Real* out) const override;
     void inverse(const Real* a, Real* out) const override;

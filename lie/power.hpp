@@ -42,6 +42,7 @@ template <Kernel K>
 class Power final : public Group {
   public:
     explicit Power(int copies) : Group(copies * K::dim, copies * K::size), copies_(copies) {}
+    int factor_dim() const override { return K::dim; }
 
     void identity(Real* q) const override {
         for (int i = 0; i < copies_; ++i) K::save(K::identity(), q + i * K::size);

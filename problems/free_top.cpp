@@ -3,7 +3,7 @@
 // A rigid body on which nothing acts (Euler's top). Default: inertia (2, 1, 2/3) and body angular momentum
 // (cos 1.1, 0, sin 1.1), the data of [hairer2006, Fig. IV.1.1]; that inertia violates the triangle inequality
 // (2 > 1 + 2/3), so no real body has it; this gives a warning and does not affect the equations.
-#include "problems/free_top_closed_form.hpp"
+#include "mechanics/free_body/free_rotation.hpp"
 #include "problems/problem.hpp"
 
 namespace kreisel {

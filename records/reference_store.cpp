@@ -8,6 +8,7 @@
 
 #include "kreisel_build.hpp"
 #include "records/cell/codec.hpp"
+#include "records/json/lists.hpp"
 #include "records/json/writer.hpp"
 #include "records/provenance.hpp"
 #include "support/errors.hpp"
@@ -20,12 +21,40 @@ namespace {
 
 constexpr std::string_view sum_member = ",\"sum\":\"";
 
+using ErrorBounds = std::map<std::string, Number>;
+
+std::string bounds_text(const ErrorBounds& error) {
+    ObjectWriter object;
+    for (const auto& [name, number] : error) { object.member(name, json_value(number, true)); }
+    return object.text();
+}
+
+ErrorBounds bounds_of(const JsonValue& json) {
+    ErrorBounds error;
+    for (const JsonMember& bound : json.members) { decode(bound.value, error[bound.name]); }
+    return error;
+}
+
+std::string sample_text(const ReferenceSample& sample) {
+    return ObjectWriter()
+        .member("error", bounds_text(sample.error))
+        .member("state", json_value(sample.state, true))
+        .text();
+}
+
 Reference reference_of(const JsonValue& json) {
     Reference reference;
     decode(json.at("state"), reference.state);
-    for (const JsonMember& bound : json.at("error").members) { decode(bound.value, reference.error[bound.name]); }
+    reference.error = bounds_of(json.at("error"));
     reference.horizon = json.at("horizon").number();
     reference.route = json.at("route").string();
+    const JsonValue* samples = json.find("samples");
+    if (samples == nullptr) { return reference; }
+    for (const JsonValue& entry : samples->elements) {
+        ReferenceSample& sample = reference.samples.emplace_back();
+        decode(entry.at("state"), sample.state);
+        sample.error = bounds_of(entry.at("error"));
+    }
     return reference;
 }
 
@@ -52,16 +81,15 @@ std::filesystem::path reference_file(const std::filesystem::path& folder, const 
 
 StoredReference stored_reference(const PlannedReference& planned, const Reference& reference,
                                  const std::string& digest) {
-    ObjectWriter error;
-    for (const auto& [name, number] : reference.error) { error.member(name, json_value(number, true)); }
     ObjectWriter program;
     program.member("version", json_text(build::version)).member("commit", json_text(build::commit));
     program.member("compiler", json_text(build::compiler)).member("computed", json_text(utc_now()));
     ObjectWriter object;
     object.member("of", planned.content).member("by", json_text(digest)).member("program", program.text());
     object.member("route", json_text(reference.route)).member("horizon", json_number(reference.horizon));
-    const std::string text =
-        object.member("error", error.text()).member("state", json_value(reference.state, true)).open_text();
+    object.member("error", bounds_text(reference.error)).member("state", json_value(reference.state, true));
+    if (!reference.samples.empty()) { object.member("samples", json_list(reference.samples, sample_text)); }
+    const std::string text = object.open_text();
     return {reference, fmt::format("{}{}{}\"}}\n", text, sum_member, hash_text(text))};
 }
 

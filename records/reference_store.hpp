@@ -2,7 +2,8 @@
 //
 // Reference solutions kept as files: a self-contained copy in the result folder, and one in a cache folder that all
 // results share. A file records its content, code and time of computation and the error bound, and ends with
-// a check sum. A file that does not match is computed again and overwritten.
+// a check sum. A file that does not match is computed again and overwritten. A reference with samples is another
+// content than the same without, so that one never stands for the other.
 #pragma once
 
 #include <filesystem>

@@ -54,7 +54,8 @@ std::map<std::string, double> scales(const ReportedState& final) {
     std::map<std::string, double> scale;
     for (const MetricDescription& metric : metric_catalogue()) {
         const auto size = sizes.find(metric.scale);
-        if (is_error(metric) && size != sizes.end()) { scale[metric.name] = size->second; }
+        if (!is_error(metric) || size == sizes.end()) { continue; }
+        scale[metric.name] = scale[metric.name + largest_of_error] = size->second;
     }
     return scale;
 }
@@ -67,6 +68,7 @@ std::map<std::string, int> declared_orders(const Order& order) {
     for (const MetricDescription& metric : metric_catalogue()) {
         if (const auto level = levels.find(metric.level); level != levels.end()) {
             orders.emplace(metric.name, level->second);
+            orders.emplace(metric.name + largest_of_error, level->second);
         }
     }
     return orders;
@@ -191,6 +193,7 @@ ResultRow result_row(const CellRecord& record) {
     for (const auto& [name, count] : outcome.counts) { row.cost[name] = count.value; }
     if (outcome.final) { row.scale = scales(*outcome.final); }
     if (identity.order) { row.declared_order = declared_orders(*identity.order); }
+    row.unmeasured = outcome.unmeasured;
     if (outcome.lost) { row.lost_integral = outcome.lost->name, row.lost_share = outcome.lost->share; }
     if (!outcome.reference) { return row; }
     row.reference_error = outcome.reference->error;

@@ -141,7 +141,7 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
                    count_cells(plan, campaign->finished(), settings));
     Progress progress(messages, plan.config.name, settings.terminal);
     const auto start = std::chrono::steady_clock::now();
-    // Concurrent cells would measure each other's memory and share the caches.
+    // Concurrent cells would measure each other's memory and share the caches. One worker takes their times in turn.
     const unsigned workers = plan.config.runs_alone() ? 1 : settings.workers;
     report.workers_left_behind = run_workers(campaign, workers, settings.grace, progress);
     if (const auto error = campaign->error()) { std::rethrow_exception(error); }

@@ -17,6 +17,12 @@ bool is_repeatable(const CellRecord& cell) {
     return status != "exception" && status != "reference_failed" && status != "interrupted";
 }
 
+void keep_fastest(CellTimes& times, double run_s) {
+    if (!times.run_s || run_s >= *times.run_s) { return; }
+    if (times.step_s) { times.step_s = *times.step_s * (run_s / *times.run_s); }
+    times.run_s = run_s;
+}
+
 Outcome thrown(const std::string& what) {
     Outcome outcome;
     outcome.status = "exception";
@@ -81,6 +87,38 @@ void Campaign::work(const std::stop_token& token) {
             queue_.reference_done(item->reference);
         }
     }
+    if (plan_.config.runs_alone()) { time_in_turn(token); }
+}
+
+std::vector<std::size_t> Campaign::timed_cells() {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::size_t> cells;
+    for (const std::size_t index : mine_) {
+        const auto found = finished_.find(plan_.cells[index].hash);
+        const bool ok = found != finished_.end() && found->second.outcome.status == "ok";
+        if (!ok || !found->second.times.run_s) { continue; }
+        cells.push_back(index);
+        weight_total_ += (timing_rounds - 1) * plan_.cells[index].weight;
+    }
+    return cells;
+}
+
+void Campaign::time_in_turn(const std::stop_token& token) {
+    const std::vector<std::size_t> cells = timed_cells();
+    for (int round = 1; round < timing_rounds; ++round) {
+        for (const std::size_t index : cells) {
+            const PlannedCell& planned = plan_.cells[index];
+            if (token.stop_requested()) { return; }
+            const auto run_s = engines_.of(planned.precision).run_time(planned.cell, token);
+            const std::lock_guard lock(mutex_);
+            if (run_s) { keep_fastest(finished_.at(planned.hash).times, *run_s); }
+            weight_done_ += planned.weight;
+        }
+    }
+    const std::lock_guard lock(mutex_);
+    for (const std::size_t index : cells) {
+        if (!closed_) { journal_.append(journal_line(finished_.at(plan_.cells[index].hash), build_)); }
+    }
 }
 
 void Campaign::compute_reference(const std::string& hash, const std::stop_token& token) {
@@ -88,8 +126,8 @@ void Campaign::compute_reference(const std::string& hash, const std::stop_token&
     auto stored = store_.find(planned);
     if (!stored) {
         try {
-            const Reference reference =
-                engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end, token);
+            const Reference reference = engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end,
+                                                                     planned.samples, token);
             if (reference.interrupted) { return; }
             stored = store_.make(planned, reference);
         } catch (const std::exception& error) {

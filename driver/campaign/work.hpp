@@ -70,6 +70,11 @@ class Campaign {
   private:
     void compute_reference(const std::string& hash, const std::stop_token& token);
     void compute_cell(const PlannedCell& planned, const std::stop_token& token);
+    /// Those of this shard that were run now and have a CPU time.
+    std::vector<std::size_t> timed_cells();
+    /// The further rounds of their times, all cells in each round, so that a busy moment of the machine meets all
+    /// alike. The journal then has a second line of each cell; if stopped it keeps the time of the first round.
+    void time_in_turn(const std::stop_token& token);
     void record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
                 TrajectoryFile& samples);
     bool trajectory_is_whole(const CellRecord& cell) const;

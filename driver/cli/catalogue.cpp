@@ -27,7 +27,19 @@ const std::vector<std::string>& catalogue_topics() {
     return topics;
 }
 
-void list_topic(const Engine& engine, const std::string& topic, std::ostream& out) {
+namespace {
+
+void list_selected(const Engine& engine, const std::string& topic, const MethodFilter& filter, std::ostream& out) {
+    if (!topic.empty() && topic != "methods") {
+        throw UsageError("--family and the traits select methods, got the topic " + in_quotes(topic));
+    }
+    print_rows(out, "Methods", method_rows(selected(engine.methods(), filter)));
+}
+
+}  // namespace
+
+void list_topic(const Engine& engine, const std::string& topic, const MethodFilter& filter, std::ostream& out) {
+    if (filter.selects()) { return list_selected(engine, topic, filter, out); }
     const auto wanted = [&](const char* name) { return topic.empty() || topic == name; };
     if (wanted("problems")) { print_rows(out, "Problems", summaries(engine.problems())); }
     if (wanted("methods")) { print_rows(out, "Methods", method_rows(engine.methods())); }

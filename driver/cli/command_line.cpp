@@ -63,6 +63,7 @@ CommandLine::CommandLine(const Engines& engines, const Terminal& terminal)
     app_.set_version_flag("--version", fmt::format("kreisel {} (commit {}, {}, {} {})", build::version, build::commit,
                                                    build::compiler, build::build_type, build::flags));
     add_catalogue();
+    add_inquiries();
     add_planning();
     add_run();
     add_results();
@@ -94,11 +95,12 @@ void CommandLine::add_catalogue() {
     CLI::App* list = command(
         "list", "What there is: problems, methods, projections, formulations, metrics, kinds, figures, tables, configs",
         [this] {
-            list_topic(engines_.binary64, arguments_.topic, terminal_.out);
+            list_topic(engines_.binary64, arguments_.topic, arguments_.filter, terminal_.out);
             return Exit::ok;
         });
     list->add_option("topic", arguments_.topic, "One of them; all if left out")
         ->check(CLI::IsMember(catalogue_topics()));
+    add_filter(*list);
     CLI::App* info = command(
         "info", "All about one problem, method, projection, formulation, metric, kind, figure or table", [this] {
             describe(engines_.binary64, arguments_.name, terminal_.out);

@@ -8,6 +8,7 @@
 #include <functional>
 #include <string>
 
+#include "driver/cli/catalogue/traits.hpp"
 #include "driver/cli/commands.hpp"
 #include "driver/cli/diff.hpp"
 
@@ -28,6 +29,7 @@ class CommandLine {
     /// The values set by the command line.
     struct Arguments {
         std::string topic, name, shard = "1/1";
+        MethodFilter filter;
         Paths configs, folders;
         std::filesystem::path folder, output;
         RunSettings settings;
@@ -39,6 +41,8 @@ class CommandLine {
 
     CLI::App* command(const std::string& name, const std::string& text, Action action);
     void add_catalogue();
+    void add_filter(CLI::App& list);
+    void add_inquiries();
     void add_planning();
     void add_run();
     void add_results();

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "driver/config/catalogue.hpp"
+#include "driver/config/reading/text_options.hpp"
 #include "records/json/writer.hpp"
 #include "support/nearest.hpp"
 
@@ -52,6 +53,10 @@ std::optional<OptionValue> read_value(const Node& node, const OptionDescription&
 }
 
 std::vector<OptionValue> read_axis(const Node& node, const OptionDescription& option) {
+    if (option.text != OptionText::none) {
+        const auto text = read_text_option(node, option);
+        return text ? std::vector<OptionValue>{*text} : std::vector<OptionValue>();
+    }
     const auto entries = node.is_array() ? node.elements(expectation(option)) : node.elements_or_self();
     std::vector<OptionValue> values;
     for (const Node& entry : entries.value_or(std::vector<Node>())) {
@@ -90,6 +95,7 @@ std::string allowed_values(const OptionDescription& option) {
     if (takes_reals(option)) {
         parts.push_back(fmt::format("a number from {} to {}", option.real_min, option.real_max));
     }
+    if (option.text != OptionText::none) { parts.push_back(allowed_text(option.text)); }
     return fmt::format("{}", fmt::join(parts, ", or "));
 }
 

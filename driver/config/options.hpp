@@ -16,7 +16,7 @@ std::string allowed_values(const OptionDescription& option);
 std::string expectation(const OptionDescription& option);
 
 /// All combinations of the options written beside "name" in `written` (an object), an option given as a list being an
-/// axis; the last option of the description varies fastest.
+/// axis, but for texts; the last option of the description varies fastest.
 std::vector<OptionValues> read_options(const Node& written, const std::vector<OptionDescription>& options);
 std::vector<OptionValues> default_options(const std::vector<OptionDescription>& options);
 

@@ -8,6 +8,7 @@
 #include "driver/config/reading/measurements.hpp"
 #include "driver/config/schema/problem.hpp"
 #include "driver/config/schema/terms.hpp"
+#include "driver/config/schema/text_option.hpp"
 #include "driver/config/time.hpp"
 #include "plots/figures/schema.hpp"
 #include "records/json/node.hpp"
@@ -43,7 +44,8 @@ template <class Description>
 Schema optioned_object(const Description& description) {
     Schema properties = {{"name", {{"const", description.name}}}};
     for (const OptionDescription& option : description.options) {
-        properties[option.name] = one_or_list(option_value(option));
+        const bool text = option.text != OptionText::none;
+        properties[option.name] = text ? text_option(option.text) : one_or_list(option_value(option));
         properties[option.name]["description"] = option.summary;
     }
     return object(properties, {"name"});

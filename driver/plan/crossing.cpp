@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver/plan/crossing.hpp"
 
+#include <fmt/format.h>
+
 #include <set>
 
 #include "driver/plan/identify.hpp"
@@ -13,15 +15,19 @@ namespace kreisel {
 
 namespace {
 
+// A reference that knows samples is another one than that which does not.
 void name_reference(PlannedCell& planned, Plan& plan) {
     const Cell& cell = planned.cell;
-    const std::string content = ObjectWriter()
-                                    .member("problem", json_text(cell.problem))
-                                    .member("parameters", json_value(cell.parameters))
-                                    .member("t_end", json_number(cell.t_end))
-                                    .text();
+    const long samples = asks_for_largest_errors(cell.metrics) ? cell.samples : 0;
+    if (samples == 0 && !asks_for_errors(cell.metrics)) { return; }
+    ObjectWriter object;
+    object.member("problem", json_text(cell.problem))
+        .member("parameters", json_value(cell.parameters))
+        .member("t_end", json_number(cell.t_end));
+    if (samples > 0) { object.member("samples", fmt::format("{}", samples)); }
+    const std::string content = object.text();
     planned.reference = hash_text(content);
-    plan.references.insert({planned.reference, {cell.problem, cell.parameters, cell.t_end, content}});
+    plan.references.insert({planned.reference, {cell.problem, cell.parameters, cell.t_end, samples, content}});
 }
 
 // Constant steps, or a tolerance.
@@ -52,8 +58,7 @@ std::vector<Stepping> steppings_of(const MethodDescription& method, const Config
 
 class Crossing {
   public:
-    Crossing(const Engines& engines, Diagnostics& sink, Plan& plan)
-        : engines_(engines), methods_(engines.binary64.methods()), sink_(sink), plan_(plan) {}
+    Crossing(const Engines& engines, Diagnostics& sink, Plan& plan) : engines_(engines), sink_(sink), plan_(plan) {}
 
     void cross() {
         const Config& config = plan_.config;
@@ -73,7 +78,8 @@ class Crossing {
                   const OptionedEntry& projection) {
         const Config& config = plan_.config;
         for (const std::string& precision : config.precisions) {
-            for (const Stepping& stepping : steppings_of(*find_named(methods_, method.name), config)) {
+            const MethodDescription described = engines_.of(precision).method(method.name, method.options);
+            for (const Stepping& stepping : steppings_of(described, config)) {
                 PlannedCell planned;
                 planned.cell = {.problem = problem.name,
                                 .parameters = problem.parameters,
@@ -95,6 +101,7 @@ class Crossing {
                 planned.label = problem.label;
                 planned.precision = precision;
                 planned.skip_reason = stepping.skip_reason;
+                identify(planned, described.order);
                 add(std::move(planned), problem, method, projection);
             }
         }
@@ -103,12 +110,10 @@ class Crossing {
     void add(PlannedCell planned, const ProblemEntry& problem, const OptionedEntry& method,
              const OptionedEntry& projection) {
         const SystemSummary& system = plan_.systems.at({problem.label, planned.cell.formulation});
-        const Engine& engine = engines_.of(planned.precision);
-        identify(planned, engine.declared_order(method.name, method.options));
         if (!system.skip_reason.empty()) { planned.skip_reason = system.skip_reason; }
         if (planned.skip_reason.empty()) { planned.skip_reason = ask(planned, problem, method, projection); }
         planned.weight = weight_of(planned, system.bodies);
-        if (planned.skip_reason.empty() && asks_for_errors(planned.cell.metrics)) { name_reference(planned, plan_); }
+        if (planned.skip_reason.empty()) { name_reference(planned, plan_); }
         plan_.cells.push_back(std::move(planned));
     }
 
@@ -130,7 +135,6 @@ class Crossing {
     }
 
     const Engines& engines_;
-    const std::vector<MethodDescription> methods_;
     Diagnostics& sink_;
     Plan& plan_;
     std::set<std::string> reported_;

@@ -8,6 +8,7 @@
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
 #include "records/json/diagnostics.hpp"
+#include "records/metrics/catalogue.hpp"
 #include "support/nearest.hpp"
 #include "support/pattern.hpp"
 
@@ -72,7 +73,7 @@ class FigureCheck {
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             check_metric(kind, drawn[i], place(figure.pointer + "/metric", i));
         }
-        check_abscissa(figure);
+        check_abscissa(kind, figure);
         for (const auto& [key, values] : figure.select) {
             for (std::size_t i = 0; i < values.size(); ++i) { check_selection(figure, key, values[i], i); }
         }
@@ -104,6 +105,11 @@ class FigureCheck {
                        "a metric that this experiment measures (key \"metrics\"; here " +
                            (config_.metrics.empty() ? "none" : listed(config_.metrics)) + ")",
                        in_quotes(metric)});
+        } else if (is_largest_error(metric) && config_.samples == 0) {
+            sink_.add({pointer,
+                       "a metric that is measured without samples (a maximum over them needs \"output\": {\"samples\": "
+                       "K})",
+                       in_quotes(metric)});
         }
     }
 
@@ -113,13 +119,17 @@ class FigureCheck {
     }
 
     // Whether some cell of the experiment will have what is drawn against.
-    void check_abscissa(const Figure& figure) {
+    void check_abscissa(const FigureKind& kind, const Figure& figure) {
         const std::string x = figure.drawn_against();
-        const bool counted = config_.is_repeated() || !config_.tolerances.empty();
+        const bool sampled = kind.draws == FigureData::samples;
+        const bool counted = config_.is_repeated() || (!config_.tolerances.empty() && !sampled);
         std::string expected;
         if (x == "cpu" && !config_.is_repeated()) { expected = "a kind of experiment that measures it"; }
         if (in_list({"exponentials", "brackets", "newton_iterations"}, x) && !counted) {
             expected = "a kind of experiment that counts them, or tolerances";
+        }
+        if (sampled && !x.empty() && !config_.is_repeated()) {
+            expected = "a kind of experiment whose samples tell their cost (work_precision)";
         }
         if (in_list({"tolerance", "rejected"}, x) && config_.tolerances.empty()) {
             expected = "tolerances in \"time\"";

@@ -11,8 +11,7 @@ namespace kreisel {
 std::vector<std::string> metric_names(const std::vector<std::string>& integrals) {
     std::vector<std::string> names;
     for (const MetricDescription& metric : metric_catalogue()) {
-        names.emplace_back(metric.name);
-        if (is_defect(metric)) { names.push_back(names.back() + ".final"); }
+        for (std::string& name : names_of_metric(metric)) { names.push_back(std::move(name)); }
     }
     for (const std::string& integral : integrals) {
         for (const IntegralSuffix& suffix : integral_suffixes) {
@@ -26,6 +25,13 @@ bool asks_for_errors(const std::vector<std::string>& patterns) {
     const auto& all = metric_catalogue();
     return std::any_of(all.begin(), all.end(), [&](const MetricDescription& metric) {
         return is_error(metric) && matches_any(patterns, metric.name);
+    });
+}
+
+bool asks_for_largest_errors(const std::vector<std::string>& patterns) {
+    const auto& all = metric_catalogue();
+    return std::any_of(all.begin(), all.end(), [&](const MetricDescription& metric) {
+        return is_error(metric) && matches_any(patterns, metric.name + largest_of_error);
     });
 }
 

@@ -29,10 +29,11 @@ bool has_rows_of(const ConstraintSummary& constraints, MetricRows rows) {
     return false;
 }
 
-// Whether some cell can measure a metric: metrics of constraints need constraints, and those of multipliers unique
-// ones.
+// Whether some cell can measure a metric: metrics of constraints need constraints, those of multipliers unique ones,
+// and maxima over samples need samples.
 bool can_be_measured(const Plan& plan, const std::string& name) {
     const MetricDescription* metric = find_metric(name);
+    if (is_largest_error(name) && plan.config.samples == 0) { return false; }
     return std::any_of(plan.systems.begin(), plan.systems.end(), [&](const auto& entry) {
         const SystemSummary& system = entry.second;
         if (!system.skip_reason.empty()) { return false; }
@@ -58,7 +59,7 @@ std::vector<std::string> known_metrics(const Plan& plan) {
 void check_metrics(const Document& document, const std::vector<std::string>& names, Diagnostics& sink, Plan& plan) {
     if (!plan.config.metrics_given) { return; }
     std::vector<std::string> suggestions = names;
-    suggestions.insert(suggestions.end(), {"error.*", "defect.*", "invariant.*"});
+    suggestions.insert(suggestions.end(), {"error.*", "defect.*", "structure.*", "invariant.*"});
     for (std::size_t i = 0; i < plan.config.metrics.size(); ++i) {
         const std::string& pattern = plan.config.metrics[i];
         const bool plain = pattern.find('*') == std::string::npos;

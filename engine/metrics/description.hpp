@@ -22,9 +22,13 @@ enum class MetricRows { any, lengths, directions };
 /// `acceleration` is v (w + 1/T), `angular_acceleration` w (w + 1/T) with T = t_end; `own` is the metric's own size.
 enum class MetricScale { own, one, position, velocity, omega, force, torque, acceleration, angular_acceleration };
 
-/// `error`: distance from the reference at the end. `defect`: deviation from the constraints or the group, the largest
-/// over all steps; NAME.final is the one at the end.
-enum class MetricKind { error, defect };
+/// `error`: distance from the reference at the end; NAME.max is the largest over the samples of a run, those between
+/// steps among them. `defect`: deviation from the constraints or the group, the largest over all steps; NAME.final is
+/// the one at the end. `structure`: of single steps of one size, the largest at the start and at the end of a run,
+/// where it is above ten times its uncertainty, NAME.uncertainty.
+enum class MetricKind { error, defect, structure };
+inline constexpr const char *largest_of_error = ".max", *final_of_defect = ".final",
+                            *uncertainty_of_structure = ".uncertainty";
 
 struct MetricDescription {
     std::string name, unit;

@@ -10,10 +10,10 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Errors come before defects.
+/// By kind, then by place.
 int place_of(MetricKind kind, int place) {
-    constexpr int after_all_errors = 1000000;
-    return kind == MetricKind::error ? place : after_all_errors + place;
+    constexpr int places_of_a_kind = 1000000;
+    return static_cast<int>(kind) * places_of_a_kind + place;
 }
 
 void enter(MetricDescription description, MetricKind kind, Metric metric) {
@@ -33,6 +33,10 @@ MetricRegistration::MetricRegistration(MetricDescription description, ObserveSep
 }
 MetricRegistration::MetricRegistration(MetricDescription description, ObserveComparison observe) {
     enter(std::move(description), MetricKind::error, {.description = {}, .of_comparison = observe});
+}
+
+MetricRegistration::MetricRegistration(MetricDescription description, ObserveStructure observe) {
+    enter(std::move(description), MetricKind::structure, {.description = {}, .of_structure = observe});
 }
 
 const std::vector<Metric>& metrics() { return Registered<Metric>::all(); }

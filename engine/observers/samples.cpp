@@ -24,6 +24,12 @@ void append_body(const BodyState& s, std::vector<Real>& row) {
     row.insert(row.end(), {s.v[0], s.v[1], s.v[2], s.omega[0], s.omega[1], s.omega[2]});
 }
 
+/// The counts of a run up to a sample, by the names that they have in results.
+const std::pair<const char*, long Cost::*> work_columns[] = {
+    {"cost.evaluations", &Cost::evaluations}, {"cost.exponentials", &Cost::exponentials},
+    {"cost.brackets", &Cost::brackets},       {"cost.newton_iterations", &Cost::newton_iterations},
+    {"cost.accepted", &Cost::accepted},       {"cost.rejected", &Cost::rejected}};
+
 /// A line of numbers separated by commas; empty where one is not finite.
 class SampleLine {
   public:
@@ -53,6 +59,8 @@ std::vector<Column> Samples::columns() const {
     for (Column& column : sources_.joint_forces.columns()) all.push_back(std::move(column));
     sources_.step_metrics.add_columns(all);
     sources_.integral_metrics.add_columns(all);
+    if (sources_.work)
+        for (const auto& [name, count] : work_columns) all.push_back({name, "1"});
     return all;
 }
 
@@ -61,9 +69,16 @@ void Samples::take(Observation& now, const Real* multipliers) {
     for (const BodyState& body : now.bodies()) append_body(body, motion);
     for (const SpringAngle& spring : now.springs()) motion.insert(motion.end(), {spring.theta, Real(spring.turns)});
     std::vector<std::string> forces;
-    sources_.joint_forces.append_values(sources_.joint_forces.find(now.t(), now.y(), multipliers), forces);
+    const bool found = sources_.joint_forces.find(now.t(), now.y(), multipliers);
+    sources_.joint_forces.append_values(found, forces);
+    static const std::vector<Real> unknown;
+    if (sources_.errors) sources_.errors->add({now.bodies(), found ? sources_.joint_forces.multipliers() : unknown});
     sources_.step_metrics.append_values(measured);
     sources_.integral_metrics.append_values(measured);
+    if (sources_.work) {
+        const Cost cost = sources_.work();
+        for (const auto& [name, count] : work_columns) measured.push_back(Real(cost.*count));
+    }
     SampleLine line;
     line.append(motion);
     for (const std::string& text : forces) line.append(text);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The samples of a run: the bodies, angles of torsion springs, joint forces, and the metrics of the steps.
+// The samples of a run: the bodies, angles of torsion springs, joint forces, the metrics of the steps, and what these
+// have taken.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "engine/observers/errors.hpp"
 #include "engine/observers/integral_metrics.hpp"
 #include "engine/observers/step_metrics.hpp"
 #include "engine/report/joint_forces.hpp"
@@ -19,6 +22,8 @@ struct Sampled {
     JointForces& joint_forces;
     StepMetrics& step_metrics;
     IntegralMetrics& integral_metrics;
+    SampleErrors* errors;          ///< null without a reference
+    std::function<Cost()> work{};  ///< what the steps have taken so far; null: samples do not tell
 };
 
 class Samples {
@@ -27,6 +32,10 @@ class Samples {
     Samples(Sampled sources, SampleSink* sink);
     /// Takes a sample. `multipliers`: the method's own, or null. The metrics are those that were observed last.
     void take(Observation& now, const Real* multipliers);
+    /// One that could not be interpolated.
+    void leave_out() {
+        if (sources_.errors) sources_.errors->leave_out();
+    }
 
   private:
     std::vector<Column> columns() const;

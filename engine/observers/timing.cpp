@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <ctime>
 
+#include "engine/engine.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 namespace {
 
-constexpr int least_repeats = 5;
+// Of all rounds together.
 constexpr double least_seconds = 0.25;
 
 }  // namespace
@@ -27,7 +29,7 @@ double heap_bytes() {
     return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-bool RepeatedTimes::reliable() const { return runs_ >= least_repeats && total_ >= least_seconds; }
+bool RepeatedTimes::enough() const { return runs_ > 0 && total_ >= least_seconds / timing_rounds; }
 
 void RepeatedTimes::add(double seconds) {
     fastest_ = runs_ == 0 ? seconds : std::min(fastest_, seconds);

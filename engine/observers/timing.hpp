@@ -14,10 +14,11 @@ double thread_seconds();
 /// Zero under sanitizers, where malloc is not the C library's.
 double heap_bytes();
 
-/// A run is repeated until its fastest time is reliable.
+/// A run is repeated in several rounds, in each of them until it has taken its share of the time that makes the fastest
+/// one reliable.
 class RepeatedTimes {
   public:
-    bool reliable() const;
+    bool enough() const;
     void add(double seconds);
     double fastest() const { return fastest_; }  ///< s
 

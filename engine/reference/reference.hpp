@@ -27,6 +27,14 @@ struct ReferencePoint {
     std::vector<BodyState> states;
 };
 
+/// A solution on the way and what is known of its error, in the sense of ReferenceSolution; unknown errors are NaN.
+struct SampledPoint {
+    ReferencePoint point;
+    std::vector<Real> multipliers;
+    Distance error;
+    MultiplierDistance multiplier_error;
+};
+
 /// The state at t_end and what is known of its error. Errors are the differences between big steps H and H/2, each in
 /// the unit and norm of its metric (Euclidean over all bodies, rotation by the norm of the logarithm: m, rad, m/s,
 /// rad/s; multipliers in N and N m over their rows); position and velocity at least the constraint residuals |Phi|,
@@ -47,15 +55,17 @@ struct ReferenceSolution {
     MotionSize sizes;
     std::vector<ReferencePoint> path;    ///< the big steps up to the horizon, the start included
     std::vector<ReferencePoint> beyond;  ///< those after it
+    std::vector<SampledPoint> samples;   ///< those asked for, at t_end k / K, k = 1 ... K
     std::string route;                   ///< how it was computed
     std::string stopped;                 ///< empty, or the name of the Status that ended the integration
     bool interrupted = false;            ///< it was asked to stop; all else is empty
 };
 
 /// Integrates from t = 0 to t_end (s), which may be negative: once with big steps chosen by their local error, and once
-/// with each of these halved. A stop request is checked after each big step. Throws std::invalid_argument if t_end is
-/// not finite.
-ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop = {});
+/// with each of these halved; samples by a shorter step of each run. A stop request is checked after each big step and
+/// each sample. Throws std::invalid_argument if t_end is not finite.
+ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop = {},
+                                     long samples = 0);
 
 /// Makes the errors of a reference at least as large as its distance from another solution.
 void allow_for(ReferenceSolution& reference, const Distance& distance);

@@ -83,6 +83,12 @@ Distance distance(const std::vector<BodyState>& a, const std::vector<BodyState>&
     return {sqrt(sum.position), sqrt(sum.rotation), sqrt(sum.velocity), sqrt(sum.omega)};
 }
 
+Distance largest(const Distance& a, const Distance& b) {
+    const auto larger = [](const Real& x, const Real& y) { return x > y || !isfinite(x) ? x : y; };
+    return {larger(a.position, b.position), larger(a.rotation, b.rotation), larger(a.velocity, b.velocity),
+            larger(a.omega, b.omega)};
+}
+
 Real norm_of_difference(const std::vector<Real>& a, const std::vector<Real>& b) {
     Real sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);

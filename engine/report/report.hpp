@@ -30,6 +30,8 @@ struct Distance {
     Real position = 0, rotation = 0, velocity = 0, omega = 0;
 };
 Distance distance(const std::vector<BodyState>& a, const std::vector<BodyState>& b);
+/// Part by part; NaN where one of them is.
+Distance largest(const Distance& a, const Distance& b);
 
 /// |a - b| of two vectors of equal size.
 Real norm_of_difference(const std::vector<Real>& a, const std::vector<Real>& b);

@@ -44,6 +44,9 @@ class PivotedBodies final : public System, public SpaceAxes {
     void mass(const Real*, Real* blocks) const override {
         for (const Pivoted& body : bodies_) store(body.J_O, blocks), blocks += 9;
     }
+    void solve_mass(const Real*, const Real* f, Real* a) const override {
+        for (const Pivoted& body : bodies_) store(Vec3(body.J_O_inverse * vec3(f)), a), f += 3, a += 3;
+    }
     /// Without v, at rest.
     void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override;
     void gyroscopic_force(const Real* q, const Real* v, Real* f) const override;

@@ -18,9 +18,17 @@ namespace kreisel {
 using OptionValue = std::variant<std::string, long, bool, double>;
 using OptionValues = std::map<std::string, OptionValue>;
 
+/// What an option takes as a text that is not one of its choices.
+enum class OptionText {
+    none,
+    numbers,  ///< exact ones, apart by blanks: "1/6 0.25 -1"; a config may give them as a list
+    rows,     ///< of such numbers, apart by semicolons: "1/2; 0 1/2"; likewise as a list of lists
+    label,    ///< any text, or none; it names what the other options make
+};
+
 /// An option: which values it takes and its default.
 /// A word must be one of `choices`; a count must lie in [count_min, count_max] (none where count_max < count_min);
-/// a flag is allowed where the default is a flag; a real must lie in [real_min, real_max].
+/// a flag is allowed where the default is a flag; a real must lie in [real_min, real_max]; a text is as `text` says.
 struct OptionDescription {
     std::string name;
     std::string summary;
@@ -28,6 +36,7 @@ struct OptionDescription {
     std::vector<std::string> choices = {};
     long count_min = 0, count_max = -1;
     double real_min = 0, real_max = -1;
+    OptionText text = OptionText::none;
 };
 
 /// The declared order of a method, separately for configuration, velocity and multipliers: they differ in several
@@ -40,8 +49,8 @@ struct Order {
     bool operator==(const Order&) const = default;
 };
 
-/// How the stages of a step are found: each in closed form from those before; each with multipliers that are solved for;
-/// or all together, by iteration.
+/// How the stages of a step are found: each in closed form from those before; each with multipliers that are solved
+/// for; or all together, by iteration.
 enum class Form { explicit_steps, half_explicit, implicit };
 
 struct MethodDescription {
@@ -49,8 +58,8 @@ struct MethodDescription {
     Order order;
     std::vector<std::string> cites;  ///< keys of paper/references.bib
     std::string summary = {};
-    /// What steps cost. `stages`: solves of the dynamics per step; of an implicit method, its implicit stages, if it has
-    /// such. Where not `variable_cost`, these are the counts, to the last solve.
+    /// What steps cost. `stages`: solves of the dynamics per step; of an implicit method, its implicit stages, if it
+    /// has such. Where not `variable_cost`, these are the counts, to the last solve.
     int stages = 0;
     int solves_at_start = 0;     ///< before the first step
     int force_evaluations = 0;   ///< per step, of forces without a solve

@@ -15,6 +15,13 @@ MethodRegistration::MethodRegistration(const char* file, Factory factory, Method
     Registered<Method>::add({std::move(description), std::move(factory), file});
 }
 
+MethodDescription Method::under(const OptionValues& options) const {
+    MethodDescription described = description;
+    described.order = factory.order(options, description.order);
+    described.estimate = factory.estimate(options, description.estimate);
+    return described;
+}
+
 std::unique_ptr<Integrator> Method::bind(System& system, const OptionValues& options) const {
     if (!factory.make)
         throw std::logic_error(description.name + " has no steps of a given size, it chooses them to a tolerance");

@@ -34,12 +34,16 @@ struct Factory {
     /// The order under given options, where it is not the declared one.
     std::function<Order(const OptionValues&, const Order& declared)> order =
         [](const OptionValues&, const Order& declared) { return declared; };
+    /// The same of its estimate (MethodDescription::estimate).
+    std::function<int(const OptionValues&, int declared)> estimate = [](const OptionValues&, int declared) {
+        return declared;
+    };
     /// Of a method that chooses its steps by a control of its own (MethodDescription::own_control); then `make` is
     /// empty. System and projection outlive the stepper.
     std::function<std::unique_ptr<Stepper>(System&, Projection&, const Accuracy&, const OptionValues&,
                                            const MethodDescription&)>
         stepper = {};
-    /// Why a combination of options does not apply; empty if it does.
+    /// Why a combination of options does not apply; empty if it does. Throws OptionError for one that is wrong.
     std::function<std::string(const OptionValues&)> why_not = [](const OptionValues&) { return std::string(); };
     /// Why a system cannot be treated (rolling, dampers, moving supports, redundant rows, ...); empty if it can. None
     /// is asked where this is empty.
@@ -50,6 +54,8 @@ struct Method {
     MethodDescription description;
     Factory factory;
     std::string file;
+    /// What it is under these options, which may decide order and estimate.
+    MethodDescription under(const OptionValues& options) const;
     /// The method on a system, which outlives the integrator. Where torsion springs count full turns, a step can return
     /// turn_lost (mechanics/turns.hpp).
     std::unique_ptr<Integrator> bind(System& system, const OptionValues& options) const;

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+
+#include "methods/control/first_step.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
@@ -19,26 +22,18 @@ StepControl::StepControl(System& system, Projection& projection, std::unique_ptr
       projection_(projection, static_cast<std::size_t>(system.state_group().size())),
       norm_(system, accuracy),
       controller_(accuracy.controller, description.estimate),
-      first_(pow(Real(accuracy.tolerance / 100), Real(Real(1) / description.estimate))),
+      tolerance_(accuracy.tolerance),
+      estimate_(description.estimate),
       name_(description.name),
       new_(static_cast<std::size_t>(system.state_group().size())),
       error_(static_cast<std::size_t>(system.state_group().dim())) {}
 
 Status StepControl::start(const Real& t, const Real& t_end, const Real* y) {
-    t_end_ = t_end, h_ = 0, in_projection_ = false;
+    h_ = 0, in_projection_ = false;
     controller_.start();
     if (const Status status = method_->start(t, y); status != Status::ok) return status;
-    return t_end == t ? Status::ok : guess(t, y);
-}
-
-Status StepControl::guess(const Real& t, const Real* y) {
-    Real* slope = error_.data();
-    if (const Status status = system_.vector_field(t, y, slope); status != Status::ok) return status;
-    const Real rate = norm_.rate(slope), span = t_end_ - t;
-    if (!isfinite(rate)) return Status::non_finite;
-    const Real size = rate > 0 ? min(Real(abs(span)), Real(first_ / rate)) : Real(abs(span));
-    h_ = span < 0 ? -size : size;
-    return Status::ok;
+    if (t_end == t) return Status::ok;
+    return guess_first_step(system_, norm_, tolerance_, estimate_, t, t_end, y, error_.data(), h_);
 }
 
 Status StepControl::step(Real& t, const Real& limit, Real* y) {

@@ -34,19 +34,17 @@ class StepControl final : public Stepper {
     /// One attempt at y -> new_, with the projection. `error` is relative to the tolerance.
     Status attempt(const Real& t, const Real& h, const Real& end, const Real* y, Real& error);
     void accept(const FittedStep& fitted, const Real& error, Real* y);
-    /// Proposes the first step: (tol/100)^(1/r) over the rate of the motion, as if an error were (h rate)^r. What that
-    /// is wrong by, the controller corrects in a step or two.
-    Status guess(const Real& t, const Real* y);
 
     System& system_;
     std::unique_ptr<Integrator> method_;
     StepProjection projection_;
     ErrorNorm norm_;
     StepSizeController controller_;
-    Real first_;  // size of the first step times the rate of the motion
+    Real tolerance_;
+    int estimate_;
     std::string name_;
     std::vector<Real> new_, error_;
-    Real t_end_ = 0, h_ = 0;      // h_: the size proposed for the next step; 0: none yet
+    Real h_ = 0;                  // the size proposed for the next step; 0: none yet
     bool in_projection_ = false;  // where the last status comes from
 };
 

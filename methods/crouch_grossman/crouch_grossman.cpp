@@ -2,6 +2,7 @@
 #include "methods/crouch_grossman/crouch_grossman.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "mechanics/system.hpp"
 #include "methods/contract/integrator.hpp"
@@ -12,43 +13,82 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
+/// The products of the solution that a pair is compared with; none where it is not a pair.
+Combination embedded_weights(Tableau tableau, std::size_t stride) {
+    if (tableau.b_hat.empty()) return {};
+    tableau.b = std::exchange(tableau.b_hat, {});
+    return BoundTableau(tableau, stride).b;
+}
+
 class CrouchGrossman final : public Integrator {
   public:
     CrouchGrossman(System& system, const Tableau& tableau)
         : system_(system),
-          factor_(static_cast<std::size_t>(system.state_group().dim())),
+          group_(system.state_group()),
+          factor_(static_cast<std::size_t>(group_.dim())),
           tableau_(tableau, factor_.size()),
+          b_hat_(embedded_weights(tableau, factor_.size())),
           slopes_(factor_.size() * tableau_.stages()),
-          stage_(static_cast<std::size_t>(system.state_group().size())) {}
+          stage_(static_cast<std::size_t>(group_.size())) {}
+
+    Status start(const Real&, const Real*) override {
+        first_known_ = false;
+        return Status::ok;
+    }
 
     Status step(const Real& t, const Real& h, Real* y) override {
-        for (std::size_t i = 0; i < tableau_.a.size(); ++i) {
+        if (const Status status = stages(0, tableau_.stages_of_step, t, h, y); status != Status::ok) return status;
+        append_product(tableau_.b, h, y);
+        return Status::ok;
+    }
+
+    /// error = log(y^^{-1} y).
+    Status attempt(const Real& t, const Real& h, const Real* y, Real* y_new, Real* error) override {
+        if (const Status status = stages(first_known_, tableau_.stages(), t, h, y); status != Status::ok) return status;
+        first_known_ = true;  // a rejected step starts from here once more
+        std::copy_n(y, stage_.size(), y_new);
+        append_product(tableau_.b, h, y_new);
+        std::copy_n(y, stage_.size(), stage_.begin());
+        append_product(b_hat_, h, stage_.data());
+        group_.inverse(stage_.data(), stage_.data());
+        group_.multiply(stage_.data(), y_new, stage_.data());
+        group_.log(stage_.data(), error);
+        return Status::ok;
+    }
+
+    void accept(bool) override { first_known_ = false; }
+
+  private:
+    /// The slopes of the stages [first, end).
+    Status stages(std::size_t first, std::size_t end, const Real& t, const Real& h, const Real* y) {
+        for (std::size_t i = first; i < end; ++i) {
             std::copy_n(y, stage_.size(), stage_.begin());
             append_product(tableau_.a[i], h, stage_.data());
             const Status status =
                 system_.vector_field(t + tableau_.c[i] * h, stage_.data(), slopes_.data() + i * factor_.size());
             if (status != Status::ok) return status;
         }
-        append_product(tableau_.b, h, y);
         return Status::ok;
     }
 
-  private:
     /// y <- y exp(h w_1 K_1) ... exp(h w_s K_s).
     void append_product(const Combination& weights, const Real& h, Real* y) {
         for (const Term& term : weights) {
             const Real* K = slopes_.data() + term.offset;
             const Real w = h * term.coefficient;
             for (std::size_t j = 0; j < factor_.size(); ++j) factor_[j] = w * K[j];
-            system_.state_group().append_exp(y, factor_.data(), y);
+            group_.append_exp(y, factor_.data(), y);
             ++work_.exponentials;
         }
     }
 
     System& system_;
+    const TangentGroup& group_;
     std::vector<Real> factor_;
     BoundTableau tableau_;
+    Combination b_hat_;
     std::vector<Real> slopes_, stage_;
+    bool first_known_ = false;  // the first slope is that of the state
 };
 
 }  // namespace
@@ -58,7 +98,7 @@ Factory crouch_grossman(const Tableau& tableau) {
     factory.make = [tableau](System& system, const OptionValues&, const MethodDescription&) {
         return std::make_unique<CrouchGrossman>(system, tableau);
     };
-    factory.stages = static_cast<int>(tableau.b.size());
+    factory.stages = stages_of_step(tableau);
     factory.scheme = Scheme(CrouchGrossmanScheme{tableau});
     return factory;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mechanics/system.hpp"
+#include "methods/control/first_step.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -30,14 +31,11 @@ GbsStepper::GbsStepper(System& system, Projection& projection, const MakeExtrapo
 Status GbsStepper::start(const Real& t, const Real& t_end, const Real* y) {
     first_known_ = in_projection_ = false;
     if (t_end == t) return Status::ok;
-    if (const Status status = system_.vector_field(t, y, slope_.data()); status != Status::ok) return status;
     const int aim = OrderAndStep::first_aim(tolerance_, max_columns);
-    const Real span = t_end - t, rate = norm_.rate(slope_.data());
-    if (!isfinite(rate)) return Status::non_finite;
-    Real size = abs(span);
-    if (rate > 0) size = min(size, Real(pow(Real(tolerance_ / 100), Real(1) / (2 * aim - 1)) / rate));
-    control_.start(aim, span < 0 ? -size : size);
-    return Status::ok;
+    Real h = 0;
+    const Status status = guess_first_step(system_, norm_, tolerance_, 2 * aim - 1, t, t_end, y, slope_.data(), h);
+    if (status == Status::ok) control_.start(aim, h);
+    return status;
 }
 
 Status GbsStepper::step(Real& t, const Real& limit, Real* y) {

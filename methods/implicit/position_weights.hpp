@@ -32,6 +32,8 @@ class PositionWeights {
     Real of_residual(const VecX& phi) const {
         return phi.head(positions_).cwiseQuotient(lengths_.head(positions_)).cwiseAbs().maxCoeff();
     }
+    /// Largest velocity times h that corrects rows of the size of their terms.
+    const Real& reach() const { return reach_; }
     /// Size of the places that Phi is known from, as a size of unknowns beside the motion.
     Real of_places(const Real& h) const { return balance_ * reach_ / abs(h); }
     /// Size of positions over that of the joints: how round-off of places affects directions.
@@ -45,7 +47,7 @@ class PositionWeights {
     Eigen::Index m_, positions_;
     VecX row_weights_, lengths_, rows_;  // m
     VecX zero_, shift_;                  // n
-    Real reach_ = 0;                     // largest velocity times h that corrects rows of the size of their terms
+    Real reach_ = 0;
     Real remoteness_ = 1, balance_ = 0;
     long steps_ = 0;
 };

@@ -17,6 +17,7 @@
 #include "methods/implicit/motion_scale.hpp"
 #include "methods/implicit/newton.hpp"
 #include "methods/implicit/predictor.hpp"
+#include "methods/implicit/remoteness.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -36,8 +37,7 @@ class ImplicitMidpoint final : public Integrator, private Equations {
           u_(w_),
           middle_v_(w_),
           f_(w_),
-          terms_(VecX::Zero(system.position_constraints())),
-          lengths_(VecX::Zero(system.constraints())),
+          remoteness_of_(system),
           middle_q_(static_cast<std::size_t>(system.group().size())) {}
 
     Status start(const Real&, const Real*) override {
@@ -50,7 +50,7 @@ class ImplicitMidpoint final : public Integrator, private Equations {
         scale_.weigh(y);
         if (const Status status = guess(); status != Status::ok) return status;
         motion_ = scale_.of_motion(t, h, y);
-        measure_remoteness();
+        remoteness_ = remoteness_of_.measure(y);
         const Status status = solve();
         work_.newton_iterations = newton_.iterations();
         if (status != Status::ok) {
@@ -106,20 +106,12 @@ class ImplicitMidpoint final : public Integrator, private Equations {
     Real size() const override { return max(motion_, Real(abs(h_) * scale_.of_velocity(f_.data()))); }
     Real round_off() const override { return remoteness_ * system_.kkt_round_off(); }
 
-    /// Rows along a line between bodies have its direction to the round-off of places over its length.
-    void measure_remoteness() {
-        remoteness_ = 1;
-        if (terms_.size() == 0) return;
-        system_.position_scale(q_, terms_.data());
-        system_.row_scale(lengths_.data());
-        remoteness_ = max(remoteness_, Real(terms_.cwiseQuotient(lengths_.head(terms_.size())).maxCoeff()));
-    }
-
     System& system_;
     Newton newton_;
     MotionScale scale_;
     Predictor changes_;
-    VecX w_, turned_, weights_, u_, middle_v_, f_, terms_, lengths_;
+    VecX w_, turned_, weights_, u_, middle_v_, f_;
+    Remoteness remoteness_of_;
     std::vector<Real> middle_q_;
     Real t_ = 0, h_ = 0, known_h_ = 0, motion_ = 0, remoteness_ = 1;
     const Real *q_ = nullptr, *v_ = nullptr;  // start of the step

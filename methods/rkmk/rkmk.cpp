@@ -114,6 +114,7 @@ std::unique_ptr<Integrator> lift(System& system, Chart chart, const Tableau& tab
 std::unique_ptr<Integrator> lift_with(System& system, const OptionValues& options, int order, const Tableau& tableau) {
     const Group& group = system.group();
     if (options.at("coordinates") == OptionValue("cayley")) return lift(system, CayleyChart(group), tableau);
+    if (options.at("coordinates") == OptionValue("second_kind")) return lift(system, SecondKindChart(group), tableau);
     const OptionValue& dexpinv = options.at("dexpinv");
     if (const long* brackets = std::get_if<long>(&dexpinv))
         return lift(system, TruncatedExpChart(group, static_cast<int>(*brackets)), tableau);
@@ -131,10 +132,10 @@ Factory rkmk(const Tableau& tableau) {
     factory.options = {{.name = "coordinates",
                         .summary = "local coordinates of a step",
                         .standard = "exp",
-                        .choices = {"exp", "cayley"}},
+                        .choices = {"exp", "cayley", "second_kind"}},
                        {.name = "dexpinv",
                         .summary = "inverse differential of exp: in closed form, or cut after q brackets "
-                                   "(seed: q = order - 1); does not apply under cayley",
+                                   "(seed: q = order - 1); of exp coordinates only",
                         .standard = "exact",
                         .choices = {"exact", "seed"},
                         .count_min = 0,
@@ -147,8 +148,8 @@ Factory rkmk(const Tableau& tableau) {
     };
     factory.why_not = [](const OptionValues& options) -> std::string {
         const bool truncated = options.at("dexpinv") != OptionValue("exact");
-        const bool cayley = options.at("coordinates") == OptionValue("cayley");
-        return truncated && cayley ? "dexpinv does not apply under cayley coordinates" : "";
+        const std::string coordinates = std::get<std::string>(options.at("coordinates"));
+        return truncated && coordinates != "exp" ? "dexpinv does not apply under " + coordinates + " coordinates" : "";
     };
     factory.stages = stages_of_step(tableau);
     factory.scheme = Scheme(MuntheKaasScheme{tableau});

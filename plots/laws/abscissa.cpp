@@ -12,6 +12,20 @@ std::optional<double> cost_of(const ResultRow& row, const std::string& name) {
     return found == row.cost.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::vector<Abscissa> with_costs(std::vector<Abscissa> all) {
+    all.insert(all.end(), costs().begin(), costs().end());
+    return all;
+}
+
+/// The column that CPU time is shared out by; null where there is none.
+const std::vector<double>* shares_of_cpu(const TrajectoryTable& samples) {
+    for (const char* column : {"cost.evaluations", "cost.accepted"}) {
+        const auto* counts = samples.find(column);
+        if (counts != nullptr && !counts->empty() && counts->back() > 0) { return counts; }
+    }
+    return nullptr;
+}
+
 bool is_coarser(const WorkPoint& a, const WorkPoint& b) {
     return a.row->adaptive() || b.row->adaptive() ? a.row->tolerance > b.row->tolerance : a.row->steps < b.row->steps;
 }
@@ -30,16 +44,17 @@ const std::vector<Abscissa>& costs() {
 }
 
 const std::vector<Abscissa>& abscissae() {
-    static const std::vector<Abscissa> all = [] {
-        std::vector<Abscissa> some = {{"h", "h [s]"}, {"tolerance", "tolerance"}};
-        some.insert(some.end(), costs().begin(), costs().end());
-        return some;
-    }();
+    static const std::vector<Abscissa> all = with_costs({{"h", "h [s]"}, {"tolerance", "tolerance"}});
+    return all;
+}
+
+const std::vector<Abscissa>& times_and_costs() {
+    static const std::vector<Abscissa> all = with_costs({{"t", "t [s]"}});
     return all;
 }
 
 std::string abscissa_label(const std::string& name) {
-    const auto& all = abscissae();
+    const auto& all = name == "t" ? times_and_costs() : abscissae();
     return std::find_if(all.begin(), all.end(), [&](const Abscissa& one) { return one.name == name; })->label;
 }
 
@@ -49,6 +64,18 @@ std::optional<double> abscissa_of(const ResultRow& row, const std::string& name)
     if (name == "tolerance") { return if_positive(row.tolerance); }
     if (name == "accepted" && !row.adaptive()) { return static_cast<double>(row.steps); }
     return cost_of(row, name == "cpu" ? "run_s" : name);
+}
+
+std::optional<std::vector<double>> abscissa_of_samples(const TrajectoryTable& samples, const ResultRow& row,
+                                                       const std::string& name) {
+    const auto* column = name == "cpu" ? shares_of_cpu(samples) : samples.find(name == "t" ? name : "cost." + name);
+    if (column == nullptr) { return std::nullopt; }
+    std::vector<double> values = *column;
+    if (name != "cpu") { return values; }
+    const auto run_s = cost_of(row, "run_s");
+    if (!run_s) { return std::nullopt; }
+    for (double& value : values) { value *= *run_s / column->back(); }
+    return values;
 }
 
 std::vector<WorkPoint> work_points(const CellGroup& group, const std::string& metric, const std::string& x) {

@@ -23,8 +23,16 @@ const std::vector<Abscissa>& costs();
 /// Of abscissae().
 std::string abscissa_label(const std::string& name);
 
+/// What runs are drawn against over time: t, and the costs.
+const std::vector<Abscissa>& times_and_costs();
+
 /// Nothing if the cell does not have it. All steps of one size are accepted.
 std::optional<double> abscissa_of(const ResultRow& row, const std::string& name);
+
+/// At each sample of a cell, of times_and_costs(): nothing if it was not measured. CPU time is measured of the whole
+/// run and shared out as the solves are, or the steps of a method without solves.
+std::optional<std::vector<double>> abscissa_of_samples(const TrajectoryTable& samples, const ResultRow& row,
+                                                       const std::string& name);
 
 /// What a cell of a refinement has: x and the value of a metric.
 struct WorkPoint {

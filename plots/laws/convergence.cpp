@@ -45,12 +45,14 @@ ObservedOrder order_of(const CellGroup& group, const std::string& metric) {
 
 std::vector<std::string> error_metrics(const std::vector<ResultRow>& rows) {
     std::vector<std::string> found;
+    const auto occurs = [&](const std::string& metric) {
+        return std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.metrics.contains(metric); });
+    };
     for (const MetricDescription& entry : metric_catalogue()) {
-        const std::string& metric = entry.name;
-        const bool occurs = is_error(entry) && std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
-                                return row.metrics.contains(metric);
-                            });
-        if (occurs) { found.push_back(metric); }
+        if (!is_error(entry)) { continue; }
+        for (std::string& metric : names_of_metric(entry)) {
+            if (occurs(metric)) { found.push_back(std::move(metric)); }
+        }
     }
     return found;
 }

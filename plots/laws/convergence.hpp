@@ -19,7 +19,7 @@ ObservedOrder order_of(const CellGroup& group, const std::string& metric);
 /// The cell with most steps, or with the smallest tolerance, of those that are ok; null where none is.
 const ResultRow* finest(const CellGroup& group);
 
-/// The error.* metrics that occur, in the order of the contract.
+/// The error.* metrics that occur, in the order of the catalogue, each before its maximum over samples.
 std::vector<std::string> error_metrics(const std::vector<ResultRow>& rows);
 
 }  // namespace kreisel

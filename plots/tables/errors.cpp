@@ -3,11 +3,13 @@
 // Errors of the final states of a convergence study.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "plots/laws/convergence.hpp"
 #include "plots/tables/cells.hpp"
 #include "plots/tables/table.hpp"
+#include "records/metrics/catalogue.hpp"
 
 namespace kreisel {
 
@@ -49,12 +51,17 @@ std::vector<std::string> with_units(const std::vector<std::string>& metrics, con
     return titles;
 }
 
+std::string what_errors(const std::vector<std::string>& metrics) {
+    const bool on_the_way = std::any_of(metrics.begin(), metrics.end(), is_largest_error);
+    return on_the_way ? "Errors of the final state, and largest of all samples" : "Errors of the final state";
+}
+
 // One row per cell: steps, step size and the error of each metric.
 TextTable errors_in_full(const Results& results) {
     const CellNames names(results.rows);
     const auto metrics = error_metrics(results.rows);
     const bool tolerances = has_adaptive_cells(results);
-    TextTable table{"errors", "Errors of the final state: " + results.name, {}, {}};
+    TextTable table{"errors", what_errors(metrics) + ": " + results.name, {}, {}};
     table.columns = with(with(CellNames::axes(), steps_titles(tolerances)),
                          with(with_units(metrics, results.units), {"past_horizon"}));
     for (const CellGroup& group : group_by_method(results.rows)) {
@@ -72,7 +79,7 @@ TextTable errors_in_full(const Results& results) {
 TextTable errors_in_brief(const Results& results) {
     const CellNames names(results.rows);
     const auto metrics = error_metrics(results.rows);
-    TextTable table{"errors", "Errors of the final state, finest step: " + results.name, {}, {}};
+    TextTable table{"errors", what_errors(metrics) + ", finest step: " + results.name, {}, {}};
     const bool tolerances = has_adaptive_cells(results);
     bool past = false;
     table.columns = with(with(CellNames::axes(), steps_titles(tolerances)), with_units(metrics, results.units));

@@ -29,9 +29,33 @@ std::string option_text(const std::string& name, const std::string& value) {
     return name == "coordinates" ? value : fmt::format("{}={}", name, value);
 }
 
-std::string with_options(const std::string& name, const Options& options, const std::vector<std::string>& shown) {
-    std::string text = name;
+// Empty if the options have none.
+std::string label_of(const Options& options) {
+    const auto label = options.find("label");
+    return label == options.end() ? "" : label->second;
+}
+
+// The options that do not vary among any rows of one label.
+std::set<std::string> labelled(const std::vector<const Options*>& all) {
+    std::map<std::string, std::vector<const Options*>> by_label;
+    std::set<std::string> names;
+    for (const Options* options : all) {
+        by_label[label_of(*options)].push_back(options);
+        for (const auto& [name, value] : *options) { names.insert(name); }
+    }
+    by_label.erase("");
+    for (const auto& [label, rows] : by_label) {
+        for (const std::string& name : varying(rows)) { names.erase(name); }
+    }
+    return names;
+}
+
+std::string with_options(const std::string& name, const Options& options, const std::vector<std::string>& shown,
+                         const std::set<std::string>& labelled = {}) {
+    const std::string label = label_of(options);
+    std::string text = name + (label.empty() ? "" : " " + label);
     for (const std::string& option : shown) {
+        if (option == "label" || (!label.empty() && labelled.contains(option))) { continue; }
         const auto value = options.find(option);
         if (value != options.end()) { text += " " + option_text(option, value->second); }
     }
@@ -47,7 +71,10 @@ CellNames::CellNames(const std::vector<ResultRow>& rows) : rows_(rows) {
         by_name["projection " + row.projection].push_back(&row.projection_options);
         (row.adaptive() ? adaptive_ : constant_).insert(row.method);
     }
-    for (const auto& [name, options] : by_name) { varying_options_[name] = varying(options); }
+    for (const auto& [name, options] : by_name) {
+        varying_options_[name] = varying(options);
+        labelled_options_[name] = labelled(options);
+    }
 }
 
 const std::vector<std::string>& CellNames::axes() {
@@ -60,7 +87,8 @@ std::string CellNames::axis(const ResultRow& row, const std::string& axis) const
     if (axis == "formulation") { return row.formulation; }
     if (axis == "method") {
         const bool both = adaptive_.contains(row.method) && constant_.contains(row.method);
-        return with_options(row.method, row.options, varying_options_.at(row.method)) +
+        return with_options(row.method, row.options, varying_options_.at(row.method),
+                            labelled_options_.at(row.method)) +
                (both && row.adaptive() ? " adaptive" : "");
     }
     if (axis == "projection") {

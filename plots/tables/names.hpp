@@ -12,7 +12,8 @@
 namespace kreisel {
 
 /// Names of cells relative to the cells beside them: a method is shown with those of its options that vary, and as
-/// "adaptive" where it has both constant steps and tolerances.
+/// "adaptive" where it has both constant steps and tolerances. A `label` among its options stands for those that have
+/// one value under each label.
 class CellNames {
   public:
     explicit CellNames(const std::vector<ResultRow>& rows);
@@ -29,6 +30,7 @@ class CellNames {
   private:
     const std::vector<ResultRow>& rows_;
     std::map<std::string, std::vector<std::string>> varying_options_;  ///< by method, and by projection
+    std::map<std::string, std::set<std::string>> labelled_options_;    ///< by method: what its labels stand for
     std::set<std::string> adaptive_, constant_;                        ///< methods with such steps
 };
 

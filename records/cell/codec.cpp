@@ -81,6 +81,12 @@ std::string encoded(const std::optional<Order>& order) {
         .text();
 }
 
+std::string encoded(const std::map<std::string, std::string>& texts) {
+    ObjectWriter object;
+    for (const auto& [name, text] : texts) { object.member(name, json_text(text)); }
+    return object.text();
+}
+
 std::string encoded(const std::optional<LostIntegral>& lost) {
     return ObjectWriter().member("integral", json_text(lost->name)).member("share", json_number(lost->share)).text();
 }
@@ -140,6 +146,10 @@ void decode(const JsonValue& json, std::optional<Order>& order) {
     order = Order(level("configuration"), level("velocity"), level("multipliers"));
 }
 
+void decode(const JsonValue& json, std::map<std::string, std::string>& texts) {
+    for (const JsonMember& member : json.members) { texts[member.name] = member.value.string(); }
+}
+
 void decode(const JsonValue& json, std::optional<LostIntegral>& lost) {
     lost = LostIntegral{json.at("integral").string(), json.at("share").number()};
 }
@@ -194,6 +204,7 @@ bool is_default(int count) { return count == 0; }
 bool is_default(double number) { return number == 0; }
 bool is_default(const JsonValue& value) { return value.is_null(); }
 bool is_default(const OptionValues& options) { return options.empty(); }
+bool is_default(const std::map<std::string, std::string>& texts) { return texts.empty(); }
 bool is_default(const ConstraintSummary& constraints) { return constraints.rows == 0; }
 
 void add_times(const CellTimes& times, ObjectWriter& object) {

@@ -18,6 +18,7 @@ std::string encoded(double number);
 std::string encoded(const JsonValue& value);
 std::string encoded(const OptionValues& options);
 std::string encoded(const std::optional<Order>& order);
+std::string encoded(const std::map<std::string, std::string>& texts);
 std::string encoded(const std::optional<LostIntegral>& lost);
 std::string encoded(const std::optional<ReferenceNote>& reference);
 
@@ -33,6 +34,7 @@ void decode(const JsonValue& json, double& number);
 void decode(const JsonValue& json, JsonValue& value);
 void decode(const JsonValue& json, OptionValues& options);
 void decode(const JsonValue& json, std::optional<Order>& order);
+void decode(const JsonValue& json, std::map<std::string, std::string>& texts);
 void decode(const JsonValue& json, std::optional<LostIntegral>& lost);
 void decode(const JsonValue& json, std::optional<ReferenceNote>& reference);
 void decode(const JsonValue& json, Number& number);
@@ -48,6 +50,7 @@ bool is_default(int count);
 bool is_default(double number);
 bool is_default(const JsonValue& value);
 bool is_default(const OptionValues& options);
+bool is_default(const std::map<std::string, std::string>& texts);
 bool is_default(const ConstraintSummary& constraints);
 template <class Value>
 bool is_default(const std::optional<Value>& value) {

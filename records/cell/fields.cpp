@@ -135,6 +135,7 @@ const std::vector<RecordField>& record_fields() {
         measured_field("final", &O::final, "final."),
         measured_field("constraints", &O::constraints, ""),
         metrics_field(),
+        outcome_field("unmeasured", &O::unmeasured, ""),
         outcome_field("lost", &O::lost, ""),
         outcome_field("reference", &O::reference, ""),
         outcome_field("trajectory", &O::trajectory, "trajectory"),

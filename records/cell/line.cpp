@@ -80,6 +80,7 @@ CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const R
     result.final = outcome.final;
     result.constraints = outcome.constraints;
     result.metrics = outcome.metrics;
+    result.unmeasured = outcome.unmeasured;
     result.lost = outcome.lost;
     if (reference != nullptr) { result.reference = note_of(*reference, planned.cell.t_end); }
     result.trajectory = trajectory_sum.empty() ? "" : trajectory_file(planned.hash);

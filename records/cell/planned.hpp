@@ -28,6 +28,7 @@ struct PlannedReference {
     std::string problem;
     ParameterValues parameters;
     double t_end = 0;
+    long samples = 0;     ///< at which errors are wanted too
     std::string content;  ///< all that determines its numbers, as JSON
 };
 

@@ -53,6 +53,7 @@ struct CellOutcome {
     std::optional<ReportedState> final;
     ConstraintSummary constraints;
     std::vector<std::pair<std::string, Number>> metrics;
+    std::map<std::string, std::string> unmeasured;  ///< metrics that are not defined, and why
     std::optional<LostIntegral> lost;
     std::optional<ReferenceNote> reference;
     std::string trajectory, trajectory_sum;  ///< file below the results folder, check sum; empty where there is none

@@ -26,7 +26,7 @@ struct ExperimentKind {
     std::vector<std::string> metrics;  ///< names and patterns that are measured unless the config has "metrics"
     /// Cells measure the time and memory of their steps. They run one at a time, and measure and store nothing else.
     bool timed = false;
-    /// Cells are run again, without measuring, for the CPU time of their steps. They run one at a time.
+    /// Cells are run again, without measuring, for the CPU time of their steps. They run one at a time, in turns.
     bool repeated = false;
     std::string figure;  ///< the kind of figure that is drawn unless the config has "figure"
     /// Warnings about a config that can run, but hardly does what is wanted.

@@ -12,13 +12,18 @@ const std::vector<MetricDescription>& metric_catalogue() {
 
 const MetricDescription* find_metric(const std::string& name) {
     std::string_view base = name;
-    for (const std::string_view suffix : {".final", ".max"}) {
+    for (const std::string_view suffix : {".final", ".max", ".uncertainty"}) {
         if (base.ends_with(suffix)) { base.remove_suffix(suffix.size()); }
     }
     for (const MetricDescription& metric : metric_catalogue()) {
         if (metric.name == base) { return &metric; }
     }
     return nullptr;
+}
+
+bool is_largest_error(const std::string& name) {
+    const MetricDescription* metric = find_metric(name);
+    return metric != nullptr && is_error(*metric) && name == metric->name + largest_of_error;
 }
 
 std::string metric_of(MetricLevel level) {

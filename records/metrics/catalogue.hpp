@@ -15,11 +15,24 @@ const std::vector<MetricDescription>& metric_catalogue();
 
 /// A deviation from the constraints or the group, the largest over all steps; "NAME.final" is the one at the end.
 inline bool is_defect(const MetricDescription& metric) { return metric.kind == MetricKind::defect; }
-/// A distance from the reference at the end.
+/// A distance from the reference at the end; "NAME.max" is the largest over the samples.
 inline bool is_error(const MetricDescription& metric) { return metric.kind == MetricKind::error; }
 
-/// The entry of a name, with or without ".final" or ".max"; null where there is none.
+/// What single steps do to the geometry of the motion; "NAME.uncertainty" is what it is certain to.
+inline bool is_structure(const MetricDescription& metric) { return metric.kind == MetricKind::structure; }
+
+/// The entry of a name, with or without ".final", ".max" or ".uncertainty"; null where there is none.
 const MetricDescription* find_metric(const std::string& name);
+
+/// The names under which it is measured: itself, and with its suffix.
+inline std::vector<std::string> names_of_metric(const MetricDescription& metric) {
+    const char* const suffix = is_error(metric)       ? largest_of_error
+                               : is_structure(metric) ? uncertainty_of_structure
+                                                      : final_of_defect;
+    return {metric.name, metric.name + suffix};
+}
+/// Whether a name is that of a maximum over samples.
+bool is_largest_error(const std::string& name);
 
 /// One error of a level, for what holds for all of them.
 std::string metric_of(MetricLevel level);

@@ -51,7 +51,7 @@ std::string metric_unit(const std::string& metric, const Units& units) {
     std::string name = metric;
     if (remove_suffix(name, ".relative")) { return "1"; }
     const bool rate = remove_suffix(name, ".slope") || remove_suffix(name, ".slope_error");
-    remove_suffix(name, ".final") || remove_suffix(name, ".max");
+    remove_suffix(name, ".final") || remove_suffix(name, ".max") || remove_suffix(name, ".uncertainty");
     if (const auto found = units.find(name); found != units.end()) {
         return rate ? per_second(found->second) : found->second;
     }

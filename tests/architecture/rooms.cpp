@@ -44,6 +44,7 @@ const std::vector<Room>& rooms() {
         {"mechanics/solve",
          {equations, "mechanics/blocks", "mechanics/model", "mechanics/joints", "mechanics/forces", "lie"},
          numbers},
+        {"mechanics/free_body", {equations, "lie"}, {"Eigen/", "boost/multiprecision/", "boost/math/"}},
         {formulation, {equations, "mechanics/blocks/solver_choice.hpp", registration}, {}},
         {"mechanics/formulations",
          {equations, axes, formulation, "mechanics/model", "mechanics/joints", "mechanics/forces", "mechanics/solve",
@@ -56,10 +57,12 @@ const std::vector<Room>& rooms() {
          {"Eigen/", "boost/multiprecision/", "boost/math/"}},
         {"methods/tableaus", {"lie"}, numbers},
         {"methods/contract", {"methods/tableaus", "mechanics", "lie", registered, registration}, numbers},
+        {"methods/conditions", {"methods/tableaus/tableau.hpp", "methods/contract/description.hpp"}, numbers},
         {"methods/control", {"methods/contract", "mechanics", "lie"}, numbers},
         {"methods/implicit", {"mechanics", "lie"}, numbers},
         {"methods",
-         {"methods/contract", "methods/control", "methods/tableaus", "methods/implicit", "mechanics", "lie"},
+         {"methods/contract", "methods/conditions", "methods/control", "methods/tableaus", "methods/implicit",
+          "mechanics", "lie"},
          numbers},
         {"peers/odeint", {peer_stepper, double_only, "methods", "mechanics", "lie"}, {"boost/numeric/odeint/"}},
         {"peers/gsl", {peer_stepper, double_only, "methods", "mechanics", "lie"}, {"gsl/"}},
@@ -70,8 +73,9 @@ const std::vector<Room>& rooms() {
         {metrics, {}, {}},
         {interface, {metrics, model_data, "methods/contract/description.hpp", "problems/description.hpp"}, {}},
         {"engine/report", {interface, "mechanics", "lie"}, numbers},
+        {"engine/structure", {"mechanics", "lie"}, numbers},
         {"engine/metrics",
-         {interface, metrics, "engine/report", "mechanics", "lie", registered, registration},
+         {interface, metrics, "engine/report", "engine/structure", "mechanics", "lie", registered, registration},
          numbers},
         {"engine/reference", {interface, "engine/report", "mechanics", "lie"}, numbers},
         {"engine/observers",
@@ -131,9 +135,9 @@ const Room* room_of(const std::string& path) {
 }
 
 std::size_t capacity_of(const std::string& folder) {
-    static const Names registries = {"problems",         "engine/metrics", "mechanics/parts/joints",
-                                     "mechanics/forces", "records/kinds",  "plots/figures/kinds",
-                                     "plots/tables"};
+    static const Names registries = {"problems",         "engine/metrics",    "mechanics/parts/joints",
+                                     "mechanics/forces", "records/kinds",     "plots/figures/kinds",
+                                     "plots/tables",     "tests/judges/steps"};
     const bool registry =
         folder.starts_with("methods/") || std::find(registries.begin(), registries.end(), folder) != registries.end();
     return registry ? 40 : 20;

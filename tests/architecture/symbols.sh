@@ -8,8 +8,8 @@
 set -euo pipefail
 
 shared=(
-    Cell Column ConstraintSummary Cost Engine Number Outcome Reference ReferenceCheck ReportedBody ReportedReaction        # engine.hpp
-    ReportedState SystemSummary Trajectory
+    Cell Column ConstraintSummary Cost Eigenvalue Engine Linearisation LostIntegral MotionPart Number             # engine.hpp
+    Outcome Reference ReferenceCheck ReferenceSample ReportedBody ReportedReaction ReportedState SchemeRow SystemSummary
     MetricDescription integral_suffixes                         # engine/metrics/description.hpp
     matches matches_any brief_text                              # support/pattern.hpp, support/number_text.hpp: texts
     BodyData ForceData JointData ParameterError                 # mechanics/model/data.hpp

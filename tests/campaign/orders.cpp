@@ -60,8 +60,13 @@ void certify(const std::string& problem, bool sharp, long from) {
         for (const OptionValues& options : variants(method))
             for (const char* formulation : {"SO3", "SO3xR3", "SE3"}) {
                 const bool first_order = method.order.configuration == 1;
-                const Curves curves =
-                    measure(problem, formulation, method, options, first_order ? 64 * from : from, first_order ? 7 : 6);
+                // Multipliers of order 1 of a method of order 2 need shorter steps to settle.
+                const int levels = first_order ? 7 : method.order.multipliers == 1 ? 8 : 6;
+                Curves curves = measure(problem, formulation, method, options, first_order ? 64 * from : from, levels);
+                // Multipliers of the index-3 form have the round-off of places over h^2.
+                if (method.meets_positions && !method.meets_velocities)
+                    for (auto& [metric, curve] : curves)
+                        if (is_multiplier(metric)) curve.points.pop_back();
                 INFO(method.name << " on " << problem << " as " << formulation);
                 CHECK(order_rule(curves, method.order, sharp) == "");
             }
@@ -121,6 +126,7 @@ TEST_CASE("double and quad runs of one cell agree to double round-off", "[campai
                   .steps = 64,
                   .samples = 0,
                   .metrics = {}};
+        if (!engine_binary64().skip_reason(cell).empty()) continue;
         const Outcome narrow = engine_binary64().run(cell, nullptr, {}),
                       wide = engine_binary128().run(cell, nullptr, {});
         INFO(method.name);

@@ -32,6 +32,10 @@ struct CrouchGrossmanFault {
 };
 Factory broken_crouch_grossman(const Tableau& declared, CrouchGrossmanFault fault);
 
+/// The extrapolation of two rows in h^2, of a base method that is not symmetric, so that its error has odd powers too.
+/// Declares the rule on the group.
+Factory one_sided_extrapolation();
+
 /// An embedded pair of orders 3 and 2, first same as last, by attempts.
 struct PairFault {
     bool doubled_error = false;       ///< the estimate is twice the difference of the solutions

@@ -5,6 +5,7 @@
 #include "methods/commutator_free/commutator_free.hpp"
 #include "methods/rkmk/few_commutators.hpp"
 #include "tests/controls/broken.hpp"
+#include "tests/controls/splitting.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -94,6 +95,27 @@ std::vector<Control> faults_of_conduct() {
             asymmetric};
 }
 
+/// A sound method that claims what it does not do.
+Control claimant(const std::string& original, Factory factory, Property property, Domain domain, Check caught_by) {
+    const int order = method(original).description.order.configuration;
+    Control made = control(original, std::string("claims_") + name(caught_by), std::move(factory), order, {caught_by});
+    made.method.description.preserves = {{property, domain}};
+    return made;
+}
+
+std::vector<Control> faults_of_claims() {
+    const Factory rk4 = broken_rkmk(tableau_of("rkmk/rk4"), {});
+    // Between bodies that gravity turns, a force at the old pose; elsewhere the method is sound.
+    Control stale{.method = splitting_verlet(true), .true_order = 1, .caught_by = {Check::symplecticity}};
+    return {claimant("rkmk/implicit_midpoint", method("rkmk/implicit_midpoint").factory, Property::symplectic,
+                     Domain::free, Check::symplecticity),
+            claimant("rkmk/rk4", rk4, Property::symplectic, Domain::potential, Check::symplecticity),
+            claimant("rkmk/rk4", rk4, Property::momentum, Domain::free, Check::momentum),
+            claimant("rkmk/rk4", rk4, Property::energy, Domain::free, Check::energy),
+            claimant("rkmk/rk4", rk4, Property::constraints, Domain::constrained, Check::constraints),
+            stale};
+}
+
 Control pair_control(const std::string& fault, PairFault broken, Check caught_by) {
     Control made{.method = broken_pair("control/pair_" + fault, broken), .true_order = 3, .caught_by = {caught_by}};
     made.method.description.summary = "broken on purpose: embedded pair, " + fault;
@@ -108,7 +130,7 @@ std::vector<Control> faults_of_attempts() {
             pair_control("ignores_a_projection", {.ignores_projection = true}, Check::attempts), optimist};
 }
 
-std::vector<Control> faults_of_brackets_and_products() {
+std::vector<Control> faults_of_families() {
     CommutatorFreeScheme swapped = scheme_of<CommutatorFreeScheme>("commutator_free/cf4");
     const CommutatorFreeScheme cf4 = swapped;
     std::swap(swapped.result.factors[0], swapped.result.factors[1]);
@@ -123,13 +145,15 @@ std::vector<Control> faults_of_brackets_and_products() {
     return {
         control("commutator_free/cf4", "swapped_final_factors", claiming(commutator_free(swapped), cf4), 2,
                 {Check::one_step}),
-        control("rkmk/mk4", "wrong_sign_of_brackets", claiming(few_commutators(negated), mk4), 2, {Check::one_step})};
+        control("rkmk/mk4", "wrong_sign_of_brackets", claiming(few_commutators(negated), mk4), 2, {Check::one_step}),
+        // Its rows have order 2, and h^3 next, which their extrapolation leaves.
+        control("extrapolation/midpoint4", "with_one_sided_base", one_sided_extrapolation(), 3, {Check::one_step})};
 }
 
 std::vector<Control> make_controls() {
     std::vector<Control> all;
     for (const auto make : {faults_of_dexpinv_and_nodes, faults_of_products, faults_of_coefficients, faults_of_conduct,
-                            faults_of_attempts, faults_of_brackets_and_products})
+                            faults_of_claims, faults_of_attempts, faults_of_families})
         for (const Control& one : make()) all.push_back(one);
     return all;
 }

@@ -65,7 +65,9 @@ TEST_CASE("a file or folder that is not there ends with 3") {
 TEST_CASE("a metric is described by its name") {
     CHECK(tells(run_program({"info", "defect.position"}).out, "largest |Phi| over all steps"));
     CHECK(tells(run_program({"info", "defect.position.final"}).out, "at the end"));
+    CHECK(tells(run_program({"info", "error.position.max"}).out, "the largest over the samples"));
     CHECK(run_program({"info", "error.position.final"}).code == 2);
+    CHECK(run_program({"info", "defect.position.max"}).code == 2);
 }
 
 TEST_CASE("help and version end with 0") {
@@ -176,6 +178,20 @@ TEST_CASE("each topic is listed for itself") {
         CHECK(tells(result.out, entry));
         for (const auto& [other, foreign] : topics) { CHECK((other == topic || !tells(result.out, "  " + foreign))); }
     }
+}
+
+TEST_CASE("methods are listed by family and by the properties that they declare") {
+    const auto symmetric = run_program({"list", "methods", "--symmetric"});
+    CHECK(symmetric.code == 0);
+    CHECK(tells(symmetric.out, "rkmk/midpoint"));
+    CHECK(tells(symmetric.out, "symmetric (potential systems)"));
+    CHECK_FALSE(tells(symmetric.out, "rkmk/rk4"));
+    CHECK(tells(run_program({"list", "methods", "--family", "rkmk"}).out, "rkmk/rk4"));
+    CHECK_FALSE(tells(run_program({"list", "methods", "--symmetric", "--symplectic"}).out, "rkmk/"));
+    const auto unknown = run_program({"list", "methods", "--family", "rkmc"});
+    CHECK(unknown.code == 2);
+    CHECK(tells(unknown.messages, "did you mean \"rkmk\"?"));
+    CHECK(run_program({"list", "problems", "--symplectic"}).code == 2);
 }
 
 TEST_CASE("info tells the unit of a first integral's metric and which problem has it") {

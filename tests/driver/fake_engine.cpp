@@ -114,13 +114,20 @@ std::vector<MethodDescription> FakeEngine::methods() const {
     MethodDescription rk4{"rkmk/rk4", 4, {"kutta1901"}, "classical", 4};
     rk4.options = lift_options();
     MethodDescription midpoint{"rkmk/midpoint", 2, {}, "explicit midpoint", 2};
+    midpoint.preserves = {{Property::symmetric, Domain::potential}};  // it is not, but some method of a test must be
     midpoint.options = lift_options();
     MethodDescription quaternion{"baseline/rk4_quaternion", 4, {}, "quaternions", 4};
     quaternion.options = {{"renormalise", "after each step", true}};
+    MethodDescription tableau{"fake/tableau", 1, {}, "options that are texts"};
+    tableau.options = {{.name = "a", .summary = "rows", .standard = "", .text = OptionText::rows},
+                       {.name = "b", .summary = "weights", .standard = "1", .text = OptionText::numbers},
+                       {.name = "label", .summary = "of the tableau", .standard = "", .text = OptionText::label},
+                       {.name = "order", .summary = "of the tableau", .standard = 1L, .count_min = 1, .count_max = 10}};
     return {rk4,
             midpoint,
             quaternion,
             relaxed,
+            tableau,
             {"fake/nan", 1, {}},
             {"fake/infinite", 1, {}},
             {"fake/slow", 1, {}},
@@ -167,9 +174,11 @@ SystemSummary FakeEngine::summary(const std::string& problem, const ParameterVal
     return summary;
 }
 
-Order FakeEngine::declared_order(const std::string& name, const OptionValues&) const {
+MethodDescription FakeEngine::method(const std::string& name, const OptionValues& options) const {
     const auto all = methods();
-    return std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; })->order;
+    auto described = *std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+    if (name == "fake/tableau") { described.order = static_cast<int>(std::get<long>(options.at("order"))); }
+    return described;
 }
 
 std::string FakeEngine::skip_reason(const Cell& cell) const {
@@ -214,28 +223,59 @@ Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std:
     if (reference != nullptr &&
         (cell.t_end <= reference->horizon || error > 100 * reference->error.at("error.position").value)) {
         outcome.metrics.emplace_back("error.position", number(error));
+        if (!reference->samples.empty()) { outcome.metrics.emplace_back("error.position.max", number(2 * error)); }
     }
     outcome.metrics.emplace_back("invariant.energy", number(1.0 / static_cast<double>(steps)));
     return misbehave(cell, outcome);
 }
 
+std::optional<double> FakeEngine::run_time(const Cell& cell, const std::stop_token&) const {
+    timed.push_back(cell.steps);
+    return 1e-7 * static_cast<double>(cell.steps + std::ssize(timed));
+}
+
 Reference FakeEngine::reference(const std::string& problem, const ParameterValues& parameters, double t_end,
-                                const std::stop_token& stop) const {
+                                long samples, const std::stop_token& stop) const {
     ++references;
     if (t_end > 1000 && !sleep_unless(std::lround(t_end), stop)) {
         return {.state = {}, .error = {}, .interrupted = true};
     }
     if (problem == "double_pendulum" && t_end > 100) { throw std::runtime_error("the two step sizes do not agree"); }
     const double uncertainty = t_end > 50 ? 1e-4 : 1e-20;  // chaos past the horizon
-    return {state_at(t_end, mass_of(parameters)), {{"error.position", number(uncertainty)}}, 50, "fake"};
+    Reference reference{state_at(t_end, mass_of(parameters)), {{"error.position", number(uncertainty)}}, 50, "fake"};
+    for (long k = 1; k <= samples; ++k) {
+        const double t = t_end * static_cast<double>(k) / static_cast<double>(samples);
+        reference.samples.push_back({state_at(t, mass_of(parameters)), {{"error.position", number(uncertainty)}}});
+    }
+    if (samples > 0) { reference.error["error.position.max"] = number(uncertainty); }
+    return reference;
 }
 
 ReferenceCheck FakeEngine::check_reference(const std::string&, const ParameterValues& parameters,
                                            const Reference& reference) const {
-    const double t = reference.state.t.value;
-    if (t > reference.horizon) { return {{}, "it lies past its horizon"}; }
-    const double x = state_at(t, mass_of(parameters)).bodies[0].x[0].value;
-    return {{{"error.position", number(std::abs(x - reference.state.bodies[0].x[0].value))}}, ""};
+    if (reference.state.t.value > reference.horizon) { return {{}, "it lies past its horizon"}; }
+    const auto difference = [&](const ReportedState& state) -> std::map<std::string, Number> {
+        const double x = state_at(state.t.value, mass_of(parameters)).bodies[0].x[0].value;
+        return {{"error.position", number(std::abs(x - state.bodies[0].x[0].value))}};
+    };
+    ReferenceCheck check{difference(reference.state), ""};
+    for (const ReferenceSample& sample : reference.samples) { check.samples.push_back(difference(sample.state)); }
+    return check;
+}
+
+Linearisation FakeEngine::linearise(const std::string& problem, const ParameterValues& parameters,
+                                    const std::string& formulation) const {
+    Linearisation result;
+    result.skip_reason = summary(problem, parameters, formulation).skip_reason;
+    if (mass_of(parameters) > 1000) { result.refusal = "it is neither an equilibrium nor a steady motion"; }
+    result.motion = {{"spin of top about (0, 0, 1)", number(2), "rad/s"}};
+    result.rate = number(2);
+    result.residual = number(1e-30);
+    result.dimension = 6;
+    result.eigenvalues = {{number(0), number(1), 2}, {number(1e-31), number(-1), 2}};
+    result.of_symmetries = {{number(0), number(0), 2}};
+    result.uncertainty = 1e-25;
+    return result;
 }
 
 }  // namespace kreisel

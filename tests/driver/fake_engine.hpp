@@ -14,7 +14,7 @@ namespace kreisel {
 /// SE3), fake/relaxed (a real option), fake/nan (fails half way), fake/infinite (reports an infinite metric), fake/slow
 /// (one millisecond per step, checks stop requests, samples on the way), fake/deaf (ignores stop requests),
 /// fake/throws, fake/throws_int, fake/pair (has an estimate of its error, which is the tolerance), fake/own (chooses
-/// its steps itself).
+/// its steps itself), fake/tableau (options that are texts; one of them decides its order).
 class FakeEngine final : public Engine {
   public:
     std::vector<ProblemDescription> problems() const override;
@@ -24,17 +24,25 @@ class FakeEngine final : public Engine {
     std::vector<MetricDescription> metrics() const override;
     SystemSummary summary(const std::string& problem, const ParameterValues&,
                           const std::string& formulation) const override;
-    Order declared_order(const std::string& method, const OptionValues&) const override;
+    MethodDescription method(const std::string& name, const OptionValues&) const override;
+    /// Two rows of any method.
+    std::vector<SchemeRow> scheme(const std::string&) const override { return {{"a_2", {"1/2"}}, {"b", {"0", "1"}}}; }
     std::string skip_reason(const Cell&) const override;
     using Engine::run;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;
+    std::optional<double> run_time(const Cell&, const std::stop_token&) const override;
+    using Engine::reference;
     /// Ends after t_end ms if t_end is above 1000 and no stop is requested.
-    Reference reference(const std::string& problem, const ParameterValues&, double t_end,
+    Reference reference(const std::string& problem, const ParameterValues&, double t_end, long samples,
                         const std::stop_token&) const override;
     ReferenceCheck check_reference(const std::string& problem, const ParameterValues&, const Reference&) const override;
+    /// An oscillator of frequency 1 on the first formulation, of multiplicity 2; refused where the mass is above 1000.
+    Linearisation linearise(const std::string& problem, const ParameterValues&,
+                            const std::string& formulation) const override;
     std::string reference_digest() const override { return digest; }
 
     mutable std::atomic<int> runs = 0, references = 0;
+    mutable std::vector<long> timed;  ///< the steps of the cells that were timed further, in their order
     std::string digest = "fake";
 };
 

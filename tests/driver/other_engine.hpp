@@ -18,21 +18,30 @@ class OtherEngine : public Engine {
                           const std::string& formulation) const override {
         return fake_.summary(problem, values, formulation);
     }
-    Order declared_order(const std::string& method, const OptionValues& options) const override {
-        return fake_.declared_order(method, options);
+    MethodDescription method(const std::string& name, const OptionValues& options) const override {
+        return fake_.method(name, options);
     }
+    std::vector<SchemeRow> scheme(const std::string& method) const override { return fake_.scheme(method); }
     std::string skip_reason(const Cell& cell) const override { return fake_.skip_reason(cell); }
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,
                 SampleSink* samples) const override {
         return fake_.run(cell, reference, stop, samples);
     }
-    Reference reference(const std::string& problem, const ParameterValues& values, double t_end,
+    std::optional<double> run_time(const Cell& cell, const std::stop_token& stop) const override {
+        return fake_.run_time(cell, stop);
+    }
+    using Engine::reference;
+    Reference reference(const std::string& problem, const ParameterValues& values, double t_end, long samples,
                         const std::stop_token& stop) const override {
-        return fake_.reference(problem, values, t_end, stop);
+        return fake_.reference(problem, values, t_end, samples, stop);
     }
     ReferenceCheck check_reference(const std::string& problem, const ParameterValues& values,
                                    const Reference& reference) const override {
         return fake_.check_reference(problem, values, reference);
+    }
+    Linearisation linearise(const std::string& problem, const ParameterValues& values,
+                            const std::string& formulation) const override {
+        return fake_.linearise(problem, values, formulation);
     }
     std::string reference_digest() const override { return fake_.reference_digest(); }
 

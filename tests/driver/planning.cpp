@@ -48,6 +48,24 @@ TEST_CASE("a wildcard stands for all methods, or for those of a family") {
     CHECK_THROWS_WITH(planned(R"(["rkmc/*"])"), Catch::Contains("method"));
 }
 
+TEST_CASE("numbers and rows have one text, however they are written, and the cell's hash and order know it") {
+    const auto planned = [](const std::string& options) {
+        return plan_from(R"({"name": "n", "kind": "drift", "problems": ["heavy_top"], "methods": [{"name": )"
+                         R"("fake/tableau", )" +
+                         options + R"(}], "time": {"end": 2, "steps": 4}})");
+    };
+    const Plan lists = planned(R"("a": [[], ["1/2"], [0, "-0.25"]], "b": [1, "2/3"], "order": 3)");
+    REQUIRE(lists.cells.size() == 1);
+    const PlannedCell& cell = lists.cells.front();
+    CHECK(cell.cell.options.at("a") == OptionValue("; 1/2; 0 -0.25"));
+    CHECK(cell.cell.options.at("b") == OptionValue("1 2/3"));
+    CHECK(cell.identity.order == Order(3));
+    CHECK(planned(R"("a": " ;1/2;  0 -0.25 ", "b": "1  2/3", "order": 3)").cells.front().hash == cell.hash);
+    CHECK(planned(R"("a": "; 1/2; 0 -0.25", "b": "1 1/3", "order": 3)").cells.front().hash != cell.hash);
+    const std::string resolved = resolved_config(lists.config);
+    CHECK(plan_from(resolved).cells.front().hash == cell.hash);
+}
+
 TEST_CASE("every axis is crossed with every other, the steps varying fastest") {
     const Plan plan = plan_from(R"({"name": "n", "kind": "drift", "precision": ["double", "quad"],
         "problems": ["heavy_top", "double_pendulum"], "formulations": ["SO3xR3", "SE3"],
@@ -145,6 +163,20 @@ TEST_CASE("a reference is planned once for each problem, and only where errors a
     CHECK(plan_from(one_cell("\"heavy_top\"", R"(, "metrics": ["error.rotation"])")).references.size() == 1);
     CHECK(plan_from(one_cell("\"heavy_top\"", R"(, "metrics": ["*.position"])")).references.size() == 1);
     CHECK(plan_from(one_cell("\"heavy_top\"", R"(, "metrics": ["defect.position"])")).references.empty());
+    const auto of_samples = [&](const std::string& metric, const std::string& output) {
+        return plan_from(one_cell("\"heavy_top\"", R"(, "metrics": [")" + metric + "\"]" + output));
+    };
+    const std::string two = R"(, "output": {"samples": 2})";
+    const auto samples_of = [](const Plan& plan) { return plan.references.at(plan.cells.at(0).reference).samples; };
+    CHECK(samples_of(of_samples("error.*", two)) == 2);
+    CHECK(samples_of(of_samples("error.rotation.max", two)) == 2);
+    CHECK(samples_of(of_samples("error.rotation", two)) == 0);
+    CHECK(of_samples("error.rotation", two).cells[0].reference == of_samples("error.*", "").cells[0].reference);
+    CHECK(of_samples("error.rotation", two).cells[0].reference != of_samples("error.*", two).cells[0].reference);
+    const Plan without = of_samples("error.rotation.max", "");
+    CHECK(without.references.empty());
+    REQUIRE(without.warnings.size() == 1);
+    CHECK_THAT(without.warnings[0], Catch::Contains("fits no metric that a cell of this config can measure"));
 }
 
 TEST_CASE("a resolved config is a config and leads to the same cells") {

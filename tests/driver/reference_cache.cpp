@@ -74,6 +74,30 @@ TEST_CASE("a reference is computed once for all result folders, each of which ke
     CHECK(f.engine.references == 1);
 }
 
+TEST_CASE("a reference without samples does not serve where they are needed, and stays beside the new one") {
+    Fixture f;
+    REQUIRE(f.run("a").code == 0);
+    std::string sampled = good_config();
+    sampled.insert(sampled.rfind('}'), R"(, "output": {"samples": 4})");
+    f.config = f.scratch.file("sampled.json", sampled);
+    REQUIRE(f.run("b").code == 0);
+    REQUIRE(f.run("c").code == 0);
+    CHECK(f.engine.references == 2);
+    CHECK(files_in(f.scratch / "cache" / "references").size() == 2);
+    CHECK(contents(f.scratch / "b" / "results.jsonl").find("error.position.max") != std::string::npos);
+    const std::string folder = (f.scratch / "c").string();
+    CHECK(run_program({"verify", folder, "--cells", "1"}, f.engine).code == 0);
+    const auto file = files_in(f.scratch / "c" / "references").front();
+    std::string text = contents(file);  // the first state is that of the end, the second that of the first sample
+    const auto digit = text.find("\"x\":[\"0.", text.find("\"samples\"", text.find("\"state\""))) + 8;
+    text[digit] = text[digit] == '1' ? '2' : '1';
+    text.resize(text.rfind(",\"sum\":"));
+    std::ofstream(file) << text << ",\"sum\":\"" << hash_text(text) << "\"}\n";
+    const auto bad = run_program({"verify", folder, "--cells", "1"}, f.engine);
+    CHECK(bad.code == 1);
+    CHECK_THAT(bad.out, Catch::Contains("at the sample of 0.25 s error.position is off by"));
+}
+
 TEST_CASE("a reference computed by other code is computed again, and both stay in the cache") {
     Fixture f;
     REQUIRE(f.run("a").code == 0);

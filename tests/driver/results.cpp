@@ -220,7 +220,7 @@ TEST_CASE("references are read back as they were stored, and only for the same c
     const ScratchFolder scratch;
     const Plan plan = small_plan("double");
     PlannedReference planned = plan.references.begin()->second;
-    const Reference reference = plain_engine.reference("heavy_top", planned.parameters, planned.t_end, {});
+    const Reference reference = plain_engine.reference("heavy_top", planned.parameters, planned.t_end, 2, {});
     const auto file = scratch / "r.json";
     const std::string text = stored_reference(planned, reference, "b").text;
     scratch.file("r.json", text);
@@ -232,6 +232,11 @@ TEST_CASE("references are read back as they were stored, and only for the same c
     CHECK(again.state.bodies[0].x[1].value == reference.state.bodies[0].x[1].value);
     CHECK(again.state.multipliers.size() == 3);
     CHECK(again.error.at("error.position").text == "1e-20");
+    REQUIRE(again.samples.size() == 2);
+    CHECK(again.samples[0].state.t.value == 0.5);
+    CHECK(again.samples[0].state.bodies[0].x[1].text == reference.samples[0].state.bodies[0].x[1].text);
+    CHECK(again.samples[1].error.at("error.position").text == "1e-20");
+    CHECK(again.error.at("error.position.max").text == "1e-20");
     CHECK(again.horizon == 50);
     CHECK(again.route == "fake");
     const auto json = nlohmann::json::parse(text);

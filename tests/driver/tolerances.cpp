@@ -2,6 +2,7 @@
 //
 // Steps to tolerances: what a config says of them, which cells it makes, what their results tell.
 #include <catch2/catch.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -143,13 +144,18 @@ TEST_CASE("times of a work_precision experiment are in the journal, its results 
     CHECK(results.find("run_s") == std::string::npos);
     std::istringstream journal(contents(scratch / "a" / "journal.jsonl"));
     std::size_t lines = 0;
+    std::map<std::string, double> first_round;
     for (std::string line; std::getline(journal, line); ++lines) {
         const auto cost = nlohmann::json::parse(line).at("cost");
         CHECK(cost.at("run_s").get<double>() > 0);
         CHECK(cost.contains("exponentials"));
-        CHECK(read_journal_line(line, nlohmann::json::parse(line).at("build"))->times.run_s == cost.at("run_s"));
+        const CellRecord cell = read_journal_line(line, nlohmann::json::parse(line).at("build")).value();
+        CHECK(cell.times.run_s == cost.at("run_s"));
+        const auto [earlier, first] = first_round.emplace(cell.identity.cell, *cell.times.run_s);
+        if (!first) { CHECK(*cell.times.run_s < earlier->second); }  // the second line, after all rounds
     }
-    CHECK(lines == 16);
+    CHECK(lines == 2 * 16);
+    CHECK(first_round.size() == 16);
     const auto table = read_results_table(contents(scratch / "a" / "results.csv"));
     REQUIRE(table.size() == 16);
     CHECK(table.at(0).identity.steps == 4);
@@ -157,6 +163,20 @@ TEST_CASE("times of a work_precision experiment are in the journal, its results 
     CHECK(table.at(15).identity.controller == "pi");
     CHECK(run_program({"verify", a}).code == 0);
     CHECK(run_program({"diff", a, b}).code == 0);
+}
+
+TEST_CASE("times are taken in rounds, all cells in each, and not again when a run is resumed") {
+    const ScratchFolder scratch;
+    const FakeEngine engine;
+    const std::string config = scratch.file(
+        "c.json", stepped_config(R"(["rkmk/rk4", "fake/nan"])", R"("steps": [4, 8, 16])", "", "work_precision"));
+    const std::string out = (scratch / "a").string();
+    run_program({"run", config, "-o", out, "-j", "4"}, engine);
+    REQUIRE(engine.timed.size() == 3 * (timing_rounds - 1));  // what fails has no time
+    for (std::size_t i = 0; i < engine.timed.size(); ++i) { CHECK(engine.timed[i] == engine.timed[i % 3]); }
+    CHECK(std::set<long>(engine.timed.begin(), engine.timed.end()).size() == 3);
+    run_program({"run", config, "-o", out, "--resume"}, engine);
+    CHECK(engine.timed.size() == 3 * (timing_rounds - 1));
 }
 
 TEST_CASE("two tolerances are two cells to a comparison") {

@@ -2,7 +2,7 @@
 //
 // The closed form of the free body against integration by extrapolation on quaternions, which shares only the data
 // with it, and its double version against its quad version.
-#include "problems/free_top_closed_form.hpp"
+#include "mechanics/free_body/free_rotation.hpp"
 
 #include <catch2/catch.hpp>
 

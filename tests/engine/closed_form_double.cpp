@@ -7,7 +7,8 @@
 #define KREISEL_QUAD 0
 #include "tests/engine/closed_form_double.hpp"
 
-#include "problems/free_top_closed_form.cpp"
+#include "mechanics/free_body/elliptic.cpp"
+#include "mechanics/free_body/free_rotation.cpp"
 
 namespace reference_tests {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lie/so3.hpp"
+#include "mechanics/free_body/free_rotation.hpp"
 #include "mechanics/model/data.hpp"
-#include "problems/free_top_closed_form.hpp"
 
 namespace reference_tests {
 

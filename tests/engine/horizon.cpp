@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "engine/reference/taylor/taylor_route.hpp"
-#include "problems/free_top_closed_form.hpp"
+#include "mechanics/free_body/free_rotation.hpp"
 #include "tests/engine/named_problem.hpp"
 
 using namespace kreisel;

@@ -92,6 +92,49 @@ TEST_CASE("dexpinv", "[lie]") {
     }
 }
 
+namespace {
+
+VecX second_kind(const Maps& G, const VecX& u) {
+    VecX q = G.identity();
+    SecondKindChart(G.g).append(q.data(), u.data(), q.data());
+    return q;
+}
+
+/// u within the chart: no angle is larger than a radian.
+VecX in_second_kind(const VecX& u) { return u / max(Real(1), u.cwiseAbs().maxCoeff()); }
+
+}  // namespace
+
+TEST_CASE("coordinates of the second kind", "[lie]") {
+    SECTION("are products along the basis of each factor") {
+        holds(to_pi, tolerance, [](const Maps& G, const VecX& u, const VecX& v, const VecX&) {
+            const VecX a = G.exp(v);
+            VecX q = a, expected = a;
+            SecondKindChart(G.g).append(a.data(), u.data(), q.data());
+            for (Eigen::Index k = 0; k < u.size(); ++k)
+                expected = G.multiply(expected, G.exp(u[k] * VecX::Unit(u.size(), k)));
+            return Real((q - expected).norm());
+        });
+    }
+    SECTION("pull the left velocity of psi(u(s)) back to u'") {
+        holds(to_pi, 100 * difference_tolerance, [](const Maps& G, const VecX& any, const VecX& v, const VecX&) {
+            const VecX u = in_second_kind(any);
+            const auto psi = [&](const VecX& x) { return second_kind(G, x); };
+            const VecX left = G.Ad(G.inverse(psi(u)), right_velocity(G, psi, u, v));
+            VecX found(v.size());
+            REQUIRE(SecondKindChart(G.g).pull_back(u.data(), left.data(), found.data()));
+            return Real((found - v).norm());
+        });
+    }
+    SECTION("end where the second angle is a quarter turn") {
+        Power<SO3> so3(1);
+        const Vec3 inside(3, Real(3) / 2, -2), beyond(3, Real(8) / 5, -2), v(1, 2, 3);
+        Vec3 out;
+        CHECK(SecondKindChart(so3).pull_back(inside.data(), v.data(), out.data()));
+        CHECK_FALSE(SecondKindChart(so3).pull_back(beyond.data(), v.data(), out.data()));
+    }
+}
+
 TEST_CASE("dcayinv", "[lie]") {
     SECTION("pulls the left velocity of cay(u(s)) back to u'") {
         holds(to_two_pi, 100 * difference_tolerance, [](const Maps& G, const VecX& u, const VecX& v, const VecX&) {

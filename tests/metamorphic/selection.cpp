@@ -126,6 +126,7 @@ std::vector<Combination> combinations(const Model& model, bool all_methods) {
             if (!all_methods && !contains(one_of_each_family, method.name)) continue;
             if (method.own_control) continue;  // constant steps only
             if (!method.formulations.empty() && !contains(method.formulations, formulation.name)) continue;
+            if (entry.factory.declines && !entry.factory.declines(*system).empty()) continue;
             for (const ProjectionMethod& projection : projections()) {
                 if (!applies(projection.description, method, formulation.name, *system)) continue;
                 for (const OptionValues& options : variants(method.options, all_methods))

@@ -212,7 +212,8 @@ TEST_CASE("names are unique, match their files, and every file registers", "[met
         check(entry.description.name, entry.file, "methods/");
         CHECK(names.insert(entry.description.name).second);
         CHECK(entry.description.order.configuration >= 1);
-        CHECK((entry.description.is_implicit() || entry.description.own_control || entry.description.stages >= 1));
+        CHECK((entry.description.is_implicit() || entry.description.own_control ||
+               entry.description.stages + entry.description.force_evaluations >= 1));
         CHECK_FALSE(entry.description.summary.empty());
         CHECK_FALSE(entry.description.cites.empty());
     }

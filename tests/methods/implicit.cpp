@@ -36,6 +36,7 @@ class LineSystem final : public System {
         return isfinite(*dv) ? Status::ok : Status::non_finite;
     }
     void applied_force(const Real& t, const Real* q, const Real* v, Real* f) const override { *f = force_(t, *q, *v); }
+    bool is_dissipative() const override { return true; }
     Real force_at(const Real& t, const std::array<Real, 2>& y) const { return force_(t, y[0], y[1]); }
 
   private:
@@ -45,6 +46,10 @@ class LineSystem final : public System {
 Real oscillator(const Real& t, const Real& x, const Real& v) { return sin(2 * t) - 4 * sin(x) - v / 4; }
 /// So fast that the equations of a long step have no real solution.
 Real runaway(const Real&, const Real&, const Real& v) { return 1000 * (1 + v * v); }
+
+bool declines(const Method& entry, const System& system) {
+    return entry.factory.declines && !entry.factory.declines(system).empty();
+}
 
 Model resized(Model model, const Real& length, const Real& mass) {
     for (Body& body : model.bodies) {
@@ -124,17 +129,18 @@ TEST_CASE("on R the BLieDF method is the backward differentiation formula", "[me
 }
 
 TEST_CASE("the first step is as accurate as any other", "[methods]") {
-    // Its error against rkmk/rk4, which is far smaller, falls with h^(p+1): an own start must not cost an order.
+    // Its error against a method of order 9, which is far smaller, falls with h^(p+1): an own start must not cost an
+    // order.
+    const Method& precise = method("rkmk/verner9");
     for (const Method& entry : methods()) {
-        if (!entry.description.is_implicit()) continue;
+        if (!entry.description.is_implicit() || declines(entry, LineSystem(oscillator))) continue;
         INFO(entry.description.name);
         double errors[2];
         for (int i = 0; i < 2; ++i) {
             LineSystem system(oscillator);
-            const Real h = Real(1) / (64 << i);
+            const Real h = Real(1) / ((entry.description.order.configuration > 4 ? 8 : 64) << i);
             const auto y = march(entry, default_options(entry.description.options), system, h, 1).back();
-            const auto exact =
-                march(method("rkmk/rk4"), default_options(method("rkmk/rk4").description.options), system, h, 1).back();
+            const auto exact = march(precise, default_options(precise.description.options), system, h, 1).back();
             errors[i] = std::hypot(to_double(y[0] - exact[0]), to_double(y[1] - exact[1]));
         }
         CHECK(std::log2(errors[0] / errors[1]) >= entry.description.order.configuration + 1 - 0.2);
@@ -146,6 +152,7 @@ TEST_CASE("methods with multipliers stay on the constraints, and report multipli
     for_each_with_multipliers([](const Method& entry) {
         for (const Named& named : for_methods())
             for (const std::string& formulation : applicable(named.model)) {
+                if (!runs_on(entry, named.model, formulation)) continue;
                 INFO(named.name << " as " << formulation);
                 Trip trip(named.model, formulation, entry);
                 System& s = *trip.system;
@@ -154,8 +161,10 @@ TEST_CASE("methods with multipliers stay on the constraints, and report multipli
                 for (int i = 0; i < 20; ++i) {
                     REQUIRE(trip.integrator->step(Real(i) / 1000, Real(1) / 1000, trip.y.data()) == Status::ok);
                     const Real t = Real(i + 1) / 1000;
-                    CHECK(trip.position_defect(t) <= 1000 * epsilon);
-                    CHECK(trip.velocity_defect(t) <= 1000 * epsilon * speed);
+                    // RATTLie's rows stand beside momenta, at whose round-off its iteration ends.
+                    const bool momenta = entry.description.claims(Property::symplectic);
+                    CHECK(to_double(trip.position_defect(t) / epsilon) <= (momenta ? 3000 : 1000));
+                    CHECK(to_double(trip.velocity_defect(t) / (epsilon * speed)) <= 1000);
                 }
                 VecX dv(s.velocities()), exact(s.constraints());
                 if (exact.size() == 0) continue;
@@ -163,7 +172,8 @@ TEST_CASE("methods with multipliers stay on the constraints, and report multipli
                 const Real* v = s.v(trip.y.data());
                 REQUIRE(s.accelerations(Real(20) / 1000, trip.y.data(), v, dv.data(), exact.data()) == Status::ok);
                 const Eigen::Map<const VecX> own(trip.integrator->multipliers(), exact.size());
-                CHECK((own - exact).norm() <= max(Real(1), Real(exact.norm())) / (spins_fast(named.model) ? 10 : 1000));
+                const bool coarse = spins_fast(named.model) || entry.description.order.multipliers == 1;
+                CHECK((own - exact).norm() <= max(Real(1), Real(exact.norm())) / (coarse ? 10 : 1000));
             }
     });
 }
@@ -260,6 +270,7 @@ TEST_CASE("a step without a solution is newton_failed, and leaves the state", "[
         if (!entry.description.is_implicit()) continue;
         INFO(entry.description.name);
         LineSystem system(runaway);
+        if (declines(entry, system)) continue;
         const auto integrator = entry.bind(system, default_options(entry.description.options));
         Real y[2] = {1, 0};
         CHECK(integrator->step(0, 1, y) == Status::newton_failed);
@@ -271,13 +282,20 @@ TEST_CASE("a step without a solution is newton_failed, and leaves the state", "[
 TEST_CASE("NaN never ends as ok in an implicit step", "[methods]") {
     using enum PoisonedSystem::What;
     for (const Method& entry : methods()) {
-        if (!entry.description.is_implicit()) continue;
+        if (!entry.description.is_implicit() || !runs_on(entry, standard("double_pendulum"), "SO3xR3")) continue;
         for (const auto what : {acceleration, mass, applied, gyroscopic, position, velocity, jacobian})
             for (const Real& poison : {not_a_number, infinite})
                 for (const int healthy_steps : {0, 3, 9}) {
                     // A method without multipliers uses only the index-1 form.
-                    if (!entry.description.meets_constraints() && what != acceleration) continue;
-                    if (entry.description.meets_constraints() && what == acceleration && healthy_steps > 0) continue;
+                    const bool multipliers = entry.description.reports_multipliers;
+                    if (!multipliers && what != acceleration) continue;
+                    if (multipliers && what == acceleration && healthy_steps > 0) continue;
+                    // Rows on velocities alone do not enter, nor do their own.
+                    if (multipliers && !entry.description.meets_velocities && what == velocity) continue;
+                    // Variational methods take the gyroscopic force from the transport of momenta, and solve for none
+                    // of the accelerations.
+                    const bool variational = entry.description.claims(Property::symplectic);
+                    if (variational && (what == gyroscopic || what == acceleration)) continue;
                     INFO(entry.description.name << ", quantity " << static_cast<int>(what) << ", step "
                                                 << healthy_steps);
                     Trip trip(standard("double_pendulum"), "SO3xR3", entry);

@@ -5,10 +5,10 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "methods/conditions/tableau_orders.hpp"
 #include "methods/contract/method.hpp"
 #include "methods/tableaus/bound_tableau.hpp"
 #include "tests/judges/conditions/registered.hpp"
-#include "tests/judges/conditions/tableau_orders.hpp"
 #include "tests/judges/steps/scheme_checks.hpp"
 
 using namespace kreisel;

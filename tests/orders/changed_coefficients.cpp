@@ -35,22 +35,26 @@ void each_coefficient_of(FewCommutatorsScheme& scheme, F f) {
     each(scheme.result);
 }
 
-/// Off by 1e-6, relative where it is not zero.
-Coefficient off(const Coefficient& entry) {
+/// Off by 1e-6, relative where it is not zero. `digits` holds those of one that is written so.
+Coefficient off(const Coefficient& entry, std::string& digits) {
     if (entry.is_zero()) return {1, 1000000};
-    return {entry.numerator * 1000001, entry.denominator * 1000000};
+    if (!entry.digits) return {entry.numerator * 1000001, entry.denominator * 1000000};
+    digits = Float100(Float100(entry.digits) * Float100("1.000001")).str(44, std::ios_base::fixed);
+    return digits.c_str();
 }
 
 template <class Family>
 int check_changes() {
     int changes = 0;
     for (const Method* method : registered<Family>()) {
+        // What is wrong on purpose has order 2: coefficients that count from order 3 on are free.
+        if (method->description.name.starts_with("cautionary/")) continue;
         Method changed = *method;
         Family scheme = *scheme_of<Family>(*method);
         each_coefficient_of(scheme, [&](Coefficient& entry) {
-            REQUIRE(entry.digits == nullptr);
             const Coefficient declared = entry;
-            entry = off(declared);
+            std::string digits;
+            entry = off(declared, digits);
             changed.factory.scheme = Scheme(scheme);
             entry = declared;
             INFO(method->description.name << ", coefficient " << ++changes);

@@ -7,6 +7,9 @@
 
 #include "tests/judges/families/scheme_family.hpp"
 #include "tests/judges/steps/baseline_step.hpp"
+#include "tests/judges/steps/gauss_step.hpp"
+#include "tests/judges/steps/half_explicit_step.hpp"
+#include "tests/judges/steps/multistep/adams_bashforth_step.hpp"
 #include "tests/judges/steps/stabilised_step.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
@@ -78,10 +81,36 @@ TEST_CASE("steps of methods with multipliers satisfy their equations", "[one_ste
                          negated = {.multipliers_negated = true};
     for (const StabilisedForm& wrong : {left, end, massless, bare, negated}) {
         CHECK(generalised_alpha_step_objection(method("generalized_alpha/index2"), wrong) != "");
-        CHECK(bliedf2_step_objection(method("multistep/bliedf2"), wrong) != "");
+        CHECK(bliedf_step_objection(method("multistep/bliedf2"), 2, wrong) != "");
     }
     CHECK(generalised_alpha_step_objection(method("generalized_alpha/index2"), {.start_at_rate = true}) != "");
-    CHECK(bliedf2_step_objection(method("multistep/bliedf2"), {.sign_of_previous = -1}) != "");
+    CHECK(bliedf_step_objection(method("multistep/bliedf2"), 2, {.sign_of_previous = -1}) != "");
+    CHECK(bliedf_step_objection(method("multistep/bliedf3"), 3, {.sign_of_previous = -1}) != "");
+    CHECK(bliedf_step_objection(method("multistep/bliedf3"), 3, {.sign_of_bracket = -1}) != "");
+    CHECK(bliedf_step_objection(method("multistep/bliedf2"), 3) != "");
+    const Method& index3 = method("generalized_alpha/index3");
+    for (const StabilisedForm& wrong : {left, negated, StabilisedForm{.sign_of_bracket = -1},
+                                        StabilisedForm{.start_at_rate = true}, StabilisedForm{.unperturbed = true}})
+        CHECK(position_alpha_step_objection(index3, wrong) != "");
+}
+
+TEST_CASE("steps of stages satisfy their equations", "[one_step]") {
+    CHECK(herk3_step_objection(method("half_explicit/herk3"), {.first_solved = true}) != "");
+    CHECK(herk3_step_objection(method("half_explicit/herk3"), {.without_dexpinv = true}) != "");
+    CHECK(herk3_step_objection(method("half_explicit/herk2")) != "");
+    CHECK(gauss_step_objection(method("rkmk/gauss2"), 2, true) != "");  // in coordinates around the start
+    CHECK(gauss_step_objection(method("rkmk/gauss2"), 3) != "");
+}
+
+TEST_CASE("steps of Adams-Bashforth methods pull the slopes of earlier states back", "[one_step]") {
+    for (const int k : {2, 3, 4}) {
+        const Method& adams = method("multistep/adams_bashforth" + std::to_string(k));
+        CHECK(adams_bashforth_step_objection(adams, k) == "");
+        for (const AdamsForm& wrong :
+             {AdamsForm{.recentred = false}, AdamsForm{.sign_of_sigma = -1}, AdamsForm{.differences_left_out = 1}})
+            CHECK(adams_bashforth_step_objection(adams, k, wrong) != "");
+        CHECK(adams_bashforth_step_objection(method("rkmk/rk4"), k) != "");
+    }
 }
 
 TEST_CASE("steps are checked in every formulation, with and without constraints", "[one_step]") {

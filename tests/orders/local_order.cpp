@@ -78,7 +78,8 @@ State exact_flow(const Real& h) {
 double local_error(const Method& method, const OptionValues& options, const Real& h) {
     ForcedBody body;
     State y = start();
-    REQUIRE(method.bind(body, options)->step(start_time, h, y.data()) == Status::ok);
+    const auto integrator = method.bind(body, with_defaults(options, method.description.options));
+    REQUIRE(integrator->step(start_time, h, y.data()) == Status::ok);
     const State exact = exact_flow(h);
     Real sum = 0;
     for (std::size_t i = 0; i < y.size(); ++i) sum += (y[i] - exact[i]) * (y[i] - exact[i]);
@@ -114,9 +115,16 @@ TEST_CASE("Crouch-Grossman steps have the order that their conditions predict", 
 }
 
 TEST_CASE("Munthe-Kaas steps have the order of their tableau", "[local_order]") {
-    for (const Method* method : registered<MuntheKaasScheme>())
-        for (const auto& options : {with("exp", "exact"), with("exp", "seed"), with("cayley", "exact")})
-            check_order(*method, options, method->description.order.configuration);
+    for (const Method* method : registered<MuntheKaasScheme>()) {
+        const int order = method->description.order.configuration;
+        if (method->description.options.empty()) {
+            check_order(*method, {}, order);
+            continue;
+        }
+        for (const auto& options :
+             {with("exp", "exact"), with("exp", "seed"), with("cayley", "exact"), with("second_kind", "exact")})
+            check_order(*method, options, order);
+    }
 }
 
 TEST_CASE("dexpinv cut after q brackets allows order q + 2", "[local_order]") {
@@ -126,7 +134,8 @@ TEST_CASE("dexpinv cut after q brackets allows order q + 2", "[local_order]") {
 }
 
 TEST_CASE("controls have the order that their fault leaves", "[local_order]") {
-    for (const Control& control : controls()) check_order(control.method, {}, control.true_order);
+    for (const Control& control : controls())
+        if (!control.claims_too_much()) check_order(control.method, {}, control.true_order);
 }
 
 #endif

@@ -25,7 +25,7 @@ TEST_CASE("one step tells every option from every other", "[one_step]") {
     const Method& rk4 = method("rkmk/rk4");
     for (const MatrixGroup& group : {matrix_so3(), matrix_se3()}) {
         const auto all = scheme_variants(rk4);
-        REQUIRE(all.size() == 8);
+        REQUIRE(all.size() == 9);
         for (std::size_t i = 0; i < all.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {
                 // q = p - 1 = 3 brackets are q = 2, because B_3 = 0.

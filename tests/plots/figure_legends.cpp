@@ -64,6 +64,23 @@ TEST_CASE("a legend says the order, or why there is none") {
     CHECK_THAT(legend_of([](double h) { return 1e-3 * std::pow(h, 0.1); }), Catch::EndsWith(": no convergence"));
 }
 
+TEST_CASE("a label among the options of a method stands for those that it settles") {
+    const auto cell = [](const std::string& label, const std::string& b, const std::string& chart) {
+        ResultRow row;
+        row.method = "rkmk/tableau";
+        row.options = {{"label", label}, {"b", b}, {"coordinates", chart}};
+        return row;
+    };
+    const std::vector<ResultRow> rows = {cell("mine", "1", "exp"), cell("mine", "1", "cayley"), cell("", "0 1", "exp"),
+                                         cell("", "1/2 1/2", "exp")};
+    const CellNames names(rows);
+    CHECK(names.axis(rows[0], "method") == "rkmk/tableau mine exp");
+    CHECK(names.axis(rows[1], "method") == "rkmk/tableau mine cayley");
+    CHECK(names.axis(rows[2], "method") == "rkmk/tableau b=0 1 exp");
+    const std::vector<ResultRow> twice = {cell("mine", "1", "exp"), cell("mine", "0 1", "exp")};
+    CHECK(CellNames(twice).axis(twice[1], "method") == "rkmk/tableau mine b=0 1");
+}
+
 TEST_CASE("fewer than four step sizes are too few, and a method that failed says how") {
     const ResultFolder folder;
     const auto failed = result_line("ff", 64, 0,
@@ -185,6 +202,7 @@ TEST_CASE("components are drawn until the time asked for, in one panel or stacke
 
 TEST_CASE("an axis is labelled with symbol and unit, even for an uncommon metric") {
     CHECK(metric_label("error.position", {}) == "|x − x_{ref}| [m]");
+    CHECK(metric_label("error.position.max", {}) == "max |x − x_{ref}| [m]");
     CHECK(metric_label("invariant.energy", {{"invariant.energy", "J"}}) == "max |E − E_0| [J]");
     CHECK(metric_label("invariant.spin_axial", {}) == "invariant.spin\\_axial");
     CHECK(metric_label("defect.position.final", {}) == "defect.position.final [m]");

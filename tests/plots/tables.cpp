@@ -38,6 +38,24 @@ TEST_CASE("a convergence study becomes a table of orders with windows") {
     CHECK(folder.read("tables/references.csv").find("heavy_top,1,10,25.0,-,-,-,-") != std::string::npos);
 }
 
+TEST_CASE("maxima over samples stand beside the errors of the end in every table") {
+    const ResultFolder folder;
+    std::string lines;
+    for (int k = 0; k < 6; ++k) {
+        const long steps = 64L << k;
+        const double error = std::pow(1.0 / static_cast<double>(steps), 4);
+        const nlohmann::json more = {{"metrics", {{"error.position.max", 3 * error}}},
+                                     {"reference", {{"error", {{"error.position.max", 1e-24}}}}}};
+        lines += result_line("0" + std::to_string(k), steps, error, more).dump() + "\n";
+    }
+    folder.write("results.jsonl", lines);
+    CHECK(table_command(folder.path()) == ok);
+    CHECK(folder.read("tables/orders.csv").find("error.position.max,4,4.0000,0.0000,64,1024") != std::string::npos);
+    CHECK(folder.read("tables/errors.csv").find("error.position [m],error.position.max [m]") != std::string::npos);
+    CHECK(folder.read("tables/errors.md").find("largest of all samples") != std::string::npos);
+    CHECK(folder.read("tables/references.csv").find("heavy_top,1,10,25.0,24.0") != std::string::npos);
+}
+
 TEST_CASE("errors past the horizon of their reference are marked in every table") {
     const ResultFolder folder;
     const nlohmann::json past = {

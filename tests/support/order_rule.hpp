@@ -28,11 +28,13 @@ inline int declared(const Order& order, const std::string& metric) {
 inline constexpr int highest_order_in_double = 4;
 
 /// Nor has it for Fehlberg's pair of order four, which advances the lower order, and for extrapolations, whose columns
-/// lie two orders apart: their leading errors are small, and those of the next order decide until round-off does.
+/// lie two orders apart: their leading errors are small, and those of the next order decide until round-off does. Nor
+/// for the Gauss method of order four, whose round-off is that of an iteration, and for splittings, which are exact but
+/// for the forces.
 inline bool is_seen_in_double(const MethodDescription& method) {
     const int p = method.order.configuration;
-    return p < highest_order_in_double ||
-           (p == highest_order_in_double && (method.estimate == 0 || method.estimate == p));
+    return p < highest_order_in_double || (p == highest_order_in_double && !method.is_implicit() && method.stages > 0 &&
+                                           (method.estimate == 0 || method.estimate == p));
 }
 
 /// How far an observed order may be from the declared one.

@@ -70,7 +70,8 @@ std::vector<NamedText> method_rows(const std::vector<MethodDescription>& methods
     std::vector<NamedText> rows;
     rows.reserve(methods.size());
     for (const MethodDescription& method : methods) {
-        rows.emplace_back(method.name, fmt::format("{}; {}", order_text(method.order), method.summary));
+        rows.emplace_back(method.name,
+                          fmt::format("{}; {}{}", order_text(method.order), method.summary, claims_text(method)));
     }
     return rows;
 }

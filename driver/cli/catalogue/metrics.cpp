@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -48,7 +49,11 @@ std::vector<NamedText> metric_rows() {
     for (const MetricDescription& metric : metric_catalogue()) {
         rows.emplace_back(metric.name, fmt::format("{} [{}]", metric.summary, metric.unit));
     }
+    rows.emplace_back("error.<name>.max", "the largest error over the samples");
     rows.emplace_back("defect.<name>.final", "the defect at the end");
+    rows.emplace_back(
+        "structure.<name>.uncertainty",
+        "what differences and round-off leave; what is below ten times that counts as zero, and is absent");
     for (const IntegralSuffix& suffix : integral_suffixes) {
         rows.emplace_back(std::string("invariant.<integral>") + suffix.name,
                           fmt::format("{} [{}]", suffix.summary, suffix.unit));
@@ -67,9 +72,13 @@ std::vector<std::string> integral_names(const Engine& engine) {
 bool describe_metric(const Engine& engine, const std::string& name, std::ostream& out) {
     const MetricDescription* metric = find_metric(name);
     if (metric == nullptr) { return describe_invariant(engine, name, out); }
-    const bool final = name != metric->name;
-    if (final && !(is_defect(*metric) && name.ends_with(".final"))) { return false; }
-    fmt::print(out, "{}: {}{} [{}]\n", name, final ? "the same at the end: " : "", metric->summary, metric->unit);
+    const auto names = names_of_metric(*metric);
+    if (std::find(names.begin(), names.end(), name) == names.end()) { return false; }
+    const char* part = name == metric->name    ? ""
+                       : is_error(*metric)     ? "the largest over the samples: "
+                       : is_structure(*metric) ? "to how much this is certain: "
+                                               : "the same at the end: ";
+    fmt::print(out, "{}: {}{} [{}]\n", name, part, metric->summary, metric->unit);
     return true;
 }
 

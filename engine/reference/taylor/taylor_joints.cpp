@@ -73,5 +73,12 @@ void JointSeries::set_multiplier(int row, std::size_t k, const Real& lambda) {
     if (is_force(row)) force_[k] += lambda * points_->n(row)[0];
 }
 
+Real JointSeries::multiplier(int row, const Real& s) const {
+    const Scalars& lambda = lambda_[static_cast<std::size_t>(row)];
+    Real sum = 0;
+    for (std::size_t k = lambda.size(); k-- > 0;) sum = sum * s + lambda[k];
+    return sum;
+}
+
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -40,7 +40,8 @@ class JointSeries {
     Wrench on_second(int row) const;
     /// Sets lambda_k, which adds a force and a moment directly: the caller corrects the bodies.
     void set_multiplier(int row, std::size_t k, const Real& lambda);
-    const Real& multiplier(int row) const { return lambda_[static_cast<std::size_t>(row)][0]; }
+    /// A time s after the expansion.
+    Real multiplier(int row, const Real& s) const;
 
     BodySeries& first() const { return ends_.first; }
     BodySeries& second() const { return ends_.second; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/reference/taylor/taylor_route.hpp"
 
+#include <limits>
+
 #include "mechanics/joints/joint_rows.hpp"
 
 namespace kreisel {
@@ -38,14 +40,39 @@ void go_beyond(TaylorRoute& route, const ReferenceSolution& first, const std::st
     const auto meet = [&](const ReferencePoint& point) {
         if (abs(point.t) <= abs(agreement.horizon) || agreement.status != Status::ok || route.interrupted()) return;
         agreement.status = route.advance(point.t, stop);
-        const Distance d = distance(route.states(), point.states);
-        Distance& largest = agreement.distance;
-        largest = {max(largest.position, d.position), max(largest.rotation, d.rotation),
-                   max(largest.velocity, d.velocity), max(largest.omega, d.omega)};
-        if (!isfinite(d.rotation)) largest.rotation = d.rotation;
+        agreement.distance = largest(agreement.distance, distance(route.states(), point.states));
     };
     for (const ReferencePoint& point : first.path) meet(point);
     for (const ReferencePoint& point : first.beyond) meet(point);
+}
+
+/// The multipliers' error of a sample: at least the distance from those of the second route; unknown without these.
+MultiplierDistance confirmed(const SampledPoint& sample, const std::vector<Real>& lambda,
+                             const std::vector<ConstraintRow>& rows) {
+    const Real unknown = std::numeric_limits<Real>::quiet_NaN();
+    if (lambda.size() != rows.size() || sample.multipliers.size() != rows.size()) return {unknown, unknown};
+    const MultiplierDistance apart = multiplier_distance(rows, lambda, sample.multipliers);
+    return {max(sample.multiplier_error.force, apart.force), max(sample.multiplier_error.torque, apart.torque)};
+}
+
+/// Follows the samples by a run of its own, so that the one to the end is the same with and without them; false if it
+/// was asked to stop.
+bool confirm_samples(const Model& model, const std::stop_token& stop, ReferenceSolution& out) {
+    TaylorRoute route(model);
+    const auto rows = constraint_rows(model);
+    const Real unknown = std::numeric_limits<Real>::quiet_NaN();
+    Status status = Status::ok;
+    Distance since;  // the horizon
+    for (SampledPoint& sample : out.samples) {
+        if (status == Status::ok) status = route.advance(sample.point.t, stop);
+        if (route.interrupted()) return false;
+        const bool known = status == Status::ok, past = abs(sample.point.t) > abs(out.horizon);
+        sample.multiplier_error = confirmed(sample, known && !past ? route.multipliers() : std::vector<Real>(), rows);
+        sample.error = known ? largest(sample.error, distance(route.states(), sample.point.states))
+                             : Distance{unknown, unknown, unknown, unknown};
+        if (past) sample.error = since = largest(since, sample.error);
+    }
+    return true;
 }
 
 }  // namespace
@@ -85,13 +112,15 @@ Status TaylorRoute::multipliers(std::vector<Real>& lambda) {
     return status;
 }
 
-ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop) {
-    ReferenceSolution out = reference_solution(model, t_end, stop);
+ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop,
+                                      long samples) {
+    ReferenceSolution out = reference_solution(model, t_end, stop, samples);
     if (out.interrupted || !out.stopped.empty()) return out;
     TaylorRoute route(model);
     Agreement agreement = follow(route, out, stop);
     if (route.interrupted()) return {.interrupted = true};
     out.horizon = agreement.horizon;
+    if (!confirm_samples(model, stop, out)) return {.interrupted = true};
     if (agreement.status == Status::ok && out.horizon != t_end) {  // past the horizon: how far the routes are apart
         go_beyond(route, out, stop, agreement);
         if (route.interrupted()) return {.interrupted = true};

@@ -32,6 +32,8 @@ class TaylorRoute {
     const std::vector<BodyState>& states() const { return states_; }
     /// Multipliers at the present time (N). Expands the series there.
     Status multipliers(std::vector<Real>& lambda);
+    /// The same by the series that led there.
+    std::vector<Real> multipliers() const { return series_.multipliers(t_ - base_t_); }
     /// Expansions so far.
     long steps() const { return steps_; }
 
@@ -49,8 +51,10 @@ class TaylorRoute {
 /// reference_solution confirmed by the second route: each error is the larger one of the difference between two step
 /// sizes and that between the routes (past the horizon the largest since), and the horizon the last big step up to
 /// which these agree to 1e-12 as well. Where the second route fails, the horizon ends, the errors at t_end are unknown,
-/// and `route` says so.
-ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop = {});
+/// and `route` says so. Samples are confirmed in the same way, each at its time; past the horizon their errors do not
+/// fall, and from where the second route fails on they are unknown.
+ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop = {},
+                                      long samples = 0);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

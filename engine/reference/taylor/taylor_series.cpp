@@ -172,12 +172,12 @@ std::vector<BodyState> TaylorSeries::states(const Real& s) const {
     return result;
 }
 
-std::vector<Real> TaylorSeries::multipliers() const {
+std::vector<Real> TaylorSeries::multipliers(const Real& s) const {
     std::vector<Real> lambda;
     for (const bool velocity : {false, true})
         for (const TaylorComplement::Row& row : complement_.rows())
             if (joints_[row.joint].is_velocity(row.row) == velocity)
-                lambda.push_back(joints_[row.joint].multiplier(row.row));
+                lambda.push_back(joints_[row.joint].multiplier(row.row, s));
     return lambda;
 }
 

@@ -44,9 +44,9 @@ class TaylorSeries {
     bool has_parted(const Real& s) const;
     /// The states at a time s after that of the expansion; |s| within reach.
     std::vector<BodyState> states(const Real& s) const;
-    /// At the time of the expansion: lambda (N, or N m where rows compare directions), joints in the order of the
-    /// model; rows without a position level after all others.
-    std::vector<Real> multipliers() const;
+    /// A time s after that of the expansion, |s| within reach: lambda (N, or N m where rows compare directions), joints
+    /// in the order of the model; rows without a position level after all others.
+    std::vector<Real> multipliers(const Real& s = 0) const;
 
   private:
     std::vector<JointSeries> joints_of(const Model& model);

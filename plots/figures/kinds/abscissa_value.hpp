@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The key "x" of figures of errors.
+// The key "x" of figures of errors, and of those over time.
 #pragma once
 
 #include "plots/figures/values.hpp"
@@ -9,9 +9,9 @@
 namespace kreisel {
 
 /// A name of plots/laws/abscissa.hpp.
-inline figure_value::Type<std::string> abscissa_value() {
+inline figure_value::Type<std::string> abscissa_value(const std::vector<Abscissa>& all = abscissae()) {
     std::vector<std::string> names;
-    for (const Abscissa& one : abscissae()) { names.push_back(one.name); }
+    for (const Abscissa& one : all) { names.push_back(one.name); }
     return figure_value::choice("axis", names);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The components of x, v, omega or the multipliers of one trajectory against time.
+// The components of x, v, omega or the multipliers of one trajectory against time or cost.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kind.hpp"
+#include "plots/figures/kinds/abscissa_value.hpp"
 #include "plots/figures/kinds/panel_kind.hpp"
 #include "plots/figures/select.hpp"
 
@@ -45,12 +46,18 @@ class ComponentsFigure final : public PanelKind {
     std::optional<double> until;
     std::string quantity = "x";
     bool stacked = false;
+    std::string x = "t";  ///< or a cost
+
+    std::string drawn_against() const override { return x == "t" ? "" : x; }
 
     PanelFigure panels(const Results& results, const std::filesystem::path& folder) const override {
-        const TrajectoryTable trajectory = samples_until(until, selected_trajectory(*this, results), folder);
-        const auto* t = trajectory.find("t");
+        const ResultRow row = selected_trajectory(*this, results);
+        const TrajectoryTable trajectory = samples_until(until, row, folder);
+        auto at = abscissa_of_samples(read_trajectory(folder, row), row, x);
         const auto components = components_of(prefix_in(trajectory), symbol(), trajectory);
-        if (t == nullptr || components.empty()) {
+        if (!at) { throw FigureError(fmt::format("{}: the trajectory does not tell {}", name, x)); }
+        at->resize(trajectory.columns.front().size());
+        if (components.empty()) {
             throw FigureError(fmt::format("{}: the trajectory has no columns {}{}, ...", name, prefix_in(trajectory),
                                           draws_multipliers() ? "JOINT.1" : "1"));
         }
@@ -63,7 +70,7 @@ class ComponentsFigure final : public PanelKind {
                 add_panel(component, figure);
             }
             auto& curves = figure.panels.back().curves;
-            curves.push_back({stacked ? "" : component.label, zipped(*t, *component.values),
+            curves.push_back({stacked ? "" : component.label, zipped(*at, *component.values),
                               stacked ? 1 : static_cast<int>(curves.size()) + 1});
         }
         return figure;
@@ -79,7 +86,7 @@ class ComponentsFigure final : public PanelKind {
     void add_panel(const Component& first, PanelFigure& figure) const {
         if (!figure.panels.empty() && columns == 1) { figure.panels.back().x_label.clear(); }
         const std::string label = fmt::format("{} [{}]", stacked ? first.label : symbol(), first.unit);
-        figure.panels.push_back({"", "t [s]", label, false, false, {}, {}, {}});
+        figure.panels.push_back({"", abscissa_label(x), label, false, false, {}, {}, {}});
     }
 };
 
@@ -88,7 +95,7 @@ class ComponentsFigure final : public PanelKind {
 KREISEL_FIGURE(
     ComponentsFigure,
     {.name = "components",
-     .summary = "the components of x, v, omega or the multipliers of one trajectory against time",
+     .summary = "the components of x, v, omega or the multipliers of one trajectory against time or cost",
      .draws = FigureData::samples,
      .script = "lines",
      .keys = {figure_key("body", &ComponentsFigure::body, figure_value::text("the name of a body"), "which body",
@@ -97,6 +104,8 @@ KREISEL_FIGURE(
                          "up to which time", "all"),
               figure_key("quantity", &ComponentsFigure::quantity,
                          figure_value::choice("quantity", {"x", "v", "omega", "multipliers"}), "what is drawn"),
+              figure_key("x", &ComponentsFigure::x, abscissa_value(times_and_costs()),
+                         "what they are drawn against: time or, in an experiment of kind work_precision, cost"),
               figure_key("stacked", &ComponentsFigure::stacked, figure_value::flag(), "a panel for each component"),
               figure_key("columns", &ComponentsFigure::columns, figure_value::count(1, 4, "panels beside each other"),
                          "panels beside each other")}});

@@ -107,6 +107,7 @@ std::string metric_label(const std::string& metric, const Units& units) {
     const MetricDescription* entry = find_metric(metric);
     const std::string symbol = integral != integrals.end()                 ? integral->second
                                : entry != nullptr && entry->name == metric ? entry->symbol
+                               : is_largest_error(metric)                  ? "max " + entry->symbol
                                                                            : enhanced_escape(metric);
     const std::string unit = metric_unit(metric, units);
     return symbol + (unit.empty() || unit == "1" ? "" : " [" + enhanced_escape(unit) + "]");

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Running maxima of defects against time, with fitted growth laws.
+// Running maxima of defects against time or cost, with fitted growth laws.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "plots/figures/kinds/sample_kind.hpp"
+#include "plots/laws/abscissa.hpp"
 #include "plots/laws/growth.hpp"
 
 namespace kreisel {
@@ -37,20 +38,20 @@ class DriftFigure final : public SampleKind {
 
   private:
     std::optional<Panel> empty_panel(const std::string& metric, const Units& units) const override {
-        return Panel{"", "t [s]", metric_label(metric, units), true, true, {}, {}, {}};
+        return Panel{"", abscissa_label(x), metric_label(metric, units), true, true, {}, {}, {}};
     }
     std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
                                     const std::filesystem::path& folder) const override {
         const ResultRow& row = group.front();
         const TrajectoryTable trajectory = read_trajectory(folder, row);
-        const auto *t = trajectory.find("t"), *values = trajectory.find(metric + ".max");
-        if (values == nullptr || t == nullptr) { return std::nullopt; }
+        DrawnCurve drawn{maxima(trajectory, row, metric), ": " + end_text(row)};
+        if (drawn.points.empty()) { return std::nullopt; }
+        if (!row.ok()) { return drawn; }
+        // Growth is over time, whatever the curve is drawn against.
         const auto law = growth_of(trajectory, metric, row.precision);
-        DrawnCurve drawn{zipped(*t, *values), ": " + end_text(row)};
-        if (row.ok()) {
-            drawn.remark = ": " + growth_text(law, largest_of(*values), roundoff_level(trajectory, row.precision));
-            if (law) { drawn.guide = growth_line(*law); }
-        }
+        const double roundoff = roundoff_level(trajectory, row.precision);
+        drawn.remark = ": " + growth_text(law, largest_of(*trajectory.find(metric + ".max")), roundoff);
+        if (law && x == "t") { drawn.guide = growth_line(*law); }
         return drawn;
     }
     std::string lacking() const override { return "such defect"; }
@@ -59,9 +60,9 @@ class DriftFigure final : public SampleKind {
 }  // namespace
 
 KREISEL_FIGURE(DriftFigure, {.name = "drift",
-                             .summary = "running maxima of defects against time, with fitted growth laws",
+                             .summary = "running maxima of defects against time or cost, with fitted growth laws",
                              .draws = FigureData::samples,
                              .script = "lines",
-                             .keys = curve_keys("defect.")});
+                             .keys = sample_keys("defect.")});
 
 }  // namespace kreisel

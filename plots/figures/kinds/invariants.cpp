@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Running maxima of |I - I0|, or of |I - I0|/|I0|, against time.
+// Running maxima of |I - I0|, or of |I - I0|/|I0|, against time or cost.
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kinds/sample_kind.hpp"
+#include "plots/laws/abscissa.hpp"
 
 namespace kreisel {
 
@@ -21,7 +22,7 @@ class InvariantsFigure final : public SampleKind {
         const std::string label =
             relative ? enhanced_escape(metric.substr(invariant_family.size())) + ": max |I − I_0| / |I_0|"
                      : metric_label(metric, units);
-        return Panel{"", "t [s]", label, false, true, {}, {}, {}};
+        return Panel{"", abscissa_label(x), label, false, true, {}, {}, {}};
     }
     std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
                                     const std::filesystem::path& folder) const override {
@@ -29,17 +30,16 @@ class InvariantsFigure final : public SampleKind {
         const auto largest = row.metrics.find(metric), by_size = row.metrics.find(metric + ".relative");
         const bool known = largest != row.metrics.end() && (!relative || by_size != row.metrics.end());
         if (!known || largest->second == 0) { return std::nullopt; }
-        const TrajectoryTable trajectory = read_trajectory(folder, row);
-        const auto *t = trajectory.find("t"), *values = trajectory.find(metric + ".max");
-        if (values == nullptr || t == nullptr) { return std::nullopt; }
         const double factor = relative ? by_size->second / largest->second : 1;
-        return DrawnCurve{zipped(*t, *values, factor), row.ok() ? "" : ": " + end_text(row)};
+        const std::vector<Point> points = maxima(read_trajectory(folder, row), row, metric, factor);
+        if (points.empty()) { return std::nullopt; }
+        return DrawnCurve{points, row.ok() ? "" : ": " + end_text(row)};
     }
     std::string lacking() const override { return "such invariant"; }
 };
 
 std::vector<FigureKey> invariants_keys() {
-    auto keys = curve_keys(invariant_family);
+    auto keys = sample_keys(invariant_family);
     keys.push_back(figure_key("relative", &InvariantsFigure::relative, figure_value::flag(),
                               "whether to divide by the initial value"));
     return keys;
@@ -48,7 +48,7 @@ std::vector<FigureKey> invariants_keys() {
 }  // namespace
 
 KREISEL_FIGURE(InvariantsFigure, {.name = "invariants",
-                                  .summary = "running maxima of the changes of first integrals against time",
+                                  .summary = "running maxima of the changes of first integrals against time or cost",
                                   .draws = FigureData::samples,
                                   .script = "lines",
                                   .keys = invariants_keys()});

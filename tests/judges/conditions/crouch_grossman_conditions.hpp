@@ -3,6 +3,8 @@
 // Order conditions of Crouch-Grossman methods, generated from ordered_forests.hpp.
 #pragma once
 
+#include <utility>
+
 #include "tests/judges/conditions/ordered_forests.hpp"
 
 namespace kreisel::orders {
@@ -29,6 +31,14 @@ inline int crouch_grossman_order(const NumericTableau<Rational>& tableau, const 
     while (order < 5 && all_within(conditions_of_order(tableau, order + 1, stage_factors, final_factors), slack))
         ++order;
     return order;
+}
+
+/// Those of the solution and of the one embedded in it; 0 where there is none.
+inline std::pair<int, int> crouch_grossman_orders(NumericTableau<Rational> tableau, const Rational& slack) {
+    const int step = crouch_grossman_order(tableau, slack);
+    if (tableau.b_hat.empty()) return {step, 0};
+    tableau.b = tableau.b_hat;
+    return {step, crouch_grossman_order(tableau, slack)};
 }
 
 }  // namespace kreisel::orders

@@ -20,7 +20,7 @@
 #include <map>
 #include <vector>
 
-#include "tests/judges/conditions/numeric_tableau.hpp"
+#include "methods/conditions/numeric_tableau.hpp"
 
 namespace kreisel::orders {
 

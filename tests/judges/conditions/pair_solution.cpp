@@ -5,7 +5,7 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <stdexcept>
 
-#include "tests/judges/conditions/rooted_trees.hpp"
+#include "methods/conditions/rooted_trees.hpp"
 
 namespace kreisel::orders {
 

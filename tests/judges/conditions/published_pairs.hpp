@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/judges/conditions/numeric_tableau.hpp"
+#include "methods/conditions/numeric_tableau.hpp"
 
 namespace kreisel::orders {
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "methods/conditions/numeric_tableau.hpp"
 #include "methods/contract/method.hpp"
-#include "tests/judges/conditions/numeric_tableau.hpp"
 
 namespace kreisel::orders {
 

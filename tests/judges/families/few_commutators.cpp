@@ -3,6 +3,7 @@
 // Munthe-Kaas methods with few commutators, methods/rkmk/few_commutators.hpp. One step is evaluated as printed, in
 // right trivialisation: if q' = q k, then Y = q^{-1} moves by Y' = -k Y, and q is its inverse.
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "tests/judges/conditions/bracket_series.hpp"
 #include "tests/judges/families/scheme_family.hpp"
@@ -53,11 +54,19 @@ orders::BracketRow<orders::Rational> left_row(const BracketSum& sum) {
     return row;
 }
 
+bool has_digits(const BracketSum& sum) {
+    return std::any_of(sum.weights.begin(), sum.weights.end(), [](const Coefficient& w) { return w.digits; }) ||
+           std::any_of(sum.brackets.begin(), sum.brackets.end(),
+                       [](const BracketTerm& t) { return t.coefficient.digits; });
+}
+
 SchemeOrders few_commutators_orders(const FewCommutatorsScheme& scheme) {
     orders::BracketMethod<orders::Rational> method;
     for (const BracketSum& stage : scheme.stages) method.stages.push_back(left_row(stage));
     method.result = left_row(scheme.result);
-    return {.step = orders::bracket_order(method, 0)};
+    const bool digits =
+        has_digits(scheme.result) || std::any_of(scheme.stages.begin(), scheme.stages.end(), has_digits);
+    return {.step = orders::bracket_order(method, orders::rounding(digits))};
 }
 
 ClassicalScheme few_commutators_classical(const FewCommutatorsScheme& scheme) {

@@ -8,9 +8,9 @@
 // beyond is left to R^n, where the rule is Gragg's.
 #include <Eigen/LU>
 
+#include "methods/conditions/tableau_orders.hpp"
 #include "methods/extrapolation/gragg_tableau.hpp"
 #include "tests/judges/conditions/bracket_series.hpp"
-#include "tests/judges/conditions/tableau_orders.hpp"
 #include "tests/judges/families/scheme_family.hpp"
 
 namespace kreisel {

@@ -2,7 +2,7 @@
 //
 // Munthe-Kaas lifts of explicit tableaus, methods/rkmk/rkmk.hpp: y_{n+1} = y_n psi(h sum b_j k~_j), in the chart given
 // by the options. They have the order of their tableau [munthekaas1999], and a pair the error u - u^ in that chart.
-#include "tests/judges/conditions/tableau_orders.hpp"
+#include "methods/conditions/tableau_orders.hpp"
 #include "tests/judges/families/dense_chart.hpp"
 #include "tests/judges/families/scheme_family.hpp"
 

@@ -41,9 +41,9 @@ struct RigidMotion {
     }
 };
 
-/// Largest entry of the difference, relative to the sizes of the quantities.
-Real relative_difference(const std::vector<BodyState>& a, const std::vector<BodyState>& b) {
-    Real length = 1, speed = 1, turn = 1, worst = 0;
+/// Largest entry of the difference, relative to the sizes of the quantities; that of velocities is at least `rate`.
+Real relative_difference(const std::vector<BodyState>& a, const std::vector<BodyState>& b, const Real& rate) {
+    Real length = 1, speed = rate, turn = rate, worst = 0;
     for (const BodyState& s : a) {
         length = max(length, Real(s.x.norm()));
         speed = max(speed, Real(s.v.norm())), turn = max(turn, Real(s.omega.norm()));
@@ -68,8 +68,12 @@ Objection equivariance_objection(const Method& entry) {
                 if (trip->run(Real(5) / 512, 5) != Status::ok) return "a run fails";
             std::vector<BodyState> moved = here.bodies();
             for (BodyState& state : moved) state = motion(state);
-            const Real difference = relative_difference(moved, there.bodies());
-            return difference <= 1000 * epsilon ? "" : "differs by " + to_text(difference) + " where space is moved";
+            // Where velocities follow from positions alone, they have the round-off of places over h.
+            const bool quotients = entry.description.meets_positions && !entry.description.meets_velocities;
+            const Real difference = relative_difference(moved, there.bodies(), quotients ? 512 : 1);
+            return difference <= (quotients ? 10000 : 1000) * epsilon
+                       ? ""
+                       : "differs by " + to_text(difference) + " where space is moved";
         });
     if (entry.description.equivariant) return found;
     return found.empty() ? "is equivariant, and denies it" : "";

@@ -2,6 +2,8 @@
 //
 // NaN and infinity in the state, the forces, the masses and the joints, at the first, a middle and the last step of a
 // run. A step that meets one must report it, or leave it in the state, which the caller checks after each step.
+#include <algorithm>
+
 #include "tests/judges/methods/checks.hpp"
 #include "tests/judges/methods/poison.hpp"
 #include "tests/judges/methods/runs.hpp"
@@ -45,9 +47,9 @@ std::string where(const std::string& what, const Real& poison, int step) {
 }
 
 Objection system_objection(const Method& entry, const Model& model, const std::string& form, int healthy_steps) {
-    // A spoiled stage, from the first on; an implicit step may need any number of solves. Steps in quad are slow, and
-    // those of many stages run through five of them: all are seen in double, by the same code.
-    const int solves = entry.description.is_implicit() ? 1 : entry.description.stages;
+    // A spoiled stage, from the first on; steps with multipliers may need any number of solves. Steps in quad are slow,
+    // and those of many stages run through five of them: all are seen in double, by the same code.
+    const int solves = entry.description.form == Form::explicit_steps ? std::max(1, entry.description.stages) : 1;
     const int stride = KREISEL_QUAD && solves > 5 ? (solves - 1) / 4 : 1;
     for (const Target& target : targets())
         for (const Real& poison : poisons())

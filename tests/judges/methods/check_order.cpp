@@ -51,7 +51,7 @@ AcceptanceCurves acceptance_curves(const Method& entry, bool first_order) {
 
 /// What double cannot show is observed in quad, tests/campaign/quad_orders.cpp.
 Objection order_objection(const Method& entry) {
-    if (!runs_on(entry.description, "SO3xR3")) return "";
+    if (!runs_on(entry, models::standard("forced_heavy_top"), "SO3xR3")) return "";
     const Order& order = entry.description.order;
     if (!is_seen_in_double(entry.description)) return "";
     const AcceptanceCurves curves = acceptance_curves(entry, order.configuration == 1);

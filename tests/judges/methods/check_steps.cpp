@@ -2,6 +2,7 @@
 //
 // Judgements of steps against each other: counted, repeated, and reversed.
 #include "tests/judges/methods/checks.hpp"
+#include "tests/judges/methods/domains.hpp"
 #include "tests/judges/methods/runs.hpp"
 #include "tests/judges/methods/switched_system.hpp"
 
@@ -22,10 +23,12 @@ Objection solves_objection(const Method& entry) {
         Status status = integrator->start(0, y.data());
         for (int i = 0; i < steps && status == Status::ok; ++i) status = integrator->step(h * i, h, y.data());
         if (status != Status::ok) return std::string("a run ends in ") + name(status);
-        const long declared = entry.description.solves_at_start + steps * long{entry.description.stages};
-        for (const long found : {system.solves, system.evaluations()})
+        const long solves = entry.description.solves_at_start + steps * long{entry.description.stages};
+        const long forces = steps * long{entry.description.force_evaluations};  // counted where there is no solve
+        for (const auto& [found, declared] :
+             {std::pair(system.solves, solves), std::pair(system.evaluations(), solves + forces)})
             if (found != declared)
-                return std::to_string(found) + " solves in " + std::to_string(steps) + " steps, " +
+                return std::to_string(found) + " solves or evaluations in " + std::to_string(steps) + " steps, " +
                        std::to_string(declared) + " declared";
         return "";
     });
@@ -67,8 +70,10 @@ Real return_defect(const Model& model, const std::string& formulation, const Met
 }  // namespace
 
 Objection reversal_objection(const Method& entry) {
-    if (!entry.description.claims(Property::symmetric)) return "";
+    const std::optional<Domain> claimed = claimed_domain(entry.description, Property::symmetric);
+    if (!claimed) return "";
     return first_objection(entry, [&](const models::Named& named, const std::string& formulation) -> Objection {
+        if (domain_of(named.model, *make_system(named.model, formulation)) > *claimed) return "";
         const Real defect = return_defect(named.model, formulation, entry);
         return defect <= 10000 * epsilon ? "" : "returns by " + to_text(defect) + " beside its start";
     });

@@ -20,6 +20,14 @@ const char* name(Check check) {
             return "attempts";
         case Check::reversal:
             return "time reversal";
+        case Check::symplecticity:
+            return "symplecticity";
+        case Check::momentum:
+            return "momentum";
+        case Check::energy:
+            return "energy";
+        case Check::constraints:
+            return "constraints";
         case Check::equivariance:
             return "equivariance";
         case Check::injection:
@@ -33,11 +41,18 @@ const char* name(Check check) {
 }
 
 const std::vector<Judgement>& running_checks() {
-    static const std::vector<Judgement> all = {
-        {Check::order, order_objection},         {Check::solves, solves_objection},
-        {Check::history, history_objection},     {Check::attempts, attempts_objection},
-        {Check::reversal, reversal_objection},   {Check::equivariance, equivariance_objection},
-        {Check::injection, injection_objection}, {Check::convergence, convergence_objection}};
+    static const std::vector<Judgement> all = {{Check::order, order_objection},
+                                               {Check::solves, solves_objection},
+                                               {Check::history, history_objection},
+                                               {Check::attempts, attempts_objection},
+                                               {Check::reversal, reversal_objection},
+                                               {Check::symplecticity, symplecticity_objection},
+                                               {Check::momentum, momentum_objection},
+                                               {Check::energy, energy_objection},
+                                               {Check::constraints, constraints_objection},
+                                               {Check::equivariance, equivariance_objection},
+                                               {Check::injection, injection_objection},
+                                               {Check::convergence, convergence_objection}};
     return all;
 }
 

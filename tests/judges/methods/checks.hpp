@@ -22,6 +22,10 @@ enum class Check {
     history,           ///< after `start`, a step depends only on (t, h, y)
     attempts,          ///< an attempt at a step is that step, whatever was rejected before it
     reversal,          ///< a symmetric method returns to its start
+    symplecticity,     ///< steps of a method that claims to be symplectic preserve the two-form
+    momentum,          ///< momenta are kept where that is claimed
+    energy,            ///< energy is kept where that is claimed
+    constraints,       ///< positions and velocities stay on the constraints where that is claimed
     equivariance,      ///< rigid motions of space commute with a step
     injection,         ///< NaN never ends as ok
     convergence,       ///< a step without a solution never ends as ok
@@ -51,6 +55,10 @@ Objection solves_objection(const Method&);
 Objection history_objection(const Method&);
 Objection attempts_objection(const Method&);
 Objection reversal_objection(const Method&);
+Objection symplecticity_objection(const Method&);
+Objection momentum_objection(const Method&);
+Objection energy_objection(const Method&);
+Objection constraints_objection(const Method&);
 Objection equivariance_objection(const Method&);
 Objection injection_objection(const Method&);
 Objection convergence_objection(const Method&);

@@ -113,10 +113,10 @@ std::vector<OptionValues> scheme_variants(const Method& method) {
     if (coordinates == options.end()) return {{}};
     std::vector<OptionValues> all;
     for (const std::string& chart : coordinates->choices)
-        if (chart != "exp") all.push_back({{"coordinates", chart}, {"dexpinv", "exact"}});
+        if (chart != "exp") all.push_back(with_defaults({{"coordinates", chart}, {"dexpinv", "exact"}}, options));
     for (const OptionValue& dexpinv : {OptionValue("exact"), OptionValue("seed"), OptionValue(0L), OptionValue(1L),
                                        OptionValue(2L), OptionValue(4L), OptionValue(9L)})
-        all.push_back({{"coordinates", "exp"}, {"dexpinv", dexpinv}});
+        all.push_back(with_defaults({{"coordinates", "exp"}, {"dexpinv", dexpinv}}, options));
     return all;
 }
 

@@ -16,12 +16,6 @@ void require_ok(Status status, const std::string& what) {
     if (status != Status::ok) throw std::domain_error(what + " ends in " + name(status));
 }
 
-MatrixGroup matrix_group(const std::string& formulation) {
-    for (const MatrixGroup& group : {matrix_so3(), matrix_s3(), matrix_so3xr3(), matrix_s3xr3(), matrix_se3()})
-        if (group.name == formulation) return group;
-    throw std::out_of_range("no dense matrices for formulation " + formulation);
-}
-
 /// Inverse of MatrixGroup::matrix: the position stands in the last column of a body that has one.
 VecX stored(const MatX& g, Eigen::Index size) {
     VecX q(size);
@@ -36,6 +30,12 @@ VecX stored(const MatX& g, Eigen::Index size) {
 }
 
 }  // namespace
+
+MatrixGroup matrix_group(const std::string& formulation) {
+    for (const MatrixGroup& group : {matrix_so3(), matrix_s3(), matrix_so3xr3(), matrix_s3xr3(), matrix_se3()})
+        if (group.name == formulation) return group;
+    throw std::out_of_range("no dense matrices for formulation " + formulation);
+}
 
 DenseBodies::DenseBodies(const std::string& formulation)
     : body_(matrix_group(formulation)), size_(body_.group->size()), dim_(body_.group->dim()) {}
@@ -53,6 +53,13 @@ VecX DenseBodies::increment(const VecX& q, const VecX& next, Side side) const {
     return u;
 }
 
+VecX DenseBodies::pulled_back(const VecX& u, const VecX& v) const {
+    VecX rate(u.size());
+    for (Eigen::Index i = 0; i < u.size(); i += dim_)
+        rate.segment(i, dim_) = dense_dexpinv_left(body_, VecX(u.segment(i, dim_)), VecX(v.segment(i, dim_)));
+    return rate;
+}
+
 VecX DenseBodies::moved(const VecX& q, const VecX& u) const {
     VecX next = q;  // labels of torsion springs stand behind the poses
     for (Eigen::Index i = 0; (i + 1) * size_ <= q.size(); ++i) {
@@ -60,6 +67,13 @@ VecX DenseBodies::moved(const VecX& q, const VecX& u) const {
         next.segment(i * size_, size_) = stored(MatX(body_.matrix(q.data() + i * size_) * step), size_);
     }
     return next;
+}
+
+VecX DenseBodies::bracket(const VecX& u, const VecX& v) const {
+    VecX w(u.size());
+    for (Eigen::Index i = 0; i < u.size(); i += dim_)
+        w.segment(i, dim_) = dense_ad(body_, u.segment(i, dim_)) * v.segment(i, dim_);
+    return w;
 }
 
 RecordedRun::RecordedRun(const Method& method, const OptionValues& options, const Model& model,
@@ -88,6 +102,13 @@ VecX RecordedRun::index1_rate(const RecordedState& state) {
     return rate;
 }
 
+VecX RecordedRun::index1_multipliers(const RecordedState& state) {
+    VecX rate(system_->velocities()), lambda(system_->constraints());
+    require_ok(system_->accelerations(state.t, state.q.data(), state.v.data(), rate.data(), lambda.data()),
+               "the index-1 form");
+    return lambda;
+}
+
 VecX RecordedRun::rate(const RecordedState& state) {
     const Eigen::Index n = system_->velocities(), m = system_->constraints();
     if (state.lambda.size() != m) throw std::domain_error("reports no multipliers");
@@ -108,6 +129,14 @@ void RecordedRun::solve_mass(const VecX& q, MatX& rates) {
     for (Eigen::Index i = 0; i < rates.rows(); i += rows)
         rates.middleRows(i, rows) =
             MatX(blocks.middleCols(i, rows)).partialPivLu().solve(MatX(rates.middleRows(i, rows))).eval();
+}
+
+MatX RecordedRun::mass(const VecX& q) {
+    const Eigen::Index rows = system_->mass_block(), n = system_->velocities();
+    MatX blocks(rows, n), M = MatX::Zero(n, n);
+    system_->mass(q.data(), blocks.data());
+    for (Eigen::Index i = 0; i < n; i += rows) M.block(i, i, rows, rows) = blocks.middleCols(i, rows);
+    return M;
 }
 
 MatX RecordedRun::position_rows(const RecordedState& state) {
@@ -137,6 +166,8 @@ void Violations::see(const std::string& equation, const VecX& residual) {
 Objection Violations::objection(const Real& tolerance) const {
     return largest_ < tolerance ? "" : worst_ + " is missed by " + to_text(largest_);
 }
+
+VecX solved_square(const MatX& S, const VecX& r) { return S.partialPivLu().solve(r); }
 
 VecX outside_range(const MatX& T, const VecX& r) {
     if (T.cols() == 0) return r;

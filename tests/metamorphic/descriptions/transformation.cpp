@@ -111,10 +111,20 @@ Made reversed(const Model& model, Choice choice) {
     return with(model, change);
 }
 
+/// Coordinates of the second kind are angles about the axes of a body.
+bool prefers_axes(const Combination& combination) {
+    const auto coordinates = combination.options.find("coordinates");
+    return coordinates != combination.options.end() && coordinates->second == OptionValue("second_kind");
+}
+
+Agreement of_axes(const Model& model, const Combination& combination) {
+    return prefers_axes(combination) ? Agreement::truncation : unless_redundant(model, Agreement::round_off);
+}
+
 /// On SE3 two bodies moving rigidly together keep their relative pose for any step; on other groups the joint between
 /// them is satisfied up to the order of the method.
 Agreement of_splits(const Model& model, const Combination& combination) {
-    const bool kept = combination.formulation == "SE3" && !has_redundant_rows(model);
+    const bool kept = combination.formulation == "SE3" && !has_redundant_rows(model) && !prefers_axes(combination);
     return kept ? Agreement::round_off : Agreement::truncation;
 }
 
@@ -129,7 +139,7 @@ void add_descriptions(std::vector<Transformation>& all) {
                        [=](const Model& m) { return moved(m, Real(1000) * kilometres); },
                        always(Agreement::round_off)});
     all.push_back({"turned", turned, up_to_round_off()});
-    all.push_back({"bodies in other axes", in_other_axes, up_to_round_off()});
+    all.push_back({"bodies in other axes", in_other_axes, of_axes});
     all.push_back({"zero of torsion moved", moved_zero, always(Agreement::round_off)});
     all.push_back({"reordered", reordered, of_orders});
     all.push_back({"symmetric joints reversed", [](const Model& m) { return reversed(m, symmetric); }, of_orders});

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// `kreisel certify`: the data sheet of a method.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "driver/cli/commands.hpp"
+
+namespace kreisel {
+
+/// Runs the trials of a method (driver/cli/certify/trials.hpp) and prints its data sheet: what it declares, its
+/// coefficients, declared against observed orders by the rule of convergence studies, constraints and first integrals,
+/// and cost. With an `output` folder writes it there too, as text, Markdown and LaTeX. Returns Exit::cells_failed, and
+/// says so, if an observed order falls short of the declared one or a cell fails. Throws UsageError, with the nearest
+/// name, for an unknown method.
+Exit certify_command(const std::string& method, const std::filesystem::path& output, const Engines& engines,
+                     const Terminal& terminal);
+
+}  // namespace kreisel

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A data sheet: paragraphs and tables below a title, as text, Markdown and LaTeX.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "plots/tables/text.hpp"
+
+namespace kreisel {
+
+struct DataSheet {
+    std::string title;
+    std::vector<std::string> paragraphs;
+    std::vector<TextTable> tables;
+};
+
+std::string terminal_text(const DataSheet& sheet);
+std::string markdown_text(const DataSheet& sheet);
+/// A section with tables, for a document that loads booktabs.
+std::string latex_text(const DataSheet& sheet);
+
+/// Writes DIR/name.txt, .md and .tex, where a name "rkmk/rk4" becomes rkmk-rk4. Throws FileError.
+void write_sheet(const std::filesystem::path& folder, const std::string& name, const DataSheet& sheet);
+
+}  // namespace kreisel

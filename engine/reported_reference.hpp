@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// References as the driver sees them: states and bounds of their errors as numbers.
+#pragma once
+
+#include <stop_token>
+
+#include "engine/engine.hpp"
+#include "problems/problem.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// Engine::reference; where the problem has a closed form, the distance from it counts as error too.
+Reference reported_reference(const Problem& problem, const ParameterValues& values, double t_end, long samples,
+                             const std::stop_token& stop);
+
+/// Engine::check_reference.
+ReferenceCheck checked_reference(const Problem& problem, const ParameterValues& values, const Reference& reference);
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "methods/rkmk/gauss.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+KREISEL_METHOD(gauss(2), {.name = "rkmk/gauss2",
+                          .order = 4,
+                          .cites = {"hairer2006", "munthekaas1998", "zanna2001"},
+                          .summary = "Munthe-Kaas lift of the Gauss method with 2 stages, symmetric",
+                          .variable_cost = true,
+                          .form = Form::implicit,
+                          .preserves = {{Property::symmetric, Domain::autonomous}}});
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
