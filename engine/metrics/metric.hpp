@@ -7,7 +7,8 @@
 //   Real (const Separation&)   at the end: an error, measured in the same way between two routes of a reference, so
 //                              that its uncertainty is known
 //   Real (const Comparison&)   at the end: an error that needs both states; its uncertainty is not known
-//   StepDefect (const ObservedStep&)   of single steps from the start and from the end: a structure, with its uncertainty
+//   StepDefect (const ObservedStep&)   of single steps from the start and from the end: a structure, with its
+//                              uncertainty
 //
 // NaN and infinity mean: could not be measured.
 #pragma once

@@ -19,8 +19,8 @@ struct PublishedValue {
     std::string source, remark;
 };
 
-/// Reads experiments/published/published.csv. Throws FileError if it cannot be read, UsageError with file and line where
-/// a line is damaged.
+/// Reads experiments/published/published.csv. Throws FileError if it cannot be read, UsageError with file and line
+/// where a line is damaged.
 std::vector<PublishedValue> read_published_values(const std::filesystem::path& file);
 
 /// Significant digits of a decimal number; of zero, those after the point.

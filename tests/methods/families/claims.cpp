@@ -42,7 +42,7 @@ TEST_CASE("systems are of the smallest class that holds them", "[methods][claims
     CHECK_FALSE(claimed_domain(method("rkmk/rk4").description, Property::symplectic));
 }
 
-// Hidden because it tests nothing.
+// Hidden because it tests nothing: it prints what a method preserves beyond what it declares, for whoever declares it.
 TEST_CASE("properties found that are not declared", "[.][list]") {
     const std::pair<Property, Objection (*)(const Method&)> properties[] = {
         {Property::symplectic, symplecticity_objection},
