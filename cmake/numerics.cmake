@@ -30,6 +30,7 @@ endfunction()
 file(GLOB parts_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/mechanics/parts/*.cpp
      ${CMAKE_SOURCE_DIR}/mechanics/parts/*/*.cpp ${CMAKE_SOURCE_DIR}/methods/conditions/*.cpp)
 add_library(kreisel_parts OBJECT ${parts_sources})
+kreisel_unite(kreisel_parts)
 target_include_directories(kreisel_parts PRIVATE ${CMAKE_SOURCE_DIR})
 
 # The objects of some sources of a layer; the first argument after the precision names them.
@@ -43,22 +44,10 @@ endmacro()
 
 function(kreisel_layer precision layer)
   file(GLOB sources CONFIGURE_DEPENDS ${ARGN})
-  if(precision STREQUAL "binary128")
-    kreisel_objects(${precision} ${layer} ${sources})
-    kreisel_unite(kreisel_${layer}_${precision})
-    list(FILTER sources INCLUDE REGEX "_closed_form.cpp$")  # their local names are those of the theory, alike in all
-    set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  else()
-    kreisel_data_sources(data ${layer} ${sources})
-    if(data)
-      list(REMOVE_ITEM sources ${data})
-    endif()
-    kreisel_objects(${precision} ${layer} ${sources})
-    if(data)
-      kreisel_objects(${precision} ${layer}_data ${data})
-      kreisel_unite(kreisel_${layer}_data_${precision})
-    endif()
-  endif()
+  kreisel_objects(${precision} ${layer} ${sources})
+  kreisel_unite(kreisel_${layer}_${precision})
+  list(FILTER sources INCLUDE REGEX "_closed_form.cpp$")  # their local names are those of the theory, alike in all
+  set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set(KREISEL_OBJECTS_${precision} ${KREISEL_OBJECTS_${precision}} PARENT_SCOPE)
 endfunction()
 

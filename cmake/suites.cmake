@@ -71,8 +71,7 @@ endfunction()
 kreisel_controls(binary64)
 kreisel_suite(series binary64 LIBRARIES kreisel_lie_binary64)
 kreisel_suite(lie binary64 LIBRARIES kreisel_lie_binary64 kreisel_rapid)
-kreisel_suite(mechanics binary64 LIBRARIES kreisel_lie_binary64 kreisel_mechanics_binary64 kreisel_problems_binary64
-              kreisel_problems_data_binary64)
+kreisel_suite(mechanics binary64 LIBRARIES kreisel_lie_binary64 kreisel_mechanics_binary64 kreisel_problems_binary64)
 kreisel_suite(problems binary64 LIBRARIES kreisel_binary64)
 kreisel_suite(methods binary64 LIBRARIES kreisel_binary64 kreisel_controls_binary64 kreisel_order)
 kreisel_suite(peers binary64 LIBRARIES kreisel_binary64 kreisel_peers_binary64)
@@ -156,6 +155,12 @@ find_program(KREISEL_CLANG_FORMAT clang-format-14)
 if(KREISEL_CLANG_FORMAT)
   add_test(NAME architecture.format COMMAND ${CMAKE_SOURCE_DIR}/tools/format -c)
   set_tests_properties(architecture.format PROPERTIES LABELS architecture)
+endif()
+
+# The table of controls that ./check writes at its end, which runs every check on every control.
+if(TARGET test_orders_binary64)
+  add_test(NAME orders.controls COMMAND test_orders_binary64 "[list]")
+  set_tests_properties(orders.controls PROPERTIES LABELS orders)
 endif()
 
 # Instructions per step of the literature's top: explicit steps of 1/20,000 s, implicit ones of 1/1000 s down to

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mechanics/parts/keys.hpp"
+#include "support/registration.hpp"
 
 namespace kreisel {
 
@@ -23,9 +24,11 @@ const std::vector<ForceKind>& force_kinds();
 /// Throws std::out_of_range for an unknown name.
 const ForceKind& force_kind(const std::string& name);
 
-/// Records a force: a static object in its file.
 struct ForceRegistration {
     explicit ForceRegistration(ElementType keys, ForceTraits traits = {});
 };
+
+/// KREISEL_FORCE_KEYS({keys}, {traits}) in its file.
+#define KREISEL_FORCE_KEYS(...) KREISEL_REGISTER(::kreisel::ForceRegistration, __VA_ARGS__)
 
 }  // namespace kreisel

@@ -18,10 +18,10 @@ using nlohmann::ordered_json;
 
 namespace {
 
-const Engines engines{engine_binary64(), engine_binary64()};
+const Engines engines_of_turns{engine_binary64(), engine_binary64()};
 
 /// A wheel of unit inertia on a hinge with a spring of 4 N m/rad, at `rate` rad/s.
-ordered_json wheel(double rate, const std::string& more_of_the_spring = "") {
+ordered_json sprung_wheel(double rate, const std::string& more_of_the_spring = "") {
     ordered_json parameters = ordered_json::parse(R"({"gravity": [0, 0, 0],
         "bodies": [{"name": "wheel", "mass": 1, "inertia": [1, 1, 1], "x": [0, 0, 0]}],
         "joints": [{"type": "revolute", "between": ["ground", "wheel"], "point": [0, 0, 0], "axis": [0, 0, 1]}],
@@ -40,7 +40,7 @@ Plan plan_with(const ordered_json& parameters, double end, long steps, long samp
     config["formulations"] = {"SO3xR3", "SE3", "S3xR3"};
     config["time"] = {{"end", end}, {"steps", steps}};
     config["output"] = {{"samples", samples}};
-    return plan_of(parse_document("turns.json", config.dump(1)), engines);
+    return plan_of(parse_document("turns.json", config.dump(1)), engines_of_turns);
 }
 
 void check_end(const ordered_json& parameters, double end, double omega, double theta, long turns) {
@@ -62,27 +62,27 @@ void check_end(const ordered_json& parameters, double end, double omega, double 
 }  // namespace
 
 TEST_CASE("a torsion spring pulls on past half a turn", "[campaign]") {
-    check_end(wheel(10), 2, 10 * std::cos(4), 5 * std::sin(4), -1);
+    check_end(sprung_wheel(10), 2, 10 * std::cos(4), 5 * std::sin(4), -1);
 }
 
 TEST_CASE("the rest angle of a torsion spring may be any number", "[campaign]") {
-    check_end(wheel(0, R"(, "angle": 20)"), 1, 40 * std::sin(2), 20 - 20 * std::cos(2), 5);
+    check_end(sprung_wheel(0, R"(, "angle": 20)"), 1, 40 * std::sin(2), 20 - 20 * std::cos(2), 5);
 }
 
 TEST_CASE("turns are read at a start", "[campaign]") {
-    check_end(wheel(0, R"(, "turns": -3)"), 1, 12 * M_PI * std::sin(2), -6 * M_PI * std::cos(2), 1);
+    check_end(sprung_wheel(0, R"(, "turns": -3)"), 1, 12 * M_PI * std::sin(2), -6 * M_PI * std::cos(2), 1);
     try {
-        plan_with(wheel(0, R"(, "turns": 1.5)"), 1, 10);
+        plan_with(sprung_wheel(0, R"(, "turns": 1.5)"), 1, 10);
         FAIL("one and a half turns are accepted");
     } catch (const UsageError& error) {
         CHECK_THAT(error.what(), Contains("/problems/0/parameters/forces/0/turns") && Contains("whole number"));
     }
-    const Plan plan = plan_with(wheel(0, R"(, "turns": -3)"), 1, 10);
+    const Plan plan = plan_with(sprung_wheel(0, R"(, "turns": -3)"), 1, 10);
     CHECK_THAT(json_value(plan.cells[0].cell.parameters), Contains(R"("turns":-3)"));
 }
 
 TEST_CASE("samples hold angle and turns of each torsion spring", "[campaign]") {
-    const Plan plan = plan_with(wheel(10), 2, 400, 4);
+    const Plan plan = plan_with(sprung_wheel(10), 2, 400, 4);
     acceptance::Samples samples;
     engine_binary64().run(plan.cells[0].cell, nullptr, {}, &samples);
     std::size_t theta = 0, turns = 0;
@@ -103,7 +103,7 @@ TEST_CASE("samples hold angle and turns of each torsion spring", "[campaign]") {
 }
 
 TEST_CASE("energy is conserved by a spring that turns often", "[campaign]") {
-    Plan plan = plan_with(wheel(100), 10, 20000);
+    Plan plan = plan_with(sprung_wheel(100), 10, 20000);
     Cell cell = plan.cells[0].cell;
     cell.metrics = {"invariant.energy*"};
     const Outcome outcome = engine_binary64().run(cell, nullptr, {});
@@ -115,7 +115,7 @@ TEST_CASE("energy is conserved by a spring that turns often", "[campaign]") {
 }
 
 TEST_CASE("a run that loses a turn says when, which spring and why", "[campaign]") {
-    const Plan plan = plan_with(wheel(0, R"(, "angle": 20)"), 1, 12);
+    const Plan plan = plan_with(sprung_wheel(0, R"(, "angle": 20)"), 1, 12);
     for (const PlannedCell& planned : plan.cells) {
         if (!planned.skip_reason.empty() || planned.cell.method != "rkmk/rk4") continue;
         const Outcome outcome = engine_binary64().run(planned.cell, nullptr, {});

@@ -30,6 +30,7 @@ Control control(const std::string& original, const std::string& fault, Factory f
     claim.name = "control/" + original.substr(original.find('/') + 1) + "_" + fault;
     claim.summary = "broken on purpose: " + original + ", " + fault;
     claim.options = {};
+    claim.estimate = 0;  // the broken steps make no attempts
     return {.method = {.description = claim, .factory = std::move(factory), .file = __FILE__},
             .true_order = true_order,
             .caught_by = std::move(caught_by)};

@@ -67,13 +67,13 @@ struct SplittingStep {
     Step step;
 };
 
-struct Case {
+struct StructureCase {
     const char* name;
     Model model;
     const char *formulation, *projection;
 };
 
-std::vector<Case> cases() {
+std::vector<StructureCase> cases() {
     return {{"free top", standard_model("free_top"), "SO3xR3", "none"},
             {"free top", standard_model("free_top"), "SE3", "none"},
             {"heavy top", slow_top(), "SO3", "none"},
@@ -95,7 +95,7 @@ double slope(const StepDefect& coarse, const StepDefect& fine) {
 
 TEST_CASE("a flow preserves the two-form, and no form with the other sign of the bracket", "[structure]") {
     const Real h = Real(1) / 4;
-    for (const Case& one : cases()) {
+    for (const StructureCase& one : cases()) {
         INFO(one.name << " as " << one.formulation);
         const Setup setup{.formulation = one.formulation, .method = "rkmk/rk4", .projection = one.projection};
         const Stepped flow(one.model, setup, 8), refined(one.model, setup, 16);
@@ -113,12 +113,12 @@ TEST_CASE("a flow preserves the two-form, and no form with the other sign of the
 
 TEST_CASE("a splitting is symplectic and symmetric, with joints too; one with a stale force is neither",
           "[structure]") {
-    const std::vector<Case> all = {{"free top", standard_model("free_top"), "SO3xR3", ""},
-                                   {"free top", standard_model("free_top"), "S3xR3", ""},
-                                   {"heavy top", slow_top(), "SO3", ""},
-                                   {"heavy top", slow_top(), "SO3xR3", ""},
-                                   {"double pendulum", standard_model("double_pendulum"), "SO3xR3", ""}};
-    for (const Case& one : all) {
+    const std::vector<StructureCase> all = {{"free top", standard_model("free_top"), "SO3xR3", ""},
+                                            {"free top", standard_model("free_top"), "S3xR3", ""},
+                                            {"heavy top", slow_top(), "SO3", ""},
+                                            {"heavy top", slow_top(), "SO3xR3", ""},
+                                            {"double pendulum", standard_model("double_pendulum"), "SO3xR3", ""}};
+    for (const StructureCase& one : all) {
         const SplittingStep sound(one.model, one.formulation, false), stale(one.model, one.formulation, true);
         const bool turns_the_force =
             std::string(one.formulation) == "SO3";  // elsewhere gravity has constant components

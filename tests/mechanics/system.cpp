@@ -52,7 +52,7 @@ Real tolerance(const System& s) {
 }
 
 template <class F>
-void for_each_system(F f) {
+void with_independent_rows(F f) {
     for (const Named& named : all()) {
         if (!has_independent_rows(named.model)) continue;  // tests/mechanics/redundant.cpp
         for (const std::string& name : applicable(named.model)) {
@@ -67,7 +67,7 @@ void for_each_system(F f) {
 }  // namespace
 
 TEST_CASE("accelerations and multipliers equal a dense solve of the KKT system", "[mechanics]") {
-    for_each_system([](System& s, const std::vector<Real>& y) {
+    with_independent_rows([](System& s, const std::vector<Real>& y) {
         const Real t = Real(3) / 10;
         const Dense dense(s, t, y);
         VecX dv(dense.n), lambda(dense.m);
@@ -80,7 +80,7 @@ TEST_CASE("accelerations and multipliers equal a dense solve of the KKT system",
 }
 
 TEST_CASE("solve_kkt equals a dense solve for any right-hand side", "[mechanics]") {
-    for_each_system([](System& s, const std::vector<Real>& y) {
+    with_independent_rows([](System& s, const std::vector<Real>& y) {
         const Dense dense(s, 0, y);
         VecX f(dense.n), c(dense.m), a(dense.n), lambda(dense.m);
         for (int i = 0; i < dense.n; ++i) f[i] = sin(Real(i + 1));
@@ -93,7 +93,7 @@ TEST_CASE("solve_kkt equals a dense solve for any right-hand side", "[mechanics]
 }
 
 TEST_CASE("NaN and infinity in the state never return ok", "[mechanics]") {
-    for_each_system([](System& s, const std::vector<Real>& y) {
+    with_independent_rows([](System& s, const std::vector<Real>& y) {
         const Real bad[] = {std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::infinity()};
         std::vector<Real> z(static_cast<std::size_t>(s.state_group().dim()));
         for (const Real& value : bad)

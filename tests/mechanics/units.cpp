@@ -24,16 +24,16 @@ std::vector<Real> multiplier_units(const Model& model, const Units& u) {
     return positions;
 }
 
-struct Solved {
+struct RowsSolved {
     Status status;
     VecX a, lambda;
     ConstraintRank rank;
 };
 
-Solved solved(const Model& model, const std::string& formulation) {
+RowsSolved solved(const Model& model, const std::string& formulation) {
     const auto s = make_system(model, formulation);
     const auto y = initial_state(*s, model);
-    Solved result{Status::ok, VecX::Zero(s->velocities()), VecX::Zero(s->constraints()), s->constraint_rank()};
+    RowsSolved result{Status::ok, VecX::Zero(s->velocities()), VecX::Zero(s->constraints()), s->constraint_rank()};
     result.status = s->accelerations(0, y.data(), s->v(y.data()), result.a.data(),
                                      result.lambda.size() > 0 ? result.lambda.data() : nullptr);
     return result;
@@ -41,7 +41,7 @@ Solved solved(const Model& model, const std::string& formulation) {
 
 /// What differs in a bit in other units, or nothing.
 std::string difference(const Model& model, const Model& other, const Units& u, const std::string& formulation) {
-    const Solved here = solved(model, formulation), there = solved(other, formulation);
+    const RowsSolved here = solved(model, formulation), there = solved(other, formulation);
     if (here.status != there.status) return "status";
     if (here.rank.rank != there.rank.rank || here.rank.redundant != there.rank.redundant) return "rank";
     if (here.rank.condition != there.rank.condition) return "condition";

@@ -3,14 +3,14 @@
 
 namespace kreisel {
 
-static const ForceRegistration registration({"force",
-                                             "value (1 + amplitude sin(frequency t)) at a point",
-                                             {{"body", ValueKind::name, true},
-                                              {"value", ValueKind::vector, true},
-                                              {"frame", ValueKind::frame, false},
-                                              {"point", ValueKind::vector, false},
-                                              {"amplitude", ValueKind::number, false},
-                                              {"frequency", ValueKind::number, false}}},
-                                            {.place = 3});
+KREISEL_FORCE_KEYS({"force",
+                    "value (1 + amplitude sin(frequency t)) at a point",
+                    {{"body", ValueKind::name, true},
+                     {"value", ValueKind::vector, true},
+                     {"frame", ValueKind::frame, false},
+                     {"point", ValueKind::vector, false},
+                     {"amplitude", ValueKind::number, false},
+                     {"frequency", ValueKind::number, false}}},
+                   {.place = 3});
 
 }  // namespace kreisel

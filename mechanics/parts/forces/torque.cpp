@@ -3,13 +3,13 @@
 
 namespace kreisel {
 
-static const ForceRegistration registration({"torque",
-                                             "value (1 + amplitude sin(frequency t))",
-                                             {{"body", ValueKind::name, true},
-                                              {"value", ValueKind::vector, true},
-                                              {"frame", ValueKind::frame, false},
-                                              {"amplitude", ValueKind::number, false},
-                                              {"frequency", ValueKind::number, false}}},
-                                            {.place = 4, .rigid_only = true});
+KREISEL_FORCE_KEYS({"torque",
+                    "value (1 + amplitude sin(frequency t))",
+                    {{"body", ValueKind::name, true},
+                     {"value", ValueKind::vector, true},
+                     {"frame", ValueKind::frame, false},
+                     {"amplitude", ValueKind::number, false},
+                     {"frequency", ValueKind::number, false}}},
+                   {.place = 4, .rigid_only = true});
 
 }  // namespace kreisel

@@ -3,7 +3,7 @@
 
 namespace kreisel {
 
-static const ForceRegistration registration(
+KREISEL_FORCE_KEYS(
     {"torsion_spring",
      "torque -stiffness (theta - angle) - damping theta' on the second body about an axis both share; theta "
      "counts full turns, and starts at 2 pi turns",

@@ -50,7 +50,7 @@ void see_step(RecordedRun& run, std::size_t step, std::size_t k, const AdamsForm
     found.see("v+ - v = h sum gamma nabla v'", next.v - now.v - run.h * adams_sum(rates, form.differences_left_out));
 }
 
-constexpr const char* no_conditions =
+constexpr const char* conditions_by_interpolation =
     "its order is that of the interpolation of slopes in one chart, whose differences the check of its steps writes "
     "out";
 
@@ -73,13 +73,13 @@ Objection adams_bashforth_step_objection(const Method& method, int k, const Adam
 
 KREISEL_STEP_CHECK(
     "multistep/adams_bashforth2", [](const Method& method) { return adams_bashforth_step_objection(method, 2); },
-    no_conditions);
+    conditions_by_interpolation);
 KREISEL_STEP_CHECK(
     "multistep/adams_bashforth3", [](const Method& method) { return adams_bashforth_step_objection(method, 3); },
-    no_conditions);
+    conditions_by_interpolation);
 KREISEL_STEP_CHECK(
     "multistep/adams_bashforth4", [](const Method& method) { return adams_bashforth_step_objection(method, 4); },
-    no_conditions);
+    conditions_by_interpolation);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel
