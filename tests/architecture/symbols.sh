@@ -12,6 +12,7 @@ shared=(
     Outcome Reference ReferenceCheck ReferenceSample ReportedBody ReportedReaction ReportedState SchemeRow SystemSummary
     MetricDescription integral_suffixes                         # engine/metrics/description.hpp
     matches matches_any brief_text                              # support/pattern.hpp, support/number_text.hpp: texts
+    Status name                                                 # lie/status.hpp: an enumeration, and texts
     BodyData ForceData JointData ParameterError                 # mechanics/model/data.hpp
     ElementKey ElementType                                      # mechanics/parts/keys.hpp
     FreeMotion JointKind JointRecipe JointRow JointType Primitive                  # mechanics/parts/joint_type.hpp
