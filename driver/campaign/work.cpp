@@ -14,7 +14,7 @@ namespace {
 // Outcomes that are not due to the numerics only are tried again.
 bool is_repeatable(const CellRecord& cell) {
     const std::string& status = cell.outcome.status;
-    return status != "exception" && status != "reference_failed" && status != "interrupted";
+    return status != "exception" && status != "reference_failed" && status != interrupted_status;
 }
 
 void keep_fastest(CellTimes& times, double run_s) {
@@ -74,6 +74,9 @@ void Campaign::enqueue() {
         if (!planned.reference.empty() && needed.insert(planned.reference).second) {
             queue_.add_reference(planned.reference);
         }
+    }
+    for (const auto& [hash, planned] : plan_.references) {
+        if (store_.is_damaged(planned) && needed.insert(hash).second) { queue_.add_reference(hash); }
     }
     references_total_ = needed.size();
 }
@@ -164,8 +167,18 @@ void Campaign::compute_cell(const PlannedCell& planned, const std::stop_token& t
     } else {
         outcome = run_cell(planned, engines_.of(planned.precision), reference, token, &samples);
     }
-    if (outcome.status == "interrupted") { return samples.flush(); }
+    if (outcome.status == interrupted_status) { return keep_part(planned, samples); }
     record(planned, outcome, reference, samples);
+}
+
+void Campaign::keep_part(const PlannedCell& planned, TrajectoryFile& samples) {
+    samples.flush();
+    if (samples.sum().empty()) { return; }
+    Outcome outcome;
+    outcome.status = interrupted_status;
+    outcome.detail = "its samples so far are in a part of its trajectory";
+    const std::lock_guard lock(mutex_);
+    if (!closed_) { journal_.append(journal_line(record_of(planned, outcome, nullptr), build_)); }
 }
 
 void Campaign::record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,

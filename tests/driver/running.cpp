@@ -184,7 +184,7 @@ TEST_CASE("the cells of another build are computed again, which is said once, an
     std::istringstream lines(contents(journal));
     std::string foreign;
     for (std::string line; std::getline(lines, line);) {
-        foreign += journal_line(read_journal_line(line, build_id()).value(), "another") + "\n";
+        foreign += journal_line(read_journal_line(line, build_id()).value(), "another_build_id") + "\n";
     }
     std::ofstream(journal) << foreign;
     const FakeEngine engine;
@@ -321,6 +321,11 @@ TEST_CASE("verify finds results that were changed") {
     std::string text = contents(scratch / "out" / "results.jsonl");
     text.replace(text.find("\"error.position\":") + 17, 1, "7");
     std::ofstream(scratch / "out" / "results.jsonl") << text;
+    const auto damaged = run_program({"verify", (scratch / "out").string(), "--cells", "100"});
+    CHECK(damaged.code == 3);
+    CHECK(damaged.messages.find("results.jsonl:1: ") != std::string::npos);
+    const std::string first = text.substr(0, text.find('\n'));
+    std::ofstream(scratch / "out" / "results.jsonl") << summed_line(first) << text.substr(first.size());
     const auto result = run_program({"verify", (scratch / "out").string(), "--cells", "100"});
     CHECK(result.code == 1);
     CHECK(result.out.find("1 differ") != std::string::npos);
