@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver/campaign/work.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "support/errors.hpp"
@@ -23,6 +26,24 @@ void keep_fastest(CellTimes& times, double run_s) {
     times.run_s = run_s;
 }
 
+/// What of an outcome is not a finite number; empty: nothing.
+std::string not_finite(const Outcome& outcome) {
+    for (const auto& [name, number] : outcome.metrics) {
+        if (!std::isfinite(number.value)) { return fmt::format("{} is {}", name, number.text); }
+    }
+    return "";
+}
+
+/// A cell whose steps all succeeded, but whose numbers are none: a failure of its own kind, not a missing number.
+Outcome checked(Outcome outcome) {
+    const std::string what = outcome.status == "ok" ? not_finite(outcome) : "";
+    if (what.empty()) { return outcome; }
+    outcome.status = "non_finite";
+    outcome.detail = what + ", not a finite number";
+    std::erase_if(outcome.metrics, [](const auto& metric) { return !std::isfinite(metric.second.value); });
+    return outcome;
+}
+
 Outcome thrown(const std::string& what) {
     Outcome outcome;
     outcome.status = "exception";
@@ -35,7 +56,7 @@ Outcome thrown(const std::string& what) {
 Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Reference* reference,
                  const std::stop_token& stop, SampleSink* samples) {
     try {
-        return engine.run(planned.cell, reference, stop, samples);
+        return checked(engine.run(planned.cell, reference, stop, samples));
     } catch (const FileError&) { throw; } catch (const std::exception& error) {
         return thrown(error.what());
     } catch (...) { return thrown("something other than a std::exception was thrown"); }
