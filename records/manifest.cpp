@@ -13,6 +13,7 @@
 #include "records/json/lists.hpp"
 #include "records/json/strict.hpp"
 #include "records/json/writer.hpp"
+#include "records/loaded_libraries.hpp"
 #include "records/provenance.hpp"
 #include "records/sums/sum_list.hpp"
 #include "records/sums/summed_text.hpp"
@@ -33,6 +34,8 @@ std::string counts_text(const CellCounts& counts) {
 std::string program_text(const std::string& build) {
     ObjectWriter libraries;
     for (const auto& [name, version] : library_versions()) { libraries.member(name, json_text(version)); }
+    ObjectWriter loaded;
+    for (const auto& [name, id] : numerical_libraries()) { loaded.member(name, json_text(id)); }
     return ObjectWriter()
         .member("version", json_text(build::version))
         .member("commit", json_text(build::commit))
@@ -41,6 +44,7 @@ std::string program_text(const std::string& build) {
         .member("flags", json_text(build::flags))
         .member("build_type", json_text(build::build_type))
         .member("libraries", libraries.text())
+        .member("loaded", loaded.text())
         .text();
 }
 
@@ -53,6 +57,7 @@ std::string units_text(const Units& units) {
 std::string machine_text() {
     return ObjectWriter()
         .member("cpu", json_text(cpu_model()))
+        .member("instructions", json_text(instruction_level()))
         .member("threads", fmt::format("{}", std::thread::hardware_concurrency()))
         .text();
 }
