@@ -20,7 +20,9 @@ add_custom_command(OUTPUT ${bibliography_source} DEPENDS ${bibliography} ${CMAKE
 target_sources(kreisel_driver PRIVATE ${bibliography_source})
 set_source_files_properties(${bibliography_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 target_include_directories(kreisel_driver PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
-target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 GSL::gsl Threads::Threads)
+find_library(KREISEL_NETTLE nettle REQUIRED)  # SHA-256
+target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 GSL::gsl Threads::Threads
+                                            ${KREISEL_NETTLE})
 
 if(KREISEL_BINARY128)
   # Objects only, no usage requirements: main.cpp belongs to neither precision.

@@ -8,8 +8,11 @@
 #include "plots/figures/gnuplot.hpp"
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
+#include "records/cell/stepping.hpp"
+#include "records/folder/derived_files.hpp"
 #include "records/json/strict.hpp"
 #include "records/kinds/kind.hpp"
+#include "records/sums/sum_list.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
 
@@ -40,11 +43,22 @@ Figures figures_of(const Results& results) {
     return figures;
 }
 
-void draw(const Figure& figure, const Results& results, const std::filesystem::path& folder,
+// The files of a figure, below the folder.
+std::vector<std::string> files_of(const Figure& figure) {
+    std::vector<std::string> files;
+    for (const char* ending : {".pdf", ".svg", ".png"}) { files.push_back("figures/" + figure.name + ending); }
+    return files;
+}
+
+void draw(Figure& figure, const Results& results, const std::filesystem::path& folder,
           const std::filesystem::path& scripts) {
+    figure.note = what_is_wanting(results);
+    require_derived(folder, files_of(figure));
     figure.write(results, folder);
+    announce_files(folder, files_of(figure));
     const std::string said = run_gnuplot(folder, scripts, find_figure_kind(figure.kind)->script, figure.name);
     if (!said.empty()) { std::cerr << "gnuplot on " << figure.name << ": " << said << "\n"; }
+    record_sums(folder, files_of(figure));
     fmt::print("{}\n", (folder / "figures" / (figure.name + ".{pdf,svg,png}")).string());
 }
 
@@ -60,11 +74,26 @@ bool is_drawn(const Draw& draw_it) {
     }
 }
 
+// What is wanting, a line for each cell.
+void print_wanting(const Results& results) {
+    for (const auto* rows : {&results.rows, &results.missing}) {
+        for (const ResultRow& row : *rows) {
+            if (row.ok() || row.status == "skipped") { continue; }
+            std::cerr << fmt::format("{}: {} on {} {}, projection {}, {}, {}\n", row.status, row.method, row.label,
+                                     row.formulation, row.projection, row.precision, stepping_text(row));
+        }
+    }
+}
+
 }  // namespace
 
-Exit plot_command(const std::filesystem::path& folder) {
-    const Results results = read_results(folder);
+Exit plot_command(const std::filesystem::path& folder, const PlannedCells& planned) {
+    require_results(folder);
+    const FolderLock lock(folder, "");
+    const Results results = read_results(folder, planned);
+    if (!results.warning.empty()) { std::cerr << results.warning << "\n"; }
     for (const std::string& damage : results.damage) { std::cerr << damage << "\n"; }
+    print_wanting(results);
     Figures figures;
     bool drawn = is_drawn([&] { figures = figures_of(results); });
     const auto scripts = plot_scripts();

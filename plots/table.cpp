@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <map>
 
 #include "plots/tables/names.hpp"
 #include "plots/tables/table.hpp"
+#include "records/folder/derived_files.hpp"
 #include "records/remarks/lost_integrals.hpp"
 #include "records/remarks/past_horizon.hpp"
 #include "support/errors.hpp"
+#include "support/files.hpp"
 
 namespace kreisel {
 
@@ -22,19 +25,19 @@ std::vector<std::string> common_columns() {
     return columns;
 }
 
-class TableWriter {
+// Prints tables and collects them as texts, by their path below the results.
+class TableCollector {
   public:
-    explicit TableWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
-
-    void write(const TablePair& table, bool print) const {
+    void add(const TablePair& table, bool print) {
         if (table.full.rows.empty()) { return; }
         const TextTable compact = without_constant_columns(table.brief, common_columns());
-        write_table(folder_, table.full, compact);
+        for (auto& [name, text] : table_files(table.full, compact)) { texts_["tables/" + name] = std::move(text); }
         if (print) { std::cout << terminal_text(compact) << "\n"; }
     }
+    const std::map<std::string, std::string>& texts() const { return texts_; }
 
   private:
-    std::filesystem::path folder_;
+    std::map<std::string, std::string> texts_;
 };
 
 void print_counts(const Results& results) {
@@ -43,8 +46,9 @@ void print_counts(const Results& results) {
         ok += row.ok() ? 1U : 0U;
         skipped += row.status == "skipped" ? 1U : 0U;
     }
-    fmt::print("{}: {} cells: {} ok, {} skipped, {} failed\n\n", results.name, results.rows.size(), ok, skipped,
-               results.rows.size() - ok - skipped);
+    const std::string missing = results.missing.empty() ? "" : fmt::format(", {} missing", results.missing.size());
+    fmt::print("{}: {} cells: {} ok, {} skipped, {} failed{}\n\n", results.name,
+               results.rows.size() + results.missing.size(), ok, skipped, results.rows.size() - ok - skipped, missing);
     auto notes = past_horizon_notes(results.rows);
     for (std::string& note : lost_integral_notes(results.rows)) { notes.push_back(std::move(note)); }
     for (const std::string& note : notes) { fmt::print("{}\n", note); }
@@ -53,18 +57,20 @@ void print_counts(const Results& results) {
 
 }  // namespace
 
-Exit table_command(const std::filesystem::path& folder) {
-    const Results results = read_results(folder);
+Exit table_command(const std::filesystem::path& folder, const PlannedCells& planned) {
+    require_results(folder);
+    const FolderLock lock(folder, "");
+    const Results results = read_results(folder, planned);
+    if (!results.warning.empty()) { std::cerr << results.warning << "\n"; }
     for (const std::string& damage : results.damage) { std::cerr << damage << "\n"; }
     print_counts(results);
-    const auto tables = folder / "tables";
-    std::filesystem::remove_all(tables);  // tables of an earlier run must not remain beside these
-    const TableWriter writer(tables);
+    TableCollector tables;
     for (const ResultTable& table : result_tables()) {
         if (!table.applies(results)) { continue; }
-        for (const TablePair& pair : table.make(results, folder)) { writer.write(pair, table.is_printed(results)); }
+        for (const TablePair& pair : table.make(results, folder)) { tables.add(pair, table.is_printed(results)); }
     }
-    fmt::print("tables in {}\n", tables.string());
+    replace_derived(folder, "tables", tables.texts());
+    fmt::print("tables in {}\n", (folder / "tables").string());
     return results.damage.empty() ? Exit::ok : Exit::io;
 }
 

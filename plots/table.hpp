@@ -5,13 +5,15 @@
 
 #include <filesystem>
 
+#include "records/results.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {
 
 /// `kreisel table DIR`: reads results.jsonl (and trajectories, where there are any) and writes DIR/tables/*.md, *.csv
 /// and *.tex: orders, errors, drift, invariants, cost, and the cells that did not run. Prints a summary to standard
-/// output. Exit::io where result lines are damaged: the tables then hold the others. Throws FileError.
-Exit table_command(const std::filesystem::path& folder);
+/// output, with what is missing of the `planned` cells. Exit::io where something is damaged: the tables then hold the
+/// rest. Locks the folder. Throws FileError.
+Exit table_command(const std::filesystem::path& folder, const PlannedCells& planned = {});
 
 }  // namespace kreisel

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 #include <sstream>
 
 #include "support/errors.hpp"
@@ -36,10 +37,15 @@ void read_journal(const std::filesystem::path& file, const std::string& build, J
         }
         const std::string line = text.substr(start, end - start);
         start = end + 1;
-        if (auto cell = read_journal_line(line, build)) {
-            contents.cells.insert_or_assign(cell->identity.cell, std::move(*cell));
-        } else if (auto foreign = journalled_cell(line)) {
-            contents.foreign.insert(std::move(*foreign));
+        auto cell = read_journal_line(line);
+        if (cell && cell->record.outcome.status == interrupted_status) {
+            contents.interrupted.insert(std::move(cell->record.identity.cell));
+        } else if (cell && (build.empty() || cell->build == build)) {
+            const std::string& name = cell->record.identity.cell;
+            contents.builds.insert_or_assign(name, std::move(cell->build));
+            contents.cells.insert_or_assign(name, std::move(cell->record));
+        } else if (cell) {
+            contents.foreign.insert(std::move(cell->record.identity.cell));
         } else {
             complain(contents, fmt::format("{}:{}: damaged line left out", file.string(), number));
         }
@@ -67,10 +73,24 @@ std::vector<std::filesystem::path> files_like(const std::filesystem::path& folde
     return files;
 }
 
+std::vector<std::filesystem::path> shard_files(const std::filesystem::path& folder, const std::string& stem,
+                                               const std::string& extension) {
+    static const std::regex shard(R"(\.[0-9]+-of-[0-9]+)");
+    auto files = files_like(folder, stem, extension);
+    std::erase_if(files, [&](const std::filesystem::path& file) {
+        const std::string name = file.filename().string();
+        const std::string between = name.substr(stem.size(), name.size() - stem.size() - extension.size());
+        return !between.empty() && !std::regex_match(between, shard);
+    });
+    return files;
+}
+
 JournalContents read_journals(const std::filesystem::path& folder, const std::string& build) {
     JournalContents contents;
-    for (const auto& file : files_like(folder, "journal", ".jsonl")) { read_journal(file, build, contents); }
-    std::erase_if(contents.foreign, [&](const std::string& hash) { return contents.cells.contains(hash); });
+    for (const auto& file : shard_files(folder, "journal", ".jsonl")) { read_journal(file, build, contents); }
+    const auto is_done = [&](const std::string& hash) { return contents.cells.contains(hash); };
+    std::erase_if(contents.foreign, is_done);
+    std::erase_if(contents.interrupted, is_done);
     return contents;
 }
 
@@ -97,7 +117,7 @@ void prune_journal(const std::filesystem::path& journal, const std::string& buil
 }
 
 bool holds_journal(const std::filesystem::path& folder) {
-    for (const auto& file : files_like(folder, "journal", ".jsonl")) {
+    for (const auto& file : shard_files(folder, "journal", ".jsonl")) {
         std::error_code error;
         if (std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file, error) > 0) {
             return true;

@@ -14,15 +14,18 @@
 namespace kreisel {
 
 struct JournalContents {
-    std::map<std::string, CellRecord> cells;  ///< by hash; of several lines of one cell the last
-    std::set<std::string> foreign;            ///< hashes of cells that have only lines of other builds
-    std::vector<std::string> complaints;      ///< torn and damaged lines
+    std::map<std::string, CellRecord> cells;    ///< by hash; of several lines of one cell the last
+    std::map<std::string, std::string> builds;  ///< that wrote them
+    std::set<std::string> foreign;              ///< hashes of cells that have only lines of other builds
+    std::set<std::string> interrupted;          ///< cells that were begun and whose samples so far are kept
+    std::vector<std::string> complaints;        ///< torn and damaged lines
 };
 
 /// `journal.jsonl`, or `journal.<shard>.jsonl`.
 std::filesystem::path journal_file(const std::filesystem::path& folder, const std::string& shard);
 
-/// Reads all journals of a folder. Torn and damaged lines, and those of other builds, are reported and ignored.
+/// Reads all journals of a folder. Torn and damaged lines, and those of other builds, are reported and ignored. `build`
+/// empty: of any build.
 /// Throws FileError if a journal cannot be read.
 JournalContents read_journals(const std::filesystem::path& folder, const std::string& build);
 
@@ -34,6 +37,10 @@ void prune_journal(const std::filesystem::path& journal, const std::string& buil
 
 /// True if the folder holds any journal line.
 bool holds_journal(const std::filesystem::path& folder);
+
+/// Journals or manifests of a folder, sorted: `stem<extension>` and `stem.I-of-N<extension>`, and no other names.
+std::vector<std::filesystem::path> shard_files(const std::filesystem::path& folder, const std::string& stem,
+                                               const std::string& extension);
 
 /// Files of the folder whose name is `stem*.<extension>`, sorted.
 std::vector<std::filesystem::path> files_like(const std::filesystem::path& folder, const std::string& stem,

@@ -9,13 +9,18 @@
 #include <fstream>
 
 #include "kreisel_build.hpp"
+#include "records/loaded_libraries.hpp"
 #include "support/files.hpp"
 #include "support/hash.hpp"
 
 namespace kreisel {
 
 std::string build_id() {
-    static const std::string id = hash_text(read_text("/proc/self/exe"));
+    static const std::string id = [] {
+        std::uint64_t hash = hash64(read_text("/proc/self/exe"));
+        for (const auto& [name, library] : numerical_libraries()) { hash = hash64(name + " " + library + "\n", hash); }
+        return hash_text(hash64(instruction_level(), hash));
+    }();
     return id;
 }
 

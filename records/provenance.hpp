@@ -9,8 +9,9 @@
 
 namespace kreisel {
 
-/// Identifies the code: a hash of the running program itself, so that a changed source, compiler, flag or statically
-/// linked library gives another one, also from an uncommitted tree.
+/// Identifies what numbers depend on: a hash of the running program itself, so that a changed source, compiler, flag or
+/// statically linked library gives another one, also from an uncommitted tree; of the build ids of the numerical
+/// libraries it has loaded; and of the instruction level they run at.
 std::string build_id();
 
 /// Library names and versions the program was compiled with, and the C library it runs on.

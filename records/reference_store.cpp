@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "records/reference_store.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdlib>
 #include <stdexcept>
 
 #include "kreisel_build.hpp"
 #include "records/cell/codec.hpp"
+#include "records/journal.hpp"
 #include "records/json/lists.hpp"
 #include "records/json/writer.hpp"
 #include "records/provenance.hpp"
+#include "records/sums/summed_text.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
 #include "support/hash.hpp"
@@ -18,8 +18,6 @@
 namespace kreisel {
 
 namespace {
-
-constexpr std::string_view sum_member = ",\"sum\":\"";
 
 using ErrorBounds = std::map<std::string, Number>;
 
@@ -58,13 +56,8 @@ Reference reference_of(const JsonValue& json) {
     return reference;
 }
 
-/// The text up to its check sum; nothing if it is wrong.
-std::optional<std::string_view> checked(std::string_view text) {
-    const auto end = text.rfind(sum_member);
-    if (end == std::string_view::npos) { return std::nullopt; }
-    const std::string sum = fmt::format("{}{}\"}}\n", sum_member, hash_text(text.substr(0, end)));
-    return text.substr(end) == sum ? std::optional(text.substr(0, end)) : std::nullopt;
-}
+/// A reference's file is one line.
+constexpr SumStyle sum_of_reference{compact_sum.before, "\"}\n"};
 
 void write_if_different(const std::filesystem::path& file, const std::string& text) {
     std::error_code error;
@@ -89,16 +82,14 @@ StoredReference stored_reference(const PlannedReference& planned, const Referenc
     object.member("route", json_text(reference.route)).member("horizon", json_number(reference.horizon));
     object.member("error", bounds_text(reference.error)).member("state", json_value(reference.state, true));
     if (!reference.samples.empty()) { object.member("samples", json_list(reference.samples, sample_text)); }
-    const std::string text = object.open_text();
-    return {reference, fmt::format("{}{}{}\"}}\n", text, sum_member, hash_text(text))};
+    return {reference, with_sum(object.open_text(), sum_of_reference)};
 }
 
 std::optional<StoredReference> read_reference(const std::string& text, const PlannedReference& planned,
                                               const std::string& digest) {
-    const auto whole = checked(text);
-    if (!whole) { return std::nullopt; }
+    if (!is_whole_reference(text)) { return std::nullopt; }
     try {
-        const JsonValue json = parse_exactly(std::string(*whole) + "}");
+        const JsonValue json = parse_exactly(std::string(before_sum(text, sum_of_reference)) + "}");
         const bool same_code = digest.empty() || json.at("by").string() == digest;
         if (!same_code || json.at("of") != parse_exactly(planned.content)) { return std::nullopt; }
         return StoredReference{reference_of(json), text};
@@ -112,6 +103,17 @@ std::optional<StoredReference> load_reference(const std::filesystem::path& file,
     try {
         return read_reference(read_text(file), planned, digest);
     } catch (const FileError&) { return std::nullopt; }
+}
+
+bool is_whole_reference(const std::string& text) { return sum_state(text, sum_of_reference) == SumState::holds; }
+
+std::vector<std::string> reference_damage(const std::filesystem::path& folder) {
+    std::vector<std::string> damage;
+    for (const auto& file : files_like(folder / "references", "", ".json")) {
+        if (is_whole_reference(read_text(file))) { continue; }
+        damage.push_back(file.string() + ":1: damaged: its sum does not hold");
+    }
+    return damage;
 }
 
 std::filesystem::path default_cache_folder() {
@@ -139,6 +141,12 @@ std::filesystem::path ReferenceStore::in_cache(const PlannedReference& planned) 
 std::optional<StoredReference> ReferenceStore::find(const PlannedReference& planned) const {
     if (auto stored = load_reference(in_results(planned), planned, digest_)) { return stored; }
     return cache_.empty() ? std::nullopt : load_reference(in_cache(planned), planned, digest_);
+}
+
+bool ReferenceStore::is_damaged(const PlannedReference& planned) const {
+    std::error_code error;
+    const auto file = in_results(planned);
+    return std::filesystem::is_regular_file(file, error) && !is_whole_reference(read_text(file));
 }
 
 std::string ReferenceStore::keep(const PlannedReference& planned, const StoredReference& stored) const {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "records/cell/planned.hpp"
 
@@ -35,6 +36,12 @@ std::optional<StoredReference> read_reference(const std::string& text, const Pla
 std::optional<StoredReference> load_reference(const std::filesystem::path& file, const PlannedReference& planned,
                                               const std::string& digest);
 
+/// Whether the text of a reference's file has its sum.
+bool is_whole_reference(const std::string& text);
+
+/// A text for each file of the references of a results folder whose sum does not hold. Throws FileError.
+std::vector<std::string> reference_damage(const std::filesystem::path& folder);
+
 /// $KREISEL_CACHE (empty: no cache), else $XDG_CACHE_HOME/kreisel, else $HOME/.cache/kreisel, else empty: no cache.
 std::filesystem::path default_cache_folder();
 
@@ -46,6 +53,8 @@ class ReferenceStore {
 
     /// From the result folder, else from the cache.
     std::optional<StoredReference> find(const PlannedReference& planned) const;
+    /// Whether the file in the result folder is there and its sum does not hold.
+    bool is_damaged(const PlannedReference& planned) const;
     StoredReference make(const PlannedReference& planned, const Reference& reference) const {
         return stored_reference(planned, reference, digest_);
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,6 +36,7 @@ struct ResultRow {
     std::map<std::string, double> cost;             ///< counts; from the journals "step_s", "memory", "run_s"
     std::map<std::string, int> declared_order;      ///< by error.* metric; empty where the method declares none
     bool has_trajectory = false;
+    std::string trajectory_sum;  ///< of its samples; empty: not told
 
     bool ok() const { return status == "ok"; }
     bool adaptive() const { return tolerance > 0; }
@@ -42,21 +44,33 @@ struct ResultRow {
 
 struct Results {
     std::vector<ResultRow> rows;
-    std::vector<std::string> damage;  ///< one text per line that could not be read
+    std::vector<ResultRow> missing;   ///< planned cells without a result, in the order of the plan
+    std::vector<std::string> damage;  ///< a text for each damaged line or file, which is left out
+    std::string warning;              ///< that the folder is of an older format; empty otherwise
     std::string config;               ///< as resolved, JSON; empty where there is no manifest
     std::string kind;                 ///< of the experiment; empty where there is no manifest
     std::string name;                 ///< of the experiment
     Units units;                      ///< of the metrics, as far as the manifest or older names tell
 };
 
-/// Reads DIR/results.jsonl and DIR/manifest.json, and for kinds that measure times those in DIR/journal*.jsonl. A
-/// damaged line is skipped and named in `damage`. Throws FileError where results.jsonl cannot be read.
-Results read_results(const std::filesystem::path& folder);
+/// The cells that were planned, in their order; called where some are missing. Empty: they are not known.
+using PlannedCells = std::function<std::vector<CellIdentity>()>;
+
+/// Throws FileError if the folder has no results.jsonl.
+void require_results(const std::filesystem::path& folder);
+
+/// Reads DIR/results.jsonl and DIR/manifest.json, and for kinds that measure times those in DIR/journal*.jsonl. All
+/// sums are checked; a damaged line, manifest or trajectory is left out and named in `damage`. Throws FileError where
+/// results.jsonl cannot be read.
+Results read_results(const std::filesystem::path& folder, const PlannedCells& planned = {});
+
+/// "2 of 12 cells missing, 1 failed, 3 damages left out" for figures; empty where there is nothing to say.
+std::string what_is_wanting(const Results& results);
 
 /// A record with its numbers rounded.
 ResultRow result_row(const CellRecord& record);
 
-/// One line of results.jsonl. Throws std::exception on a line that is not one.
+/// One line of results.jsonl, whatever its sum. Throws std::exception on a line that is not one.
 ResultRow read_result_line(const std::string& line);
 
 /// A sampled trajectory by column.

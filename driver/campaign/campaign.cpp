@@ -3,14 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <ostream>
 #include <thread>
 
+#include "driver/campaign/earlier.hpp"
 #include "driver/campaign/interrupt.hpp"
 #include "driver/campaign/results.hpp"
 #include "driver/campaign/work.hpp"
+#include "records/folder/owned_files.hpp"
 #include "records/provenance.hpp"
 #include "records/remarks/lost_integrals.hpp"
 #include "records/remarks/past_horizon.hpp"
@@ -19,15 +22,6 @@
 namespace kreisel {
 
 namespace {
-
-void remove_results(const std::filesystem::path& folder) {
-    const std::pair<const char*, const char*> ours[] = {
-        {"journal", ".jsonl"}, {"results", ".jsonl"}, {"results", ".csv"}, {"manifest", ".json"}};
-    for (const auto& [stem, extension] : ours) {
-        for (const auto& file : files_like(folder, stem, extension)) { std::filesystem::remove(file); }
-    }
-    std::filesystem::remove_all(folder / "trajectories");
-}
 
 // Starts the workers and waits; true if some did not stop in time.
 bool run_workers(const std::shared_ptr<Campaign>& campaign, unsigned workers, double grace, Progress& progress) {
@@ -64,30 +58,6 @@ void prepare(const std::filesystem::path& folder, const Plan& plan) {
     if (!plan.references.empty()) { make_folder(folder / "references"); }
 }
 
-std::size_t foreign_cells(const Plan& plan, const JournalContents& earlier, const RunSettings& settings) {
-    std::size_t count = 0;
-    for (std::size_t i = settings.shard - 1; i < plan.cells.size(); i += settings.shards) {
-        count += earlier.foreign.count(plan.cells[i].hash);
-    }
-    return count;
-}
-
-JournalContents earlier_results(const Plan& plan, const std::filesystem::path& folder, const RunSettings& settings,
-                                std::ostream& messages) {
-    if (!settings.resume) {
-        check_output_folder(folder, settings);
-        if (settings.overwrite) { remove_results(folder); }
-        return {};
-    }
-    JournalContents earlier = read_journals(folder, settings.build);
-    for (const std::string& complaint : earlier.complaints) { messages << complaint << "\n"; }
-    if (const std::size_t again = foreign_cells(plan, earlier, settings); again > 0) {
-        messages << fmt::format("{} cells of another build are computed again\n", again);
-    }
-    mend_journal(journal_file(folder, shard_name(settings)));
-    return earlier;
-}
-
 void list_failures(const Plan& plan, const Finished& finished, CampaignReport& report) {
     for (const PlannedCell& planned : plan.cells) {
         const auto found = finished.find(planned.hash);
@@ -103,25 +73,24 @@ std::vector<ResultRow> rows_of(const Finished& finished) {
     return rows;
 }
 
+// What the manifest says of a run that begins. What an earlier one has written stays ours.
+ManifestState begun(const Plan& plan, const RunSettings& settings, const Earlier& earlier) {
+    ManifestState state{.build = settings.build,
+                        .started = utc_now(),
+                        .counts = count_cells(plan, {}, settings),
+                        .files = files_of_run(shard_name(settings), plan.config.samples > 0, !plan.references.empty()),
+                        .earlier = earlier.runs};
+    for (const std::string& file : earlier.files) {
+        const bool known = std::find(state.files.begin(), state.files.end(), file) != state.files.end();
+        if (!known) { state.files.push_back(file); }
+    }
+    return state;
+}
+
 }  // namespace
 
 std::string shard_name(const RunSettings& settings) {
     return settings.shards == 1 ? "" : fmt::format("{}-of-{}", settings.shard, settings.shards);
-}
-
-void check_output_folder(const std::filesystem::path& folder, const RunSettings& settings) {
-    std::error_code error;
-    if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error)) {
-        throw UsageError(fmt::format("{}: expected a folder for the results, got a file", folder.string()));
-    }
-    const bool used = settings.shards == 1 ? holds_journal(folder)
-                                           : std::filesystem::exists(journal_file(folder, shard_name(settings)), error);
-    if (used && !settings.resume && !settings.overwrite) {
-        throw UsageError(
-            fmt::format("{}: this folder holds results already: --resume keeps what is valid and computes the "
-                        "rest, --overwrite starts again",
-                        folder.string()));
-    }
 }
 
 CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
@@ -130,15 +99,17 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
     prepare(folder, plan);
     const std::string shard = shard_name(settings);
     const FolderLock lock(folder, shard);
-    const JournalContents earlier = earlier_results(plan, folder, settings, messages);
-    prepare(folder, plan);
+    const Earlier earlier = earlier_results(plan, folder, settings, messages);
+    ManifestState state = begun(plan, settings, earlier);
+    const auto write_state = [&] { write_manifest(manifest_file(folder, shard), manifest_subject(plan), state); };
+    write_state();  // before anything that it lists
+    remove_leftovers(plan, folder, settings, earlier.journals);
     const auto campaign = std::make_shared<Campaign>(plan, engines, folder, settings);
     CampaignReport report;
-    report.reused = campaign->reuse(earlier, settings);
+    report.reused = campaign->reuse(earlier.journals, settings);
     campaign->enqueue();
-    ManifestTimes times{utc_now(), ""};
-    write_manifest(manifest_file(folder, shard), manifest_subject(plan), settings.build, times,
-                   count_cells(plan, campaign->finished(), settings));
+    state.counts = count_cells(plan, campaign->finished(), settings);
+    if (report.reused > 0) { write_state(); }
     Progress progress(messages, plan.config.name, settings.terminal);
     const auto start = std::chrono::steady_clock::now();
     // Concurrent cells would measure each other's memory and share the caches. One worker takes their times in turn.
@@ -151,13 +122,14 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
     }
     const Finished finished = campaign->finished();
     if (shard.empty()) { write_results(plan, finished, table_units(plan, engines.binary64), folder); }
-    times.ended = utc_now();
-    report.counts = count_cells(plan, finished, settings);
+    state.counts = report.counts = count_cells(plan, finished, settings);
     report.interrupted = InterruptGuard::requested() && report.counts.missing > 0;
-    write_manifest(manifest_file(folder, shard), manifest_subject(plan), settings.build, times, report.counts);
-    if (report.counts.missing == 0 && !earlier.foreign.empty()) {
+    if (report.counts.missing == 0 && (!earlier.journals.foreign.empty() || earlier.damaged)) {
         prune_journal(journal_file(folder, shard), settings.build);
     }
+    state.ended = utc_now();
+    state.journal = std::filesystem::file_size(journal_file(folder, shard));
+    write_state();
     list_failures(plan, finished, report);
     const std::vector<ResultRow> rows = rows_of(finished);
     report.notes = past_horizon_notes(rows);

@@ -40,8 +40,9 @@ struct CampaignReport {
 /// "", or "I-of-N".
 std::string shard_name(const RunSettings& settings);
 
-/// Throws UsageError if the folder holds results and the settings neither resume nor overwrite.
-void check_output_folder(const std::filesystem::path& folder, const RunSettings& settings);
+/// Throws UsageError if the folder holds results and the settings neither resume nor overwrite, and if it holds a file,
+/// at a name that the run would write, that no manifest in it lists; FileError if a manifest is damaged.
+void check_output_folder(const std::filesystem::path& folder, const Plan& plan, const RunSettings& settings);
 
 /// Runs the cells that have no result yet. Writes journal, manifest, results, trajectories and references. Throws
 /// FileError on input/output errors; what was journalled before stays valid.

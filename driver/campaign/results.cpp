@@ -7,6 +7,7 @@
 #include "driver/plan/text.hpp"
 #include "records/cell/stepping.hpp"
 #include "records/cell/table.hpp"
+#include "records/sums/sum_list.hpp"
 #include "support/files.hpp"
 #include "support/number_text.hpp"
 
@@ -34,10 +35,12 @@ void write_results(const Plan& plan, const std::map<std::string, CellRecord>& fi
         if (found == finished.end()) { continue; }
         records.push_back(found->second);
         records.back().identity = planned.identity;  // its label may have changed since
-        text += result_text(records.back()) + "\n";
+        text += result_line(records.back()) + "\n";
     }
     write_atomically(folder / "results.jsonl", text);
+    announce_files(folder, {"results.csv"});
     write_atomically(folder / "results.csv", results_table(records, units));
+    record_sums(folder, {"results.csv"});
 }
 
 ManifestSubject manifest_subject(const Plan& plan) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver/campaign/work.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "support/errors.hpp"
@@ -14,13 +17,31 @@ namespace {
 // Outcomes that are not due to the numerics only are tried again.
 bool is_repeatable(const CellRecord& cell) {
     const std::string& status = cell.outcome.status;
-    return status != "exception" && status != "reference_failed" && status != "interrupted";
+    return status != "exception" && status != "reference_failed" && status != interrupted_status;
 }
 
 void keep_fastest(CellTimes& times, double run_s) {
     if (!times.run_s || run_s >= *times.run_s) { return; }
     if (times.step_s) { times.step_s = *times.step_s * (run_s / *times.run_s); }
     times.run_s = run_s;
+}
+
+/// What of an outcome is not a finite number; empty: nothing.
+std::string not_finite(const Outcome& outcome) {
+    for (const auto& [name, number] : outcome.metrics) {
+        if (!std::isfinite(number.value)) { return fmt::format("{} is {}", name, number.text); }
+    }
+    return "";
+}
+
+/// A cell whose steps all succeeded, but whose numbers are none: a failure of its own kind, not a missing number.
+Outcome checked(Outcome outcome) {
+    const std::string what = outcome.status == "ok" ? not_finite(outcome) : "";
+    if (what.empty()) { return outcome; }
+    outcome.status = "non_finite";
+    outcome.detail = what + ", not a finite number";
+    std::erase_if(outcome.metrics, [](const auto& metric) { return !std::isfinite(metric.second.value); });
+    return outcome;
 }
 
 Outcome thrown(const std::string& what) {
@@ -35,7 +56,7 @@ Outcome thrown(const std::string& what) {
 Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Reference* reference,
                  const std::stop_token& stop, SampleSink* samples) {
     try {
-        return engine.run(planned.cell, reference, stop, samples);
+        return checked(engine.run(planned.cell, reference, stop, samples));
     } catch (const FileError&) { throw; } catch (const std::exception& error) {
         return thrown(error.what());
     } catch (...) { return thrown("something other than a std::exception was thrown"); }
@@ -74,6 +95,9 @@ void Campaign::enqueue() {
         if (!planned.reference.empty() && needed.insert(planned.reference).second) {
             queue_.add_reference(planned.reference);
         }
+    }
+    for (const auto& [hash, planned] : plan_.references) {
+        if (store_.is_damaged(planned) && needed.insert(hash).second) { queue_.add_reference(hash); }
     }
     references_total_ = needed.size();
 }
@@ -164,8 +188,18 @@ void Campaign::compute_cell(const PlannedCell& planned, const std::stop_token& t
     } else {
         outcome = run_cell(planned, engines_.of(planned.precision), reference, token, &samples);
     }
-    if (outcome.status == "interrupted") { return samples.flush(); }
+    if (outcome.status == interrupted_status) { return keep_part(planned, samples); }
     record(planned, outcome, reference, samples);
+}
+
+void Campaign::keep_part(const PlannedCell& planned, TrajectoryFile& samples) {
+    samples.flush();
+    if (samples.sum().empty()) { return; }
+    Outcome outcome;
+    outcome.status = interrupted_status;
+    outcome.detail = "its samples so far are in a part of its trajectory";
+    const std::lock_guard lock(mutex_);
+    if (!closed_) { journal_.append(journal_line(record_of(planned, outcome, nullptr), build_)); }
 }
 
 void Campaign::record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,

@@ -77,6 +77,8 @@ class Campaign {
     void time_in_turn(const std::stop_token& token);
     void record(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
                 TrajectoryFile& samples);
+    /// Journals that an interrupted cell has left samples, so that they stay until it is done.
+    void keep_part(const PlannedCell& planned, TrajectoryFile& samples);
     bool trajectory_is_whole(const CellRecord& cell) const;
 
     const Plan plan_;

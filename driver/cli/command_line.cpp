@@ -11,6 +11,7 @@
 
 #include "driver/cli/catalogue.hpp"
 #include "driver/cli/merge.hpp"
+#include "driver/cli/planned_cells.hpp"
 #include "driver/cli/suggestions.hpp"
 #include "driver/cli/verify.hpp"
 #include "driver/config/schema.hpp"
@@ -150,13 +151,19 @@ void CommandLine::add_results() {
     const auto add_folder = [this](CLI::App* sub) {
         sub->add_option("folder", arguments_.folder, "A folder that kreisel run has written")->required();
     };
-    CLI::App* merge = command(
-        "merge", "Puts the journals of shards together into results.jsonl and results.csv",
-        [this] { return merge_command(arguments_.folders, arguments_.output, build_id(), engines_, terminal_); });
+    CLI::App* merge =
+        command("merge", "Puts the journals of shards together into results.jsonl and results.csv", [this] {
+            return merge_command(arguments_.folders, arguments_.output, build_id(), arguments_.mixed, engines_,
+                                 terminal_);
+        });
     merge->add_option("folder", arguments_.folders, "Folders that kreisel run --shard has written")->required();
     merge->add_option("-o,--output", arguments_.output, "Folder for the results (default: the first folder)");
-    add_folder(command("table", "Tables from results", [this] { return table_command(arguments_.folder); }));
-    add_folder(command("plot", "Figures from results", [this] { return plot_command(arguments_.folder); }));
+    merge->add_flag("--mixed", arguments_.mixed, "Take results of other builds and machines as well");
+    const auto planned = [this] { return planned_cells(arguments_.folder, engines_); };
+    add_folder(
+        command("table", "Tables from results", [this, planned] { return table_command(arguments_.folder, planned); }));
+    add_folder(
+        command("plot", "Figures from results", [this, planned] { return plot_command(arguments_.folder, planned); }));
     CLI::App* verify = command("verify", "Computes some cells again and compares them byte for byte", [this] {
         return verify_command(arguments_.folder, arguments_.cells, arguments_.seed, build_id(), engines_, terminal_);
     });

@@ -114,7 +114,7 @@ Exit run_command(const Paths& written, const std::filesystem::path& output, cons
     const Paths configs = config_files(written);
     if (settings.cache.empty()) { settings.cache = default_cache_folder(); }
     const auto all = with_folders(read_all(configs, engines, terminal.messages), output);
-    for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, settings); }
+    for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, planned.plan, settings); }
     Exit result = Exit::ok;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const CampaignReport outcome = run_campaign(all[i].plan, engines, all[i].folder, settings, terminal.messages);

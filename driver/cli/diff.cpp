@@ -38,6 +38,7 @@ Exit diff_command(const DiffSettings& settings, std::ostream& out, std::ostream&
     }
     const RecordedFolder a = read_recorded_folder(settings.a), b = read_recorded_folder(settings.b);
     for (const RecordedFolder* folder : {&a, &b}) {
+        if (!folder->warning.empty()) { fmt::print(messages, "{}\n", folder->warning); }
         for (const std::string& damage : folder->damage) { fmt::print(messages, "{}\n", damage); }
     }
     const Comparison comparison = compare_cells(a.cells, b.cells, settings.within);

@@ -4,9 +4,15 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <optional>
+#include <set>
+
 #include "driver/campaign/results.hpp"
+#include "records/folder/damage.hpp"
+#include "records/folder/owned_files.hpp"
 #include "records/journal.hpp"
 #include "records/provenance.hpp"
+#include "records/reference_store.hpp"
 #include "records/trajectory_file.hpp"
 #include "support/files.hpp"
 
@@ -14,85 +20,141 @@ namespace kreisel {
 
 namespace {
 
-// The config all folders agree on.
-Document common_config(const Paths& folders, const std::string& build) {
-    std::optional<ManifestContents> first;
+// What the folders agree on, and how their runs went.
+struct MergedManifests {
+    std::optional<Document> config;
+    std::vector<std::string> runs;
+};
+
+void add_manifest(const std::filesystem::path& file, const std::string& build, MergedManifests& merged) {
+    ManifestContents manifest = read_manifest(file);
+    if (!build.empty() && manifest.state.build != build) {
+        throw UsageError(fmt::format("{}: expected results of this build ({}), got build {}; --mixed takes both",
+                                     file.string(), build, manifest.state.build));
+    }
+    if (merged.config && merged.config->value != manifest.config.value) {
+        throw UsageError(fmt::format("{}: expected the same config in all folders, got another one", file.string()));
+    }
+    if (!merged.config) { merged.config = std::move(manifest.config); }
+    for (std::string& run : manifest.state.earlier) { merged.runs.push_back(std::move(run)); }
+    merged.runs.push_back(std::move(manifest.run));
+}
+
+// `build` empty: of any build.
+MergedManifests read_manifests(const Paths& folders, const std::string& build) {
+    MergedManifests merged;
     for (const auto& folder : folders) {
         if (!std::filesystem::is_directory(folder)) {
             throw FileError(fmt::format("{}: there is no such folder", folder.string()));
         }
-        const auto files = files_like(folder, "manifest", ".json");
+        const auto files = shard_files(folder, "manifest", ".json");
         if (files.empty()) {
             throw UsageError(fmt::format("{}: expected a folder that kreisel run has written, got one without manifest",
                                          folder.string()));
         }
-        for (const auto& file : files) {
-            ManifestContents manifest = read_manifest(file);
-            if (manifest.build != build) {
-                throw UsageError(fmt::format("{}: expected results of this build ({}), got build {}", file.string(),
-                                             build, manifest.build));
-            }
-            if (first && first->config.value != manifest.config.value) {
-                throw UsageError(
-                    fmt::format("{}: expected the same config in all folders, got another one", file.string()));
-            }
-            if (!first) { first = std::move(manifest); }
+        for (const auto& file : files) { add_manifest(file, build, merged); }
+    }
+    return merged;
+}
+
+// Puts the cells of several folders together. What is damaged is left out, and named.
+class Merger {
+  public:
+    Merger(const Plan& plan, std::filesystem::path target, std::string build, std::ostream& messages)
+        : target_(std::move(target)), build_(std::move(build)), messages_(messages) {
+        for (const PlannedCell& planned : plan.cells) { planned_.insert(planned.hash); }
+    }
+
+    void add(const std::filesystem::path& folder) {
+        for (const std::string& text : run_damage(folder)) { complain(text); }
+        JournalContents journals = read_journals(folder, build_);
+        for (const std::string& text : journals.complaints) { complain(text); }
+        if (!journals.foreign.empty()) {
+            fmt::print(messages_, "{}: {} cells of another build are left out\n", folder.string(),
+                       journals.foreign.size());
+        }
+        std::erase_if(journals.cells, [&](const auto& one) {
+            return finished_.contains(one.first) || !planned_.contains(one.first) ||
+                   !copy_trajectory(one.second, folder);
+        });
+        copy_references(folder);
+        finished_.merge(journals.cells);
+        builds_.merge(journals.builds);
+    }
+
+    // Lets the merged folder be resumed, and merged again, like any other.
+    void write_journal() const {
+        std::string text;
+        for (const auto& [hash, cell] : finished_) { text += journal_line(cell, builds_.at(hash)) + "\n"; }
+        write_atomically(journal_file(target_, ""), text);
+    }
+
+    const std::map<std::string, CellRecord>& finished() const { return finished_; }
+    bool damaged() const { return damaged_; }
+
+  private:
+    void complain(const std::string& text) {
+        fmt::print(messages_, "{}\n", text);
+        damaged_ = true;
+    }
+
+    // False if its samples are damaged: the cell then counts as missing.
+    bool copy_trajectory(const CellRecord& cell, const std::filesystem::path& from) {
+        const std::string& sum = cell.outcome.trajectory_sum;
+        if (sum.empty()) { return true; }
+        const std::string damage = trajectory_damage(from, cell.identity.cell, sum);
+        if (!damage.empty()) { complain(damage); }
+        if (!damage.empty() || from == target_) { return damage.empty(); }
+        const std::string file = trajectory_file(cell.identity.cell);
+        make_folder(target_ / "trajectories");
+        write_atomically(target_ / file, read_text(from / file));
+        return true;
+    }
+
+    void copy_references(const std::filesystem::path& from) {
+        if (from == target_ || !std::filesystem::is_directory(from / "references")) { return; }
+        make_folder(target_ / "references");
+        for (const auto& file : files_like(from / "references", "", ".json")) {
+            const std::string text = read_text(file);
+            if (is_whole_reference(text)) { write_atomically(target_ / "references" / file.filename(), text); }
         }
     }
-    return first->config;
-}
 
-void copy_trajectory(const CellRecord& cell, const std::filesystem::path& from, const std::filesystem::path& to) {
-    if (cell.outcome.trajectory_sum.empty() || from == to) { return; }
-    const std::string file = trajectory_file(cell.identity.cell);
-    make_folder(to / "trajectories");
-    write_atomically(to / file, read_text(from / file));
-}
-
-void copy_references(const std::filesystem::path& from, const std::filesystem::path& to) {
-    if (from == to || !std::filesystem::is_directory(from / "references")) { return; }
-    make_folder(to / "references");
-    for (const auto& file : files_like(from / "references", "", ".json")) {
-        write_atomically(to / "references" / file.filename(), read_text(file));
-    }
-}
-
-// Lets the merged folder be resumed, and merged again, like any other.
-void write_journal(const std::filesystem::path& folder, const std::map<std::string, CellRecord>& finished,
-                   const std::string& build) {
-    std::string text;
-    for (const auto& [hash, cell] : finished) { text += journal_line(cell, build) + "\n"; }
-    write_atomically(journal_file(folder, ""), text);
-}
+    const std::filesystem::path target_;
+    const std::string build_;
+    std::ostream& messages_;
+    std::set<std::string> planned_;
+    std::map<std::string, CellRecord> finished_;
+    std::map<std::string, std::string> builds_;
+    bool damaged_ = false;
+};
 
 }  // namespace
 
-Exit merge_command(const Paths& folders, const std::filesystem::path& output, const std::string& build,
+Exit merge_command(const Paths& folders, const std::filesystem::path& output, const std::string& build, bool mixed,
                    const Engines& engines, const Terminal& terminal) {
-    const Plan plan = plan_of(common_config(folders, build), engines);
+    const std::string taken = mixed ? "" : build;
+    MergedManifests manifests = read_manifests(folders, taken);
+    const Plan plan = plan_of(*manifests.config, engines);
     const std::filesystem::path target = output.empty() ? folders.front() : output;
     make_folder(target);
     const FolderLock lock(target, "");
-    ManifestTimes times{utc_now(), ""};
-    std::map<std::string, CellRecord> finished;
-    for (const auto& folder : folders) {
-        JournalContents journals = read_journals(folder, build);
-        for (const std::string& complaint : journals.complaints) { fmt::print(terminal.messages, "{}\n", complaint); }
-        if (!journals.foreign.empty()) {
-            fmt::print(terminal.messages, "{}: {} cells of another build are left out\n", folder.string(),
-                       journals.foreign.size());
-        }
-        for (const auto& [hash, cell] : journals.cells) { copy_trajectory(cell, folder, target); }
-        copy_references(folder, target);
-        finished.merge(journals.cells);
-    }
-    write_journal(target, finished, build);
-    write_results(plan, finished, table_units(plan, engines.binary64), target);
-    const CellCounts counts = count_cells(plan, finished, {});
-    times.ended = utc_now();
-    write_manifest(manifest_file(target, ""), manifest_subject(plan), build, times, counts);
+    OwnedFiles(target).require(files_of_run("", false, false));
+    ManifestState state{.build = build,
+                        .started = utc_now(),
+                        .files = files_of_run("", plan.config.samples > 0, !plan.references.empty()),
+                        .earlier = std::move(manifests.runs)};
+    Merger merger(plan, target, taken, terminal.messages);
+    for (const auto& folder : folders) { merger.add(folder); }
+    merger.write_journal();
+    write_results(plan, merger.finished(), table_units(plan, engines.binary64), target);
+    const CellCounts counts = state.counts = count_cells(plan, merger.finished(), {});
+    state.ended = utc_now();
+    state.journal = std::filesystem::file_size(journal_file(target, ""));
+    write_manifest(manifest_file(target, ""), manifest_subject(plan), state);
     fmt::print(terminal.messages, "{}: {} ok, {} skipped, {} failed, {} missing; results in {}\n", plan.config.name,
                counts.ok, counts.skipped, counts.failed, counts.missing, target.string());
+    if (merger.damaged()) { return Exit::io; }
     return counts.failed + counts.missing > 0 ? Exit::cells_failed : Exit::ok;
 }
 

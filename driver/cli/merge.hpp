@@ -10,8 +10,9 @@
 
 namespace kreisel {
 
-/// Merges the journals of several folders or shards; the results go to `output`, by default the first folder.
-Exit merge_command(const Paths& folders, const std::filesystem::path& output, const std::string& build,
+/// Merges the journals of several folders or shards; the results go to `output`, by default the first folder. `mixed`:
+/// of any builds, not of `build` only. Exit::io where something is damaged, which is left out.
+Exit merge_command(const Paths& folders, const std::filesystem::path& output, const std::string& build, bool mixed,
                    const Engines& engines, const Terminal& terminal);
 
 }  // namespace kreisel

@@ -10,9 +10,11 @@
 
 #include "driver/campaign/work.hpp"
 #include "records/cell/stepping.hpp"
+#include "records/folder/damage.hpp"
 #include "records/json/writer.hpp"
 #include "records/metrics/catalogue.hpp"
 #include "records/reference_store.hpp"
+#include "records/sums/summed_text.hpp"
 #include "records/trajectory_file.hpp"
 #include "support/files.hpp"
 #include "support/number_text.hpp"
@@ -21,15 +23,39 @@ namespace kreisel {
 
 namespace {
 
-std::map<std::string, std::string> stored_lines(const std::filesystem::path& folder) {
-    std::map<std::string, std::string> lines;
-    std::istringstream stream(read_text(folder / "results.jsonl"));
+/// The result lines of a folder by cell, without their sums, and what is damaged.
+struct StoredLines {
+    std::map<std::string, std::string> texts;
+    std::vector<std::string> damage;
+};
+
+void read_stored_line(const std::string& line, bool summed, const std::filesystem::path& folder, StoredLines& stored) {
+    require_sum(line, summed);
+    const CellRecord record = read_record(line);
+    const std::string& cell = record.identity.cell;
+    if (!is_cell_name(cell)) { throw std::invalid_argument("the cell's name is not a hash"); }
+    stored.texts[cell] = sum_state(line) == SumState::holds ? std::string(before_sum(line)) + "}" : line;
+    if (record.outcome.trajectory_sum.empty()) { return; }
+    std::string damage = trajectory_damage(folder, cell, record.outcome.trajectory_sum);
+    if (!damage.empty()) { stored.damage.push_back(std::move(damage)); }
+}
+
+StoredLines stored_lines(const std::filesystem::path& folder, const ManifestContents& manifest) {
+    const auto file = folder / "results.jsonl";
+    std::istringstream stream(read_text(file));
+    StoredLines stored{{}, folder_damage(folder)};
+    std::size_t number = 0;
     for (std::string line; std::getline(stream, line);) {
+        ++number;
         try {
-            lines[read_record(line).identity.cell] = line;
-        } catch (const std::invalid_argument&) { continue; }  // its cell then counts as missing
+            read_stored_line(line, manifest.format >= folder_format, folder, stored);
+        } catch (const std::invalid_argument& error) {  // its cell then counts as missing
+            stored.damage.push_back(fmt::format("{}:{}: not a result line: {}", file.string(), number, error.what()));
+        }
     }
-    return lines;
+    std::string missing = missing_lines(file, number, manifest);
+    if (!missing.empty()) { stored.damage.push_back(std::move(missing)); }
+    return stored;
 }
 
 std::vector<std::size_t> chosen(const Plan& plan, std::size_t count, unsigned seed) {
@@ -146,12 +172,14 @@ std::size_t verify_references(const Plan& plan, const std::filesystem::path& fol
 Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsigned seed, const std::string& build,
                     const Engines& engines, const Terminal& terminal) {
     const ManifestContents manifest = read_manifest(manifest_file(folder, ""));
-    if (manifest.build != build) {
+    if (manifest.state.build != build) {
         fmt::print(terminal.messages, "{}: note: written by build {}, verified by build {}\n", folder.string(),
-                   manifest.build, build);
+                   manifest.state.build, build);
     }
+    if (manifest.format < folder_format) { fmt::print(terminal.messages, "{}\n", format_warning(folder)); }
     const Plan plan = plan_of(manifest.config, engines);
-    const auto lines = stored_lines(folder);
+    const auto [lines, damage] = stored_lines(folder, manifest);
+    for (const std::string& text : damage) { fmt::print(terminal.messages, "{}\n", text); }
     std::size_t different = 0;
     const auto indices = chosen(plan, count, seed);
     for (const std::size_t index : indices) {
@@ -169,6 +197,7 @@ Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsi
     fmt::print(terminal.out, "{} of {} cells computed again (seed {}), {} differ or are missing\n", indices.size(),
                plan.cells.size(), seed, different);
     const std::size_t wrong = plan.references.empty() ? 0 : verify_references(plan, folder, engines, terminal.out);
+    if (!damage.empty()) { return Exit::io; }
     return different + wrong > 0 ? Exit::cells_failed : Exit::ok;
 }
 

@@ -24,6 +24,7 @@ struct FigureSpec {
     std::string kind;
     std::string name;   ///< file name without extension
     std::string title;  ///< above the figure; empty: none
+    std::string note;   ///< small: what is wanting of the results
     std::map<std::string, std::vector<std::string>>
         select;  ///< values by axis, "steps" and "tolerance"; empty: all cells
 };

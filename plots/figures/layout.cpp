@@ -97,7 +97,7 @@ PageLayout layout_of(const PanelFigure& figure) {
     layout.panel_width = panel_width;
     const double axes_height = figure.axes_height;
     layout.width = panel_width * static_cast<double>(columns);
-    layout.height = figure.title.empty() ? 0 : title_height;
+    layout.height = (figure.title.empty() ? 0 : title_height) + (figure.note.empty() ? 0 : title_height);
     std::vector<double> row_top;
     for (std::size_t first = 0; first < n; first += columns) {
         std::size_t legend_rows = 0;

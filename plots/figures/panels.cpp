@@ -135,6 +135,7 @@ void write_panels(const std::filesystem::path& plotdata, const PanelFigure& figu
     Settings settings;
     settings.string("figure_name", figure.name);
     settings.string("figure_title", figure.title);
+    settings.string("figure_note", figure.note);
     settings.number("panels", static_cast<double>(figure.panels.size()));
     const PageLayout layout = layout_of(figure);
     write_layout(settings, layout);

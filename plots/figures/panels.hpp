@@ -39,6 +39,7 @@ struct PanelFigure {
     std::vector<Panel> panels;
     long columns = 2;
     double axes_height = 5;  ///< cm
+    std::string note = {};   ///< small, below the title
 };
 
 /// Writes plotdata/<name>.gp (titles, ranges, layout) and one data file per curve and panel. Throws FileError, and

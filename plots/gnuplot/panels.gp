@@ -5,10 +5,14 @@
 # estimate of letter sizes, and lie beyond the page in SVG.
 page_width = width_cm
 page_height = height_cm
+full_title = figure_title
+if (strlen(figure_note)) {  # what is wanting of the results
+    full_title = figure_title . (strlen(figure_title) ? "\n" : '') . '{/*0.85 ' . figure_note . '}'
+}
 do for [format in 'pdf svg png'] {
     load scripts . '/terminal.gp'
-    if (strlen(figure_title)) {
-        set multiplot title figure_title
+    if (strlen(full_title)) {
+        set multiplot title full_title
     } else {
         set multiplot
     }

@@ -22,4 +22,5 @@ set colorbox user origin 0.87, 0.24 size 0.025, 0.5
 # viridis: even in lightness, distinguishable with any colour vision
 set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b')
 if (strlen(figure_title)) { set title figure_title }
+if (strlen(figure_note)) { set label 3 '{/*0.85 ' . figure_note . '}' at screen 0.02, screen 0.03 left }
 unset key

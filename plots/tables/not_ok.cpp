@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One row per cell that is not ok, with its reason.
+// One row per cell that is not ok, with its reason, and per planned cell without a result.
 #include "plots/tables/cells.hpp"
 #include "plots/tables/table.hpp"
 
@@ -9,9 +9,12 @@ namespace kreisel {
 namespace {
 
 TextTable not_ok_table(const Results& results) {
-    const CellNames names(results.rows);
-    TextTable table = cell_table("not_ok", "Cells failed or skipped: " + results.name, {"steps", "status", "reason"});
-    for (const ResultRow& row : results.rows) {
+    std::vector<ResultRow> all = results.rows;
+    all.insert(all.end(), results.missing.begin(), results.missing.end());
+    const CellNames names(all);
+    TextTable table =
+        cell_table("not_ok", "Cells failed, skipped or missing: " + results.name, {"steps", "status", "reason"});
+    for (const ResultRow& row : all) {
         if (!row.ok()) { add_row(table, names, row, {steps_cell(row), row.status, row.detail}); }
     }
     return table;
@@ -24,7 +27,7 @@ std::vector<TablePair> not_ok_tables(const Results& results, const std::filesyst
 }  // namespace
 
 KREISEL_TABLE({.name = "not_ok",
-               .summary = "cells failed or skipped, with the reason",
+               .summary = "cells failed, skipped or missing, with the reason",
                .place = 100,
                .applies = always,
                .is_printed = always,

@@ -190,11 +190,15 @@ std::string latex_text(const TextTable& table) {
     return text + "\\bottomrule\n\\end{tabular}\n";
 }
 
+std::map<std::string, std::string> table_files(const TextTable& full, const TextTable& brief) {
+    return {{full.name + ".csv", csv_text(full)},
+            {brief.name + ".md", markdown_text(brief)},
+            {brief.name + ".tex", latex_text(brief)}};
+}
+
 void write_table(const std::filesystem::path& folder, const TextTable& full, const TextTable& brief) {
     make_folder(folder);
-    write_atomically(folder / (full.name + ".csv"), csv_text(full));
-    write_atomically(folder / (brief.name + ".md"), markdown_text(brief));
-    write_atomically(folder / (brief.name + ".tex"), latex_text(brief));
+    for (const auto& [name, text] : table_files(full, brief)) { write_atomically(folder / name, text); }
 }
 
 }  // namespace kreisel

@@ -3,16 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "records/cell/fields.hpp"
 #include "records/json/writer.hpp"
-#include "support/hash.hpp"
+#include "records/sums/summed_text.hpp"
 
 namespace kreisel {
 
 namespace {
-
-// Unescaped quotes do not occur inside a JSON string, so this can only be a member.
-constexpr std::string_view sum_key = ",\"sum\":\"";
 
 void add_fields(const CellRecord& record, FieldPart part, LineKind kind, ObjectWriter& object) {
     for (const RecordField& field : record_fields()) {
@@ -57,13 +56,6 @@ std::vector<std::pair<std::string, Number>> counts_of(const Cell& cell, const Co
     return counts;
 }
 
-bool sum_holds(const std::string& journal_line) {
-    const auto sum_at = journal_line.rfind(sum_key);
-    if (sum_at == std::string::npos) { return false; }
-    const std::string sum = hash_text(std::string_view(journal_line).substr(0, sum_at));
-    return std::string_view(journal_line).substr(sum_at) == fmt::format("{}{}\"}}", sum_key, sum);
-}
-
 }  // namespace
 
 CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
@@ -91,6 +83,8 @@ CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const R
 
 std::string result_text(const CellRecord& record) { return line_of(record, LineKind::result).text(); }
 
+std::string result_line(const CellRecord& record) { return with_sum(line_of(record, LineKind::result).open_text()); }
+
 void add_identity(const CellIdentity& identity, ObjectWriter& object) {
     add_fields({identity, {}, {}}, FieldPart::identity, LineKind::result, object);
 }
@@ -110,20 +104,26 @@ CellRecord read_record(const JsonValue& line) {
 CellRecord read_record(const std::string& line) { return read_record(parse_exactly(line)); }
 
 std::string journal_line(const CellRecord& record, const std::string& build) {
-    const std::string text = line_of(record, LineKind::journal).member("build", json_text(build)).open_text();
-    return fmt::format("{}{}{}\"}}", text, sum_key, hash_text(text));
+    return with_sum(line_of(record, LineKind::journal).member("build", json_text(build)).open_text());
+}
+
+std::optional<JournalledCell> read_journal_line(const std::string& line) {
+    if (sum_state(line) != SumState::holds) { return std::nullopt; }
+    try {
+        const JsonValue value = parse_exactly(line);
+        JournalledCell cell{read_record(value), value.at("build").string()};
+        return is_cell_name(cell.record.identity.cell) ? std::optional(std::move(cell)) : std::nullopt;
+    } catch (const std::invalid_argument&) { return std::nullopt; }  // a sum alone makes no journal line
 }
 
 std::optional<CellRecord> read_journal_line(const std::string& line, const std::string& build) {
-    if (!sum_holds(line)) { return std::nullopt; }
-    const JsonValue value = parse_exactly(line);  // the check sum is right, so the line is intact
-    if (value.at("build").string() != build) { return std::nullopt; }
-    return read_record(value);
+    auto cell = read_journal_line(line);
+    return cell && cell->build == build ? std::optional(std::move(cell->record)) : std::nullopt;
 }
 
 std::optional<std::string> journalled_cell(const std::string& line) {
-    if (!sum_holds(line)) { return std::nullopt; }
-    return parse_exactly(line).at("cell").string();
+    const auto cell = read_journal_line(line);
+    return cell ? std::optional(cell->record.identity.cell) : std::nullopt;
 }
 
 }  // namespace kreisel

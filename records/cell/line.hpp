@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One cell as one line of JSON: in the journal with its times and a check sum, in the results without.
+// One cell as one line of JSON, with a check sum at its end: in the journal with its times, in the results without.
 #pragma once
 
 #include <optional>
@@ -17,9 +17,11 @@ namespace kreisel {
 CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
                      const std::string& trajectory_sum = "");
 
-/// The result line, the same bytes on every run of one build. Throws std::logic_error if the record holds a number that
-/// is not finite.
+/// What a result line says, the same bytes on every run of one build. Throws std::logic_error if the record holds a
+/// number that is not finite.
 std::string result_text(const CellRecord& record);
+/// The line of results.jsonl: that with its sum.
+std::string result_line(const CellRecord& record);
 
 /// Adds the members of what was run, with which a line begins.
 void add_identity(const CellIdentity& identity, ObjectWriter& object);
@@ -31,6 +33,13 @@ CellRecord read_record(const JsonValue& line);
 
 /// The line of the journal: the result line with the times, build and check sum.
 std::string journal_line(const CellRecord& record, const std::string& build);
+
+/// A journal line and the build that wrote it; nothing if it is torn or damaged, or its cell's name is none.
+struct JournalledCell {
+    CellRecord record;
+    std::string build;
+};
+std::optional<JournalledCell> read_journal_line(const std::string& line);
 
 /// What a journal line holds, or nothing if it is torn, damaged, or was written by another build.
 std::optional<CellRecord> read_journal_line(const std::string& line, const std::string& build);

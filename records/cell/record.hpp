@@ -12,6 +12,14 @@
 
 namespace kreisel {
 
+/// Whether text read from a file names a cell: such names become paths.
+inline bool is_cell_name(const std::string& text) {
+    return !text.empty() && text.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+}
+
+/// Of a journal line that is no result: the cell was stopped, and its samples so far are kept in a part.
+inline constexpr const char* interrupted_status = "interrupted";
+
 /// Path of a cell's trajectory below the results folder.
 inline std::string trajectory_file(const std::string& hash) { return "trajectories/" + hash + ".csv"; }
 

@@ -7,8 +7,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "records/cell/line.hpp"
+#include "records/folder/damage.hpp"
 #include "records/journal.hpp"
+#include "records/manifest.hpp"
+#include "records/sums/summed_text.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
 
@@ -16,19 +18,48 @@ namespace kreisel {
 
 namespace {
 
-void read_lines(const std::filesystem::path& file, bool journal, RecordedFolder& result) {
-    std::istringstream lines(read_text(file));
-    long number = 0;
-    for (std::string line; std::getline(lines, line);) {
-        ++number;
-        if (line.empty()) { continue; }
+std::vector<std::string> lines_of(const std::filesystem::path& file) {
+    std::vector<std::string> lines;
+    std::istringstream stream(read_text(file));
+    for (std::string line; std::getline(stream, line);) { lines.push_back(std::move(line)); }
+    return lines;
+}
+
+/// Reads a file whose lines must have sums if `summed`; returns how many it has.
+std::size_t read_lines(const std::filesystem::path& file, bool known, RecordedFolder& result) {
+    const auto lines = lines_of(file);
+    const bool summed = lines_have_sums(lines, known);
+    if (!summed) { result.warning = format_warning(file.parent_path()); }
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (lines[i].empty()) { continue; }
         try {
-            if (journal && !journalled_cell(line)) { throw std::invalid_argument("its check sum does not hold"); }
-            result.cells.push_back(read_recorded_cell(line));
+            require_sum(lines[i], summed);
+            result.cells.push_back(read_recorded_cell(lines[i]));
         } catch (const std::exception& error) {
-            result.damage.push_back(fmt::format("{}:{}: not a result line: {}", file.string(), number, error.what()));
+            result.damage.push_back(fmt::format("{}:{}: not a result line: {}", file.string(), i + 1, error.what()));
         }
     }
+    return lines.size();
+}
+
+void note_damaged_samples(const std::filesystem::path& folder, RecordedFolder& result) {
+    for (const RecordedCell& cell : result.cells) {
+        if (cell.trajectory_sum.empty() || !is_cell_name(cell.cell)) { continue; }
+        std::string damage = trajectory_damage(folder, cell.cell, cell.trajectory_sum);
+        if (!damage.empty()) { result.damage.push_back(std::move(damage)); }
+    }
+}
+
+/// What results.jsonl lacks at its end.
+void note_missing_lines(const std::filesystem::path& folder, std::size_t lines, RecordedFolder& result) {
+    const auto file = manifest_file(folder, "");
+    if (!std::filesystem::exists(file)) { return; }
+    try {
+        std::string missing = missing_lines(folder / "results.jsonl", lines, read_manifest(file));
+        if (!missing.empty()) { result.damage.push_back(std::move(missing)); }
+    } catch (const FileError&) {  // folder_damage says so
+        return;
+    } catch (const UsageError&) { return; }
 }
 
 /// Of several lines about one cell the last one stays.
@@ -49,19 +80,24 @@ RecordedFolder read_recorded_folder(const std::filesystem::path& folder) {
     if (std::error_code error; !std::filesystem::is_directory(folder, error)) {
         throw FileError(fmt::format("{}: there is no such folder", folder.string()));
     }
+    const bool known = format_of(folder) >= folder_format;
+    result.damage = folder_damage(folder);
     if (std::filesystem::exists(folder / "results.jsonl")) {
-        read_lines(folder / "results.jsonl", false, result);
+        note_missing_lines(folder, read_lines(folder / "results.jsonl", known, result), result);
+        note_damaged_samples(folder, result);
         return result;
     }
-    const auto journals = files_like(folder, "journal", ".jsonl");
+    const auto journals = shard_files(folder, "journal", ".jsonl");
     if (journals.empty()) {
         throw FileError(
             fmt::format("{}: expected a folder that kreisel run has written, got one without results.jsonl "
                         "and journal",
                         folder.string()));
     }
-    for (const auto& file : journals) { read_lines(file, true, result); }
+    for (const auto& file : journals) { read_lines(file, true, result); }  // their lines have always had sums
+    std::erase_if(result.cells, [](const RecordedCell& cell) { return cell.status == interrupted_status; });
     drop_older_lines(result.cells);
+    note_damaged_samples(folder, result);
     return result;
 }
 

@@ -13,7 +13,8 @@ namespace kreisel {
 
 struct RecordedFolder {
     std::vector<RecordedCell> cells;  ///< in the order of the file
-    std::vector<std::string> damage;  ///< a text for each line that cannot be read
+    std::vector<std::string> damage;  ///< a text for each damaged file, and each line that cannot be read
+    std::string warning;              ///< that it is of an older format; empty otherwise
 };
 
 /// Reads results.jsonl, or where there is none (a run that was stopped, a shard) all journal*.jsonl, in which the last

@@ -29,7 +29,7 @@ const std::string registration = "support/registration.hpp";
 const std::vector<Room>& rooms() {
     static const Names numbers = {"Eigen/", "boost/multiprecision/"};
     static const std::vector<Room> all = {
-        {"support", {}, {"fmt/"}, talks},
+        {"support", {}, {"fmt/", "nettle/"}, talks},
         {"lie", {}, numbers},
         {parts, {registered, registration}, {}},
         {motion, {"lie"}, {}},
@@ -93,8 +93,10 @@ const std::vector<Room>& rooms() {
          talks},
         {"records/kinds", {"support"}, {}},
         {"records/metrics", {interface, "support"}, {}, talks},
-        {"records/cell", {"records/json", "records/metrics", interface, "support"}, {"fmt/"}, talks},
+        {"records/sums", {"support"}, {"fmt/"}, talks},
+        {"records/cell", {"records/json", "records/metrics", "records/sums", interface, "support"}, {"fmt/"}, talks},
         {"records/diff", {"records", interface, "support"}, {"fmt/"}, talks},
+        {"records/folder", {"records", interface, "support"}, {"fmt/"}, talks},
         {"records/remarks", {"records", "support"}, {"fmt/"}, talks},
         {"records", {"records", interface, "support"}, {"fmt/", "nlohmann/"}, talks},
         {names_of_cells, {"records", "support"}, {"fmt/"}, talks},

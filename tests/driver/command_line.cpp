@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "driver/cli/cli.hpp"
+#include "records/sums/summed_text.hpp"
 
 namespace kreisel {
 
@@ -67,6 +68,20 @@ std::string contents(const std::filesystem::path& file) {
     std::ostringstream text;
     text << stream.rdbuf();
     return text.str();
+}
+
+std::string summed_line(const std::string& line) {
+    auto json = nlohmann::ordered_json::parse(line);
+    json.erase("sum");
+    std::string open = json.dump();
+    open.pop_back();
+    return with_sum(open);
+}
+
+void write_summed(const std::filesystem::path& manifest, nlohmann::ordered_json json) {
+    json.erase("sum");
+    const std::string text = json.dump(2);
+    std::ofstream(manifest) << with_sum(std::string_view(text).substr(0, text.size() - 2), indented_sum);
 }
 
 std::string good_config() {

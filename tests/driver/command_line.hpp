@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,11 @@ class ScratchFolder {
 };
 
 std::string contents(const std::filesystem::path& file);
+
+/// JSON of one line with a sum of its own, whether it has one already or not.
+std::string summed_line(const std::string& line);
+/// Writes a manifest with a sum of its own.
+void write_summed(const std::filesystem::path& manifest, nlohmann::ordered_json json);
 
 /// A good config of 12 cells: two methods, one of them in two charts, two projections, two step counts.
 std::string good_config();

@@ -34,20 +34,20 @@ struct Shards {
     }
 };
 
-/// Sets one value of a JSON file.
+/// Sets one value of a manifest.
 void change(const std::filesystem::path& file, const std::string& pointer, const nlohmann::json& value) {
     auto json = nlohmann::ordered_json::parse(contents(file));
     REQUIRE(json.contains(nlohmann::ordered_json::json_pointer(pointer)));
     json[nlohmann::ordered_json::json_pointer(pointer)] = value;
-    std::ofstream(file) << json.dump(2);
+    write_summed(file, json);
 }
 
-/// The journal's lines, as written by another build.
+/// The journal's lines, as written by another build, whose name is as long.
 void make_foreign(const std::filesystem::path& journal) {
     std::istringstream lines(contents(journal));
     std::string text;
     for (std::string line; std::getline(lines, line);) {
-        text += journal_line(read_journal_line(line, build_id()).value(), "another") + "\n";
+        text += journal_line(read_journal_line(line, build_id()).value(), "another_build_id") + "\n";
     }
     std::ofstream(journal) << text;
 }
@@ -113,7 +113,7 @@ TEST_CASE("cells of another build, and damaged lines, are left out of a merge, w
     make_foreign(shards.b / "journal.2-of-2.jsonl");
     std::ofstream(shards.a / "journal.1-of-2.jsonl", std::ios::app) << "rubbish\n";
     const auto result = shards.merge();
-    CHECK(result.code == 1);
+    CHECK(result.code == 3);
     CHECK_THAT(result.messages, Catch::Contains("b: 6 cells of another build are left out\n"));
     CHECK_THAT(result.messages, Catch::Contains("journal.1-of-2.jsonl:7: damaged line left out\n"));
     CHECK_THAT(result.messages, Catch::Contains("6 ok, 0 skipped, 0 failed, 6 missing"));
@@ -150,7 +150,9 @@ TEST_CASE("verify names the build that wrote the results, and the cells that are
     const std::string results = contents(folder / "results.jsonl");
     std::ofstream(folder / "results.jsonl") << "rubbish\n{\"cell\": 3}\n" << results.substr(results.find('\n') + 1);
     const auto result = run_program({"verify", folder.string(), "--cells", "100", "--seed", "7"});
-    CHECK(result.code == 1);
+    CHECK(result.code == 3);
+    CHECK_THAT(result.messages,
+               Catch::Contains("results.jsonl:1: not a result line: damaged: its sum does not hold\n"));
     CHECK_THAT(result.messages,
                Catch::Contains("note: written by build 0123456789abcdef, verified by build " + build_id()));
     CHECK_THAT(result.out, Catch::Contains("rkmk/midpoint on heavy_top, 8 steps: missing\n"));

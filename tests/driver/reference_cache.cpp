@@ -202,7 +202,8 @@ TEST_CASE("verify compares the stored references with the second route") {
     SECTION("damaged") {
         std::ofstream(file) << text.substr(0, 100);
         const auto bad = run_program(verify, f.engine);
-        CHECK(bad.code == 1);
+        CHECK(bad.code == 3);
+        CHECK(bad.messages.find(file.string() + ":1: damaged: its sum does not hold") != std::string::npos);
         CHECK(bad.out.find("missing or damaged") != std::string::npos);
     }
 }

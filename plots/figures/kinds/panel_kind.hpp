@@ -3,6 +3,7 @@
 // Figures of panels with axes.
 #pragma once
 
+#include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/figure.hpp"
 #include "plots/figures/panels.hpp"
 
@@ -15,7 +16,9 @@ class PanelKind : public Figure {
     virtual PanelFigure panels(const Results& results, const std::filesystem::path& folder) const = 0;
 
     void write(const Results& results, const std::filesystem::path& folder) const override {
-        write_panels(folder / "plotdata", panels(results, folder));
+        PanelFigure figure = panels(results, folder);
+        figure.note = enhanced_escape(note);
+        write_panels(folder / "plotdata", figure);
     }
 };
 

@@ -64,8 +64,9 @@ std::string polyline_text(const std::vector<Point3>& points, const std::vector<d
 }
 
 std::string settings_text(const SpaceKind& figure, const SpaceBox& box, const BodyPath& path) {
-    std::string text = fmt::format("figure_name = {}\nfigure_title = {}\n", gnuplot_quoted(figure.name),
-                                   gnuplot_quoted(enhanced_escape(figure.title)));
+    std::string text =
+        fmt::format("figure_name = {}\nfigure_title = {}\nfigure_note = {}\n", gnuplot_quoted(figure.name),
+                    gnuplot_quoted(enhanced_escape(figure.title)), gnuplot_quoted(enhanced_escape(figure.note)));
     for (std::size_t i = 0; i < 3; ++i) {
         text += fmt::format("low_{0} = {1}\nhigh_{0} = {2}\n", i + 1, box.low[i], box.high[i]);
     }

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "records/folder/damage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "records/cell/record.hpp"
+#include "records/journal.hpp"
+#include "records/reference_store.hpp"
+#include "records/sums/sum_list.hpp"
+#include "support/errors.hpp"
+#include "support/files.hpp"
+#include "support/hash.hpp"
+
+namespace kreisel {
+
+namespace {
+
+std::filesystem::path journal_of(const std::filesystem::path& manifest) {
+    std::string name = manifest.filename().string();
+    name.replace(0, std::string_view("manifest").size(), "journal");
+    return manifest.parent_path() / (name + "l");
+}
+
+std::string shortened_journal(const std::filesystem::path& manifest_path, const ManifestState& state) {
+    const auto journal = journal_of(manifest_path);
+    if (!state.journal) { return ""; }
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(journal, error)) {
+        return fmt::format("{}: damaged: it is not there", journal.string());
+    }
+    if (std::filesystem::file_size(journal, error) >= *state.journal) { return ""; }
+    const std::string text = read_text(journal);
+    return fmt::format("{}:{}: damaged: expected {} bytes, got {}: its end is missing", journal.string(),
+                       std::count(text.begin(), text.end(), '\n') + 1, *state.journal, text.size());
+}
+
+}  // namespace
+
+std::vector<std::string> run_damage(const std::filesystem::path& folder) {
+    std::vector<std::string> damage;
+    for (const auto& file : shard_files(folder, "manifest", ".json")) {
+        try {
+            const std::string journal = shortened_journal(file, read_manifest(file).state);
+            if (!journal.empty()) { damage.push_back(journal); }
+        } catch (const FileError& error) { damage.emplace_back(error.what()); } catch (const UsageError&) {
+            continue;
+        }  // of someone else
+    }
+    for (std::string& text : reference_damage(folder)) { damage.push_back(std::move(text)); }
+    return damage;
+}
+
+std::vector<std::string> folder_damage(const std::filesystem::path& folder) {
+    std::vector<std::string> damage = run_damage(folder);
+    for (std::string& text : sum_list_damage(folder)) { damage.push_back(std::move(text)); }
+    return damage;
+}
+
+std::string trajectory_damage(const std::filesystem::path& folder, const std::string& cell, const std::string& sum) {
+    const auto file = folder / trajectory_file(cell);
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) {
+        return fmt::format("{}: damaged: it is not there", file.string());
+    }
+    if (hash_text(read_text(file)) == sum) { return ""; }
+    return fmt::format("{}: damaged: its sum is not the one of its cell", file.string());
+}
+
+std::string format_warning(const std::filesystem::path& folder) {
+    return fmt::format("{}: warning: written by an older version, without check sums: damage cannot be noticed",
+                       folder.string());
+}
+
+std::string missing_lines(const std::filesystem::path& file, std::size_t lines, const ManifestContents& manifest) {
+    const ManifestState& state = manifest.state;
+    if (manifest.format < folder_format || state.ended.empty()) { return ""; }
+    const std::size_t expected = state.counts.total - state.counts.missing;
+    if (lines >= expected) { return ""; }
+    return fmt::format("{}:{}: damaged: expected {} lines, got {}", file.string(), lines + 1, expected, lines);
+}
+
+}  // namespace kreisel

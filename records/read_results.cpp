@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "records/folder/damage.hpp"
+#include "records/journal.hpp"
+#include "records/json/strict.hpp"
+#include "records/kinds/kind.hpp"
+#include "records/manifest.hpp"
+#include "records/results.hpp"
+#include "records/sums/summed_text.hpp"
+#include "support/errors.hpp"
+#include "support/files.hpp"
+
+namespace kreisel {
+
+namespace {
+
+std::vector<std::string> lines_of_file(const std::filesystem::path& file) {
+    std::vector<std::string> lines;
+    std::istringstream stream(read_text(file));
+    for (std::string line; std::getline(stream, line);) { lines.push_back(std::move(line)); }
+    return lines;
+}
+
+// What differs from run to run is only in the journals.
+void add_times(const std::filesystem::path& folder, const std::string& build, Results& results) {
+    const auto is_timed = [](const ResultRow& row) { return row.bodies > 0; };
+    const ExperimentKind* kind = find_experiment_kind(results.kind);
+    const bool timed =
+        (kind != nullptr && kind->repeated) || std::any_of(results.rows.begin(), results.rows.end(), is_timed);
+    if (build.empty() || !timed) { return; }
+    const JournalContents journals = read_journals(folder, build);
+    results.damage.insert(results.damage.end(), journals.complaints.begin(), journals.complaints.end());
+    for (ResultRow& row : results.rows) {
+        const auto found = journals.cells.find(row.cell);
+        if (found == journals.cells.end()) { continue; }
+        const CellTimes& times = found->second.times;
+        if (times.step_s) { row.cost["step_s"] = *times.step_s; }
+        if (times.memory) { row.cost["memory"] = *times.memory; }
+        if (times.run_s) { row.cost["run_s"] = *times.run_s; }
+    }
+}
+
+// The rest of the manifest, if it is one of kreisel.
+std::optional<ManifestContents> contents_of(const std::filesystem::path& file) {
+    try {
+        return read_manifest(file);
+    } catch (const UsageError&) { return std::nullopt; }
+}
+
+std::optional<ManifestContents> read_manifest_into(const std::filesystem::path& folder, Results& results) {
+    const auto file = folder / "manifest.json";
+    results.name = std::filesystem::absolute(folder).lexically_normal().filename().string();
+    if (!std::filesystem::exists(file)) { return std::nullopt; }
+    nlohmann::json manifest;
+    try {
+        manifest = read_summed_manifest(file).value;
+    } catch (const FileError&) { return std::nullopt; }  // folder_damage says so
+    if (!manifest.is_object()) { return std::nullopt; }
+    if (const auto units = manifest.find("units"); units != manifest.end()) { results.units = *units; }
+    const auto config = manifest.find("config");
+    if (config == manifest.end() || !config->is_object()) { return std::nullopt; }
+    results.config = config->dump(2);
+    const auto text = [&](const char* key, const std::string& absent) {
+        const auto found = config->find(key);
+        return found != config->end() && found->is_string() ? found->get<std::string>() : absent;
+    };
+    results.kind = text("kind", "");
+    results.name = text("name", results.name);
+    return contents_of(file);
+}
+
+// A trajectory that is not what its result says is not drawn.
+void check_samples(const std::filesystem::path& folder, Results& results) {
+    for (ResultRow& row : results.rows) {
+        if (!row.has_trajectory || row.trajectory_sum.empty()) { continue; }
+        std::string damage = trajectory_damage(folder, row.cell, row.trajectory_sum);
+        if (damage.empty()) { continue; }
+        row.has_trajectory = false;
+        results.damage.push_back(std::move(damage));
+    }
+}
+
+// A plan none of whose cells has a result is of another version, which names them otherwise.
+void add_missing(const std::vector<CellIdentity>& planned, Results& results) {
+    std::set<std::string> known;
+    for (const ResultRow& row : results.rows) { known.insert(row.cell); }
+    for (const CellIdentity& cell : planned) {
+        if (known.contains(cell.cell)) { continue; }
+        CellRecord record{cell, {}, {}};
+        record.outcome.status = "missing";
+        record.outcome.detail = "no result";
+        results.missing.push_back(result_row(record));
+    }
+    if (!results.rows.empty() && results.missing.size() == planned.size()) { results.missing.clear(); }
+}
+
+void read_lines_into(const std::vector<std::string>& lines, bool summed, Results& results) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (lines[i].empty()) { continue; }
+        try {
+            require_sum(lines[i], summed);
+            results.rows.push_back(read_result_line(lines[i]));
+        } catch (const std::exception& error) {
+            results.damage.push_back(fmt::format("results.jsonl:{}: not a result line: {}", i + 1, error.what()));
+        }
+    }
+}
+
+std::vector<std::string> measured_metrics(const std::vector<ResultRow>& rows) {
+    std::set<std::string> names;
+    for (const ResultRow& row : rows) {
+        for (const auto& [name, value] : row.metrics) { names.insert(name); }
+    }
+    return {names.begin(), names.end()};
+}
+
+}  // namespace
+
+void require_results(const std::filesystem::path& folder) {
+    std::error_code error;
+    const auto file = folder / "results.jsonl";
+    if (!std::filesystem::exists(file, error)) {
+        throw FileError(fmt::format("{}: cannot be read: there is no such file", file.string()));
+    }
+}
+
+std::string what_is_wanting(const Results& results) {
+    std::vector<std::string> parts;
+    const auto failed = std::count_if(results.rows.begin(), results.rows.end(),
+                                      [](const ResultRow& row) { return !row.ok() && row.status != "skipped"; });
+    const std::size_t all = results.rows.size() + results.missing.size();
+    if (!results.missing.empty()) {
+        parts.push_back(fmt::format("{} of {} cells missing", results.missing.size(), all));
+    }
+    if (failed > 0) { parts.push_back(fmt::format("{} of {} cells failed", failed, all)); }
+    if (!results.damage.empty()) { parts.emplace_back("damaged results are left out"); }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+Results read_results(const std::filesystem::path& folder, const PlannedCells& planned) {
+    Results results;
+    const std::vector<std::string> lines = lines_of_file(folder / "results.jsonl");
+    const auto manifest = read_manifest_into(folder, results);
+    const bool summed = lines_have_sums(lines, format_of(folder) >= folder_format);
+    results.warning = summed ? "" : format_warning(folder);
+    read_lines_into(lines, summed, results);
+    if (manifest) {
+        std::string missing = missing_lines(folder / "results.jsonl", lines.size(), *manifest);
+        if (!missing.empty()) { results.damage.push_back(std::move(missing)); }
+    }
+    for (std::string& text : folder_damage(folder)) { results.damage.push_back(std::move(text)); }
+    check_samples(folder, results);
+    if (manifest && planned && results.rows.size() < manifest->state.counts.total) { add_missing(planned(), results); }
+    add_times(folder, manifest ? manifest->state.build : "", results);
+    if (results.units.empty()) { results.units = units_before_format_2(measured_metrics(results.rows)); }
+    return results;
+}
+
+}  // namespace kreisel

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// SHA-256, for sums that other programs check too (sha256sum).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace kreisel {
+
+/// 64 hexadecimal digits, lower case, as sha256sum prints them.
+std::string sha256_text(std::string_view text);
+
+}  // namespace kreisel
