@@ -1,6 +1,6 @@
 # Many files in one translation unit: what most of the time goes into is headers and the templates that all files of a
 # folder use. Files compiled together share their unnamed namespaces; a missing #include shows only in a build with
-# KREISEL_UNITY=OFF. A step's instructions differ by at most 0.6 % from those of files compiled alone.
+# KREISEL_UNITY=OFF. A step's instructions differ by less than 1 % from those of files compiled alone.
 function(kreisel_unite target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${KREISEL_UNITY} UNITY_BUILD_MODE BATCH
                                              UNITY_BUILD_BATCH_SIZE 32)

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "records/folder/damage.hpp"
@@ -20,13 +19,6 @@
 namespace kreisel {
 
 namespace {
-
-std::vector<std::string> lines_of_file(const std::filesystem::path& file) {
-    std::vector<std::string> lines;
-    std::istringstream stream(read_text(file));
-    for (std::string line; std::getline(stream, line);) { lines.push_back(std::move(line)); }
-    return lines;
-}
 
 // What differs from run to run is only in the journals.
 void add_times(const std::filesystem::path& folder, const std::string& build, Results& results) {
@@ -146,7 +138,7 @@ std::string what_is_wanting(const Results& results) {
 
 Results read_results(const std::filesystem::path& folder, const PlannedCells& planned) {
     Results results;
-    const std::vector<std::string> lines = lines_of_file(folder / "results.jsonl");
+    const std::vector<std::string> lines = read_lines(folder / "results.jsonl");
     const auto manifest = read_manifest_into(folder, results);
     const bool summed = lines_have_sums(lines, format_of(folder) >= folder_format);
     results.warning = summed ? "" : format_warning(folder);

@@ -63,6 +63,13 @@ std::string read_text(const std::filesystem::path& file) {
     return text.str();
 }
 
+std::vector<std::string> read_lines(const std::filesystem::path& file) {
+    std::vector<std::string> lines;
+    std::istringstream stream(read_text(file));
+    for (std::string line; std::getline(stream, line);) { lines.push_back(std::move(line)); }
+    return lines;
+}
+
 void write_atomically(const std::filesystem::path& file, std::string_view text) {
     // Several programs may write the same file in a shared folder.
     const std::filesystem::path temporary = fmt::format("{}.{}.part", file.string(), ::getpid());

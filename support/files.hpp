@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kreisel {
 
@@ -28,6 +29,7 @@ class Descriptor {
 
 void make_folder(const std::filesystem::path& folder);
 std::string read_text(const std::filesystem::path& file);
+std::vector<std::string> read_lines(const std::filesystem::path& file);
 
 /// Writes to a temporary file beside `file` and renames it, so that a reader never sees half a file.
 void write_atomically(const std::filesystem::path& file, std::string_view text);

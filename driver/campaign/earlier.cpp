@@ -34,8 +34,8 @@ std::vector<std::string> would_write(const Plan& plan, const RunSettings& settin
     return paths;
 }
 
-// Whether the folder comes from a version that listed nothing, or its manifest is lost: then a journal, whose lines have
-// sums, tells that it is one of ours.
+// Whether the folder comes from a version that listed nothing, or its manifest is lost: then a journal, whose lines
+// have sums, tells that it is one of ours.
 bool is_unlisted(const std::filesystem::path& folder) {
     try {
         return OwnedFiles(folder).empty() && !shard_files(folder, "journal", ".jsonl").empty();
@@ -60,7 +60,9 @@ void add_earlier_manifest(const std::filesystem::path& manifest, Earlier& earlie
         earlier.files = std::move(contents.state.files);
     } catch (const FileError&) {  // it is damaged, which run_damage says
         return;
-    } catch (const UsageError&) { return; }
+    } catch (const UsageError&) {  // the config of another version, which no run of this one goes on with
+        return;
+    }
 }
 
 }  // namespace

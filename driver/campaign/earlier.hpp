@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a folder holds when a run begins: what is taken over, what is removed, what is refused. Internal to the campaign.
+// What a folder holds when a run begins: what is taken over, what is removed, what is refused. Internal to the
+// campaign.
 #pragma once
 
 #include <filesystem>

@@ -16,7 +16,9 @@ std::vector<CellIdentity> planned_cells(const std::filesystem::path& folder, con
         }
     } catch (const UsageError&) {  // another version's config
         return {};
-    } catch (const FileError&) { return {}; }
+    } catch (const FileError&) {  // no manifest, or a damaged one, which the command names with the other damage
+        return {};
+    }
     return cells;
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
 #include "records/folder/damage.hpp"
@@ -18,16 +17,9 @@ namespace kreisel {
 
 namespace {
 
-std::vector<std::string> lines_of(const std::filesystem::path& file) {
-    std::vector<std::string> lines;
-    std::istringstream stream(read_text(file));
-    for (std::string line; std::getline(stream, line);) { lines.push_back(std::move(line)); }
-    return lines;
-}
-
 /// Reads a file whose lines must have sums if `summed`; returns how many it has.
-std::size_t read_lines(const std::filesystem::path& file, bool known, RecordedFolder& result) {
-    const auto lines = lines_of(file);
+std::size_t read_cells(const std::filesystem::path& file, bool known, RecordedFolder& result) {
+    const auto lines = read_lines(file);
     const bool summed = lines_have_sums(lines, known);
     if (!summed) { result.warning = format_warning(file.parent_path()); }
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -83,7 +75,7 @@ RecordedFolder read_recorded_folder(const std::filesystem::path& folder) {
     const bool known = format_of(folder) >= folder_format;
     result.damage = folder_damage(folder);
     if (std::filesystem::exists(folder / "results.jsonl")) {
-        note_missing_lines(folder, read_lines(folder / "results.jsonl", known, result), result);
+        note_missing_lines(folder, read_cells(folder / "results.jsonl", known, result), result);
         note_damaged_samples(folder, result);
         return result;
     }
@@ -94,7 +86,7 @@ RecordedFolder read_recorded_folder(const std::filesystem::path& folder) {
                         "and journal",
                         folder.string()));
     }
-    for (const auto& file : journals) { read_lines(file, true, result); }  // their lines have always had sums
+    for (const auto& file : journals) { read_cells(file, true, result); }  // their lines have always had sums
     std::erase_if(result.cells, [](const RecordedCell& cell) { return cell.status == interrupted_status; });
     drop_older_lines(result.cells);
     note_damaged_samples(folder, result);

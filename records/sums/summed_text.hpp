@@ -27,8 +27,8 @@ SumState sum_state(std::string_view object, const SumStyle& style = compact_sum)
 /// What the sum is of: the object up to it. The object must have one.
 std::string_view before_sum(std::string_view object, const SumStyle& style = compact_sum);
 
-/// Whether lines of a folder must have sums: those of this format do, and where the format is not known one sum tells of
-/// all.
+/// Whether lines of a folder must have sums: those of this format do, and where the format is not known one sum tells
+/// of all.
 bool lines_have_sums(const std::vector<std::string>& lines, bool known);
 /// Throws std::invalid_argument if the sum of a line does not hold, or `expected` is absent.
 void require_sum(const std::string& line, bool expected);

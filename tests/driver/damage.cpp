@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Damage to every file of a small results folder: bytes changed, and cuts. Either a reader notices and names the file, or
-// what it reads is the same.
+// Damage to every file of a small results folder: bytes changed, and cuts. Either a reader notices and names the file,
+// or what it reads is the same.
 #include <fmt/format.h>
 
 #include <algorithm>

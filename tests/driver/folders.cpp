@@ -141,6 +141,24 @@ TEST_CASE("a path that is not a folder cannot be searched for journals") {
     CHECK(holds_journal(scratch / ""));
 }
 
+TEST_CASE("verify finds results that were changed") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("good.json", good_config());
+    run_program({"run", config, "-o", (scratch / "out").string()});
+    CHECK(run_program({"verify", (scratch / "out").string()}).code == 0);
+    std::string text = contents(scratch / "out" / "results.jsonl");
+    text.replace(text.find("\"error.position\":") + 17, 1, "7");
+    std::ofstream(scratch / "out" / "results.jsonl") << text;
+    const auto damaged = run_program({"verify", (scratch / "out").string(), "--cells", "100"});
+    CHECK(damaged.code == 3);
+    CHECK(damaged.messages.find("results.jsonl:1: ") != std::string::npos);
+    const std::string first = text.substr(0, text.find('\n'));
+    std::ofstream(scratch / "out" / "results.jsonl") << summed_line(first) << text.substr(first.size());
+    const auto result = run_program({"verify", (scratch / "out").string(), "--cells", "100"});
+    CHECK(result.code == 1);
+    CHECK(result.out.find("1 differ") != std::string::npos);
+}
+
 TEST_CASE("verify names the build that wrote the results, and the cells that are missing") {
     const ScratchFolder scratch;
     const std::string config = scratch.file("good.json", good_config());

@@ -314,24 +314,6 @@ TEST_CASE("several configs go to folders of their own, and one bad one stops all
     CHECK_FALSE(std::filesystem::exists(scratch / "none"));
 }
 
-TEST_CASE("verify finds results that were changed") {
-    const ScratchFolder scratch;
-    const std::string config = scratch.file("good.json", good_config());
-    run(config, scratch / "out");
-    CHECK(run_program({"verify", (scratch / "out").string()}).code == 0);
-    std::string text = contents(scratch / "out" / "results.jsonl");
-    text.replace(text.find("\"error.position\":") + 17, 1, "7");
-    std::ofstream(scratch / "out" / "results.jsonl") << text;
-    const auto damaged = run_program({"verify", (scratch / "out").string(), "--cells", "100"});
-    CHECK(damaged.code == 3);
-    CHECK(damaged.messages.find("results.jsonl:1: ") != std::string::npos);
-    const std::string first = text.substr(0, text.find('\n'));
-    std::ofstream(scratch / "out" / "results.jsonl") << summed_line(first) << text.substr(first.size());
-    const auto result = run_program({"verify", (scratch / "out").string(), "--cells", "100"});
-    CHECK(result.code == 1);
-    CHECK(result.out.find("1 differ") != std::string::npos);
-}
-
 TEST_CASE("an interrupted shard says how it is continued") {
     const ScratchFolder scratch;
     const std::string config = scratch.file("slow.json", R"({"name": "slow", "kind": "drift", "problems": ["heavy_top"],
