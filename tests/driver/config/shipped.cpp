@@ -7,10 +7,13 @@
 
 #include "driver/config/shipped.hpp"
 #include "kreisel_build.hpp"
+#include "plots/figures/kind.hpp"
+#include "records/kinds/kind.hpp"
 #include "support/errors.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;
+using nlohmann::literals::operator""_json_pointer;
 
 namespace {
 
@@ -42,6 +45,19 @@ TEST_CASE("every shipped config is called as its file and says what it shows") {
         const auto config = nlohmann::json::parse(contents(file));
         CHECK(config.at("name") == name);
         CHECK(config.value("description", "").size() > 20);
+    }
+}
+
+TEST_CASE("a shipped config has the samples that its figure draws, or names its figures") {
+    // ./reproduce draws them all. Of several trajectories, the figure of one has to be told which.
+    for (const auto& [name, file] : configs_below(std::filesystem::path(build::source_dir) / "experiments")) {
+        INFO(file);
+        const auto config = nlohmann::json::parse(contents(file));
+        if (config.contains("figure")) { continue; }
+        const ExperimentKind& kind = *find_experiment_kind(config.at("kind").get<std::string>());
+        CHECK(kind.name != "trajectory");
+        if (find_figure_kind(kind.figure)->draws != FigureData::samples) { continue; }
+        CHECK(config.value("/output/samples"_json_pointer, 0) > 0);
     }
 }
 
