@@ -7,7 +7,7 @@
 
 #include "tests/judges/families/scheme_family.hpp"
 #include "tests/judges/steps/baseline_step.hpp"
-#include "tests/judges/steps/gauss_step.hpp"
+#include "tests/judges/steps/collocation_step.hpp"
 #include "tests/judges/steps/half_explicit_step.hpp"
 #include "tests/judges/steps/multistep/adams_bashforth_step.hpp"
 #include "tests/judges/steps/stabilised_step.hpp"
@@ -98,8 +98,13 @@ TEST_CASE("steps of stages satisfy their equations", "[one_step]") {
     CHECK(herk3_step_objection(method("half_explicit/herk3"), {.first_solved = true}) != "");
     CHECK(herk3_step_objection(method("half_explicit/herk3"), {.without_dexpinv = true}) != "");
     CHECK(herk3_step_objection(method("half_explicit/herk2")) != "");
-    CHECK(gauss_step_objection(method("rkmk/gauss2"), 2, true) != "");  // in coordinates around the start
-    CHECK(gauss_step_objection(method("rkmk/gauss2"), 3) != "");
+    using enum CollocationPoints;
+    CHECK(collocation_step_objection(method("rkmk/gauss2"), {gauss, 2, false}) != "");  // around the start
+    CHECK(collocation_step_objection(method("rkmk/gauss2"), gauss_form(3)) != "");
+    CHECK(collocation_step_objection(method("rkmk/radau2a2"), {radau, 2, true}) != "");
+    CHECK(collocation_step_objection(method("rkmk/radau2a2"), gauss_form(2)) != "");
+    CHECK(collocation_step_objection(method("rkmk/lobatto3ab3"), {lobatto, 3, true, false}) != "");  // IIIA alone
+    CHECK(collocation_step_objection(method("rkmk/lobatto3ab3"), {lobatto, 3, false, true}) != "");
 }
 
 TEST_CASE("steps of Adams-Bashforth methods pull the slopes of earlier states back", "[one_step]") {
