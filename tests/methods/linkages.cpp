@@ -163,10 +163,11 @@ OptionValues damping_options(const Method& entry) {
 }
 
 /// Of an undamped spring: RATTLie and Lobatto pairs have forces at the ends of a step, and are unstable from some h^2 k/m
-/// on (4, with two stages).
+/// on (4, with two stages), Adams-Moulton methods of order 3 and more at any.
 bool is_stable_for_small_steps_alone(const Method& entry) {
     const std::string& name = entry.description.name;
-    return entry.description.claims(Property::symplectic) || name.starts_with("rkmk/lobatto3ab");
+    return entry.description.claims(Property::symplectic) || name.starts_with("rkmk/lobatto3ab") ||
+           name.starts_with("multistep/adams_moulton");
 }
 
 }  // namespace
