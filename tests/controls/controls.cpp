@@ -104,6 +104,14 @@ Control claimant(const std::string& original, Factory factory, Property property
     return made;
 }
 
+Factory under_standard_options(const Factory& inner) {
+    Factory factory = inner;
+    factory.make = [inner](System& system, const OptionValues&, const MethodDescription& declared) {
+        return inner.make(system, with_defaults({}, inner.options), declared);
+    };
+    return factory;
+}
+
 std::vector<Control> faults_of_claims() {
     const Factory rk4 = broken_rkmk(tableau_of("rkmk/rk4"), {});
     // Between bodies that gravity turns, a force at the old pose; elsewhere the method is sound.
@@ -111,10 +119,14 @@ std::vector<Control> faults_of_claims() {
     return {claimant("rkmk/implicit_midpoint", method("rkmk/implicit_midpoint").factory, Property::symplectic,
                      Domain::free, Check::symplecticity),
             claimant("rkmk/rk4", rk4, Property::symplectic, Domain::potential, Check::symplecticity),
+            // In vector spaces it would be, and symmetric it is.
+            claimant("variational/lie_newmark", under_standard_options(method("variational/lie_newmark").factory),
+                     Property::symplectic, Domain::free, Check::symplecticity),
+            control("variational/rattlie", "with_momentum_of_the_stage", rattlie_with_stage_momentum(), 2,
+                    {Check::one_step, Check::symplecticity, Check::momentum}),
             claimant("rkmk/rk4", rk4, Property::momentum, Domain::free, Check::momentum),
             claimant("rkmk/rk4", rk4, Property::energy, Domain::free, Check::energy),
-            claimant("rkmk/rk4", rk4, Property::constraints, Domain::constrained, Check::constraints),
-            stale};
+            claimant("rkmk/rk4", rk4, Property::constraints, Domain::constrained, Check::constraints), stale};
 }
 
 Control pair_control(const std::string& fault, PairFault broken, Check caught_by) {
