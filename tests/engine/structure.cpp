@@ -157,7 +157,7 @@ TEST_CASE("defects have the order of the method", "[structure]") {
 
 TEST_CASE("volume is kept by flows, by what is symplectic, and by what steps on it are functions of its integrals",
           "[structure]") {
-    for (const Case& one : cases()) {
+    for (const StructureCase& one : cases()) {
         INFO(one.name << " as " << one.formulation);
         const Setup setup{.formulation = one.formulation, .method = "rkmk/rk4", .projection = one.projection};
         const Real h = Real(1) / 4;
