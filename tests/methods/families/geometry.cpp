@@ -182,9 +182,9 @@ TEST_CASE("Lie-Verlet and Lie-Newmark decline joints and dampers", "[methods][ge
     }
 }
 
-TEST_CASE("a step of Lie-Verlet that is too long fails in all coordinates, and leaves the state",
-          "[methods][geometry]") {
-    for (const char* coordinates : {"matrix", "cayley", "exp"}) {
+// In Cayley coordinates no step is too long for a free body.
+TEST_CASE("a step of Lie-Verlet that is too long fails, and leaves the state", "[methods][geometry]") {
+    for (const char* coordinates : {"matrix", "exp"}) {
         INFO(coordinates);
         Trip trip(free_body(), "SO3xR3", method("variational/lie_verlet"), {{"coordinates", std::string(coordinates)}});
         const auto before = trip.y;
