@@ -26,6 +26,8 @@ const char* name(Check check) {
             return "momentum";
         case Check::energy:
             return "energy";
+        case Check::bounded_energy:
+            return "bounded energy";
         case Check::constraints:
             return "constraints";
         case Check::equivariance:
@@ -49,6 +51,7 @@ const std::vector<Judgement>& running_checks() {
                                                {Check::symplecticity, symplecticity_objection},
                                                {Check::momentum, momentum_objection},
                                                {Check::energy, energy_objection},
+                                               {Check::bounded_energy, bounded_energy_objection},
                                                {Check::constraints, constraints_objection},
                                                {Check::equivariance, equivariance_objection},
                                                {Check::injection, injection_objection},

@@ -25,6 +25,7 @@ enum class Check {
     symplecticity,     ///< steps of a method that claims to be symplectic preserve the two-form
     momentum,          ///< momenta are kept where that is claimed
     energy,            ///< energy is kept where that is claimed
+    bounded_energy,    ///< energy errors do not grow over a long time where a property that implies it is claimed
     constraints,       ///< positions and velocities stay on the constraints where that is claimed
     equivariance,      ///< rigid motions of space commute with a step
     injection,         ///< NaN never ends as ok
@@ -58,6 +59,7 @@ Objection reversal_objection(const Method&);
 Objection symplecticity_objection(const Method&);
 Objection momentum_objection(const Method&);
 Objection energy_objection(const Method&);
+Objection bounded_energy_objection(const Method&);
 Objection constraints_objection(const Method&);
 Objection equivariance_objection(const Method&);
 Objection injection_objection(const Method&);
