@@ -34,7 +34,7 @@ class CommandLine {
         std::filesystem::path folder, output;
         RunSettings settings;
         DiffSettings diff;
-        bool json = false;
+        bool json = false, is_long = false;
         std::size_t cells = 20;
         unsigned seed = 1;
     };

@@ -33,10 +33,13 @@ void CommandLine::add_inquiries() {
     linearise->add_option("config", arguments_.configs, one_config)->required()->expected(1);
     linearise->add_option("-o,--output", arguments_.output, "Folder for the table as Markdown, CSV and LaTeX");
     CLI::App* certify =
-        command("certify", "The data sheet of a method: what it declares, and what is observed",
-                [this] { return certify_command(arguments_.name, arguments_.output, engines_, terminal_); });
+        command("certify", "The data sheet of a method: what it declares, and what is observed", [this] {
+            return certify_command(arguments_.name, arguments_.is_long, arguments_.output, engines_, terminal_);
+        });
     certify->add_option("method", arguments_.name, "Its name, as kreisel list methods shows it")->required();
     certify->add_option("-o,--output", arguments_.output, "Folder for the sheet as text, Markdown and LaTeX");
+    certify->add_flag("--long", arguments_.is_long,
+                      "Follow the energy over a million steps and more, not ten thousand");
     CLI::App* published = command("published", "Published numbers beside ours, and the digits that agree",
                                   [this] { return published_command(arguments_.output, engines_, terminal_); });
     published->add_option("-o,--output", arguments_.output, "Folder for the table as Markdown, CSV and LaTeX");

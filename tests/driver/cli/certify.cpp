@@ -17,6 +17,8 @@ class FakeTrials {
     FakeTrials() {
         write("certified_orders", "convergence", R"("metrics": ["error.*"])");
         write("certified_conservation", "drift", R"("metrics": ["invariant.*"])");
+        write("certified_structure", "drift", R"("metrics": ["invariant.*"])");
+        write("certified_energy", "drift", R"("metrics": ["invariant.*"])");
         write("certified_cost", "work_precision", R"("description": "none")");
         ::setenv("KREISEL_EXPERIMENTS", (folder_ / "").c_str(), 1);
     }
