@@ -36,6 +36,12 @@ const char* name(Check check) {
             return "convergence";
         case Check::projection:
             return "projection";
+        case Check::iterations:
+            return "iterations";
+        case Check::every:
+            return "every";
+        case Check::stabilisation:
+            return "stabilisation";
     }
     return "unknown";
 }
@@ -58,6 +64,9 @@ const std::vector<Judgement>& running_checks() {
 
 const std::vector<ProjectionJudgement>& projection_checks() {
     static const std::vector<ProjectionJudgement> all = {{Check::projection, projection_objection},
+                                                         {Check::iterations, iterations_objection},
+                                                         {Check::every, every_objection},
+                                                         {Check::stabilisation, stabilisation_objection},
                                                          {Check::injection, projection_injection_objection}};
     return all;
 }

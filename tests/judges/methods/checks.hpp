@@ -30,6 +30,9 @@ enum class Check {
     injection,         ///< NaN never ends as ok
     convergence,       ///< a step without a solution never ends as ok
     projection,        ///< a projection reaches the levels it claims, and leaves states on them unchanged
+    iterations,        ///< with one iteration it leaves the square of what it found
+    every,             ///< it acts at each k-th step, those not counted that are not taken
+    stabilisation,     ///< a stabilisation answers rows as it says, and nothing else
 };
 const char* name(Check check);
 
@@ -63,6 +66,9 @@ Objection equivariance_objection(const Method&);
 Objection injection_objection(const Method&);
 Objection convergence_objection(const Method&);
 Objection projection_objection(const ProjectionMethod&);
+Objection iterations_objection(const ProjectionMethod&);
+Objection every_objection(const ProjectionMethod&);
+Objection stabilisation_objection(const ProjectionMethod&);
 Objection projection_injection_objection(const ProjectionMethod&);
 
 }  // namespace KREISEL_PRECISION
