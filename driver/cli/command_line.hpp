@@ -31,6 +31,7 @@ class CommandLine {
         std::string topic, name, shard = "1/1";
         MethodFilter filter;
         Paths configs, folders;
+        ConfigChanges changes;
         std::filesystem::path folder, output;
         RunSettings settings;
         DiffSettings diff;
@@ -43,6 +44,7 @@ class CommandLine {
     void add_catalogue();
     void add_filter(CLI::App& list);
     void add_inquiries();
+    void add_changes(CLI::App& sub);
     void add_planning();
     void add_run();
     void add_results();

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "driver/campaign/campaign.hpp"
+#include "driver/config/composed.hpp"
 #include "driver/config/shipped.hpp"
 #include "records/json/strict.hpp"
 #include "records/provenance.hpp"
@@ -21,7 +22,7 @@ namespace {
 constexpr int highest_order_in_double = 4;
 
 Document config_of_trial(const std::string& name, const MethodDescription& method) {
-    Document document = read_document(config_file(name));
+    Document document = composed_config(config_file(name));
     nlohmann::json& config = document.value;
     config["methods"] = {method.name};
     if (method.order.configuration > highest_order_in_double) { config["precision"] = "quad"; }

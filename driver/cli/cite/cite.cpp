@@ -11,9 +11,9 @@
 #include <stdexcept>
 
 #include "driver/cli/cite/bibliography.hpp"
+#include "driver/config/composed.hpp"
 #include "driver/config/config.hpp"
 #include "driver/config/shipped.hpp"
-#include "records/json/strict.hpp"
 
 namespace kreisel {
 
@@ -74,7 +74,7 @@ class CitedSources {
 
 Exit cite_command(const std::filesystem::path& config, const Engines& engines, const Terminal& terminal) {
     const Catalogue catalogue(engines.binary64);
-    const Config read = read_config(read_document(config_file(config)), catalogue);
+    const Config read = read_config(composed_config(config_file(config)), catalogue);
     CitedSources sources;
     sources.add(read.problems, catalogue.problems);
     sources.add(read.methods, catalogue.methods);

@@ -10,10 +10,10 @@
 
 #include "driver/cli/certify/trials.hpp"
 #include "driver/cli/published/agreement.hpp"
+#include "driver/config/composed.hpp"
 #include "driver/config/shipped.hpp"
 #include "driver/plan/plan.hpp"
 #include "plots/tables/text.hpp"
-#include "records/json/strict.hpp"
 #include "support/csv.hpp"
 #include "support/files.hpp"
 
@@ -42,7 +42,7 @@ class PublishedRuns {
     const Plan& plan(const std::string& config) {
         const auto known = plans_.find(config);
         if (known != plans_.end()) { return known->second; }
-        return plans_.emplace(config, plan_of(read_document(config_file(config)), engines_)).first->second;
+        return plans_.emplace(config, plan_of(composed_config(config_file(config)), engines_)).first->second;
     }
 
     Values cells(const PublishedValue& value) {
