@@ -46,7 +46,8 @@ function(kreisel_layer precision layer)
   file(GLOB sources CONFIGURE_DEPENDS ${ARGN})
   kreisel_objects(${precision} ${layer} ${sources})
   kreisel_unite(kreisel_${layer}_${precision})
-  list(FILTER sources INCLUDE REGEX "_closed_form.cpp$")  # their local names are those of the theory, alike in all
+  # Alone: closed forms, whose local names are those of the theory, and formulations, which take a quarter minute each.
+  list(FILTER sources INCLUDE REGEX "_closed_form.cpp$|/formulations/")
   set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set(KREISEL_OBJECTS_${precision} ${KREISEL_OBJECTS_${precision}} PARENT_SCOPE)
 endfunction()

@@ -52,8 +52,9 @@ function(kreisel_suite suite variant)
   set_tests_properties(${suite}.${variant} PROPERTIES LABELS ${suite} TIMEOUT ${KREISEL_TEST_TIMEOUT})
 endfunction()
 
-# The rule of observed orders, without the rest of the driver.
-add_library(kreisel_order OBJECT ${CMAKE_SOURCE_DIR}/records/fits/order.cpp ${CMAKE_SOURCE_DIR}/records/fits/fit.cpp)
+# The rules of observed orders and of energy over long times, without the rest of the driver.
+file(GLOB fits CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/records/fits/*.cpp)
+add_library(kreisel_order OBJECT ${fits})
 target_include_directories(kreisel_order PRIVATE ${CMAKE_SOURCE_DIR})
 target_link_libraries(kreisel_order PUBLIC fmt::fmt GSL::gsl)
 

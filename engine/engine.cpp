@@ -35,7 +35,8 @@ class RealEngine final : public Engine {
     std::vector<ProjectionDescription> projections() const override { return descriptions(kreisel::projections()); }
     std::vector<FormulationDescription> formulations() const override {
         std::vector<FormulationDescription> all;
-        for (const Formulation& entry : kreisel::formulations()) all.push_back({entry.name, entry.summary});
+        for (const Formulation& entry : kreisel::formulations())
+            all.push_back({entry.name, entry.summary, entry.cites});
         return all;
     }
 

@@ -34,11 +34,16 @@ std::string why_not_paced(const Cell& cell, const MethodDescription& method) {
 
 /// Why a projection does not apply; empty if it does.
 std::string why_not_projected(const Cell& cell, const Model& model, const MethodDescription& method) {
-    const ProjectionDescription& projector = projection(cell.projection).description;
-    if (!method.projectable)
+    const ProjectionMethod& entry = projection(cell.projection);
+    const ProjectionDescription& projector = entry.description;
+    if (!method.projectable && !entry.stabilises())
         return cell.method + " remembers earlier steps, which a projection after each would invalidate";
     if (method.meets_constraints())
         return cell.method + " meets the constraints by itself, so that nothing is left to project";
+    if (const std::string reason = entry.why_not(method); !reason.empty()) return reason;
+    const auto every = cell.projection_options.find("every");
+    if (cell.tolerance > 0 && every != cell.projection_options.end() && every->second != OptionValue(1L))
+        return "what a projection moves a state by counts as error of its step, which the drift of several is not";
     if (!applies(projector.formulations, cell.formulation))
         return only_for("projection " + cell.projection, projector.formulations);
     const auto system = make_system(model, cell.formulation);

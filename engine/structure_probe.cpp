@@ -15,6 +15,9 @@ namespace {
 /// Why the steps of a cell are no maps of states; empty if they are.
 std::string why_no_map(const Cell& cell) {
     if (cell.tolerance > 0) return "steps to a tolerance have no size of their own";
+    const auto every = cell.projection_options.find("every");
+    if (every != cell.projection_options.end() && every->second != OptionValue(1L))
+        return "not every step is followed by a projection";
     return method(cell.method).description.keeps_memory ? "a step depends on earlier ones" : "";
 }
 

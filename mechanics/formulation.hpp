@@ -19,7 +19,8 @@ inline std::string applies_always(const Model&) { return ""; }
 
 struct Formulation {
     std::string name, summary;
-    int place = 1000;  ///< in lists; where equal, names decide
+    int place = 1000;                     ///< in lists; where equal, names decide
+    std::vector<std::string> cites = {};  ///< keys of paper/references.bib
     /// Why the formulation does not apply to the model; empty if it does.
     std::string (*why_not)(const Model&) = applies_always;
     std::unique_ptr<System> (*make)(const Model&) = nullptr;

@@ -30,6 +30,8 @@ class SingularPassage final : public Projection {
     /// 1/1000 of that of the first and the distance is above 1e-6, of positions relative to System::row_scale, of
     /// velocities to the rate of the motion too.
     Status project(const Real& t, Real* y) override;
+    void start() override { projection_->start(); }
+    void retract() override { projection_->retract(); }
     /// After such a singular_kkt: which joint, and what would help; else empty.
     const std::string& reason() const { return reason_; }
 

@@ -10,7 +10,10 @@ Simulation::Simulation(Model model, const Setup& setup)
     : setup_(setup), model_(std::move(model)), system_(make_system(model_, setup.formulation)) {
     const Method& entry = method(setup.method);
     const ProjectionMethod& projector = kreisel::projection(setup.projection);
-    projection_ = projector.make(*system_, with_defaults(setup.projection_options, projector.description.options));
+    const OptionValues how = with_defaults(setup.projection_options, projector.description.options);
+    projection_ = projector.make(*system_, how);
+    changed_ = projector.changed(*system_, how);
+    System& integrated = changed_ ? *changed_ : *system_;
     if (SingularPassage::is_possible(model_)) {
         auto passage = std::make_unique<SingularPassage>(*system_, model_, std::move(projection_));
         passage_ = passage.get();
@@ -19,9 +22,9 @@ Simulation::Simulation(Model model, const Setup& setup)
     const OptionValues options = with_defaults(setup.options, entry.description.options);
     if (setup.tolerance > 0)
         stepper_ =
-            bind_stepper(entry, *system_, *projection_, {setup.tolerance, extent(model_), setup.controller}, options);
+            bind_stepper(entry, integrated, *projection_, {setup.tolerance, extent(model_), setup.controller}, options);
     else
-        integrator_ = entry.bind(*system_, options);
+        integrator_ = entry.bind(integrated, options);
     y_ = initial_state(*system_, model_);
 }
 
@@ -29,6 +32,7 @@ Simulation::Simulation(SimulationParts parts, Model model)
     : setup_{.method = std::move(parts.method), .projection = std::move(parts.projector)},
       model_(std::move(model)),
       system_(std::move(parts.system)),
+      changed_(std::move(parts.changed)),
       integrator_(std::move(parts.integrator)),
       projection_(std::move(parts.projection)),
       y_(initial_state(*system_, model_)) {}
@@ -45,6 +49,7 @@ Status Simulation::restart(const Real& t, const std::vector<Real>& y) {
 }
 
 Status Simulation::restart() {
+    projection_->start();
     const Status status = integrator_ ? integrator_->start(t_, y_.data()) : Status::ok;
     return status == Status::ok ? status : fail(status, "start", system_->reason(status));
 }

@@ -41,6 +41,7 @@ struct SimulationParts {
     std::unique_ptr<Integrator> integrator;
     std::unique_ptr<Projection> projection;
     std::string method = "the method", projector = "of the parts";  ///< names, for messages
+    std::unique_ptr<System> changed = {};                           ///< that of the integrator, where it is another one
 };
 
 class Simulation {
@@ -53,6 +54,7 @@ class Simulation {
     Simulation& operator=(const Simulation&) = delete;
 
     const Model& model() const { return model_; }
+    /// Of the equations of motion as they are, also where a stabilisation changes those that are integrated.
     System& system() { return *system_; }
     const System& system() const { return *system_; }
     const Projection& projection() const { return *projection_; }
@@ -140,6 +142,7 @@ class Simulation {
     Setup setup_;
     Model model_;
     std::unique_ptr<System> system_;
+    std::unique_ptr<System> changed_;  // what the method integrates, under a stabilisation
     std::unique_ptr<Integrator> integrator_;
     std::unique_ptr<Projection> projection_;
     std::unique_ptr<Stepper> stepper_;    // where there is a tolerance, and then there is no integrator

@@ -21,6 +21,11 @@ PeerStepper::PeerStepper(System& system, Projection& projection, const Accuracy&
       unprojected_(new_) {}
 
 Status PeerStepper::start(const Real& t, const Real& t_end, const Real* y) {
+    projection_.start();
+    return begin_run(t, t_end, y);
+}
+
+Status PeerStepper::begin_run(const Real& t, const Real& t_end, const Real* y) {
     t_end_ = t_end, stale_ = in_projection_ = false;
     const Real span = t_end - t;
     least_ = epsilon * abs(span);
@@ -33,7 +38,7 @@ Status PeerStepper::start(const Real& t, const Real& t_end, const Real* y) {
 
 Status PeerStepper::step(Real& t, const Real& limit, Real* y) {
     if (stale_)
-        if (const Status status = start(t, t_end_, y); status != Status::ok) return status;
+        if (const Status status = begin_run(t, t_end_, y); status != Status::ok) return status;
     in_projection_ = false;
     std::copy_n(y, new_.size(), new_.begin());  // its labels
     Real end = t;
@@ -44,6 +49,7 @@ Status PeerStepper::step(Real& t, const Real& limit, Real* y) {
     status = system_.end_step(status, end, new_.data());
     if (status == Status::ok) status = project(end);
     stale_ = status != Status::ok;
+    if (stale_ && in_projection_) projection_.retract();
     if (stale_) return status;
     std::copy(new_.begin(), new_.end(), y);
     t = end;

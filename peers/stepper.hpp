@@ -46,6 +46,7 @@ class PeerStepper : public Stepper {
     Work work_;
 
   private:
+    Status begin_run(const Real& t, const Real& t_end, const Real* y);
     Status move(Real& t, const Real& limit);
     Status project(const Real& t);
 

@@ -38,6 +38,7 @@ struct IntegralDescription {
 struct FormulationDescription {
     std::string name;
     std::string summary;
+    std::vector<std::string> cites = {};  ///< keys of paper/references.bib
 };
 
 struct ProblemDescription {

@@ -80,7 +80,7 @@ std::vector<Contender> kreisel_contenders(const std::string& text) {
     const MethodDescription& method = kreisel::method(c.method).description;
     std::vector<Contender> all;
     if (!method.own_control)
-        all.push_back({Contender::Kind::kreisel, text, true, step_counts(16, 65536),
+        all.push_back({Contender::Kind::kreisel, text, true, step_counts(4, 65536),
                        [c](double n) { return std::make_unique<KreiselRun>(c, static_cast<long>(n), 0); }});
     if (method.own_control || method.estimate > 0)
         all.push_back({Contender::Kind::kreisel, text, false, tolerances(1e-5, 1e-14),

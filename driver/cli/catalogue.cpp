@@ -59,6 +59,7 @@ void describe(const Engine& engine, const std::string& name, std::ostream& out) 
     }
     if (const auto* formulation = find_named(catalogue.formulations, name)) {
         fmt::print(out, "{}: {}\n", formulation->name, formulation->summary);
+        print_sources(out, formulation->cites);
         return;
     }
     if (describe_metric(engine, name, out) || describe_kind(name, out)) { return; }

@@ -114,15 +114,31 @@ void CommandLine::add_catalogue() {
     });
 }
 
+void CommandLine::add_changes(CLI::App& sub) {
+    sub.add_option("--set", arguments_.changes.settings,
+                   "/POINTER=VALUE: one value of every config, such as /time/end=2 or /methods/0=rkmk/rk4;\n"
+                   "VALUE is JSON, or else a text; may be given several times")
+        ->expected(1)
+        ->take_all();
+    sub.add_option("--filter", arguments_.changes.filters,
+                   "AXIS=PATTERN[,PATTERN...]: only what fits on the axis problems, formulations, methods,\n"
+                   "projections or precision, such as methods=rkmk/*; may be given several times")
+        ->expected(1)
+        ->take_all();
+}
+
 void CommandLine::add_planning() {
-    CLI::App* check = command("check", "Checks configs and their physics without running anything",
-                              [this] { return check_command(arguments_.configs, engines_, terminal_); });
+    CLI::App* check = command("check", "Checks configs and their physics without running anything", [this] {
+        return check_command(arguments_.configs, arguments_.changes, engines_, terminal_);
+    });
     check->add_option("config", arguments_.configs, config_help)->required();
+    add_changes(*check);
     CLI::App* plan = command("plan", "Shows the cells a config leads to, and why some are skipped", [this] {
-        return plan_command(arguments_.configs.front(), arguments_.json, engines_, terminal_);
+        return plan_command(arguments_.configs.front(), arguments_.changes, arguments_.json, engines_, terminal_);
     });
     plan->add_option("config", arguments_.configs, config_help)->required()->expected(1);
     plan->add_flag("--json", arguments_.json, "Print JSON instead of a table");
+    add_changes(*plan);
 }
 
 void CommandLine::add_run() {
@@ -131,7 +147,8 @@ void CommandLine::add_run() {
             read_shard(arguments_.shard, arguments_.settings);
             arguments_.settings.build = build_id();
             arguments_.settings.terminal = isatty(STDERR_FILENO) != 0;
-            return run_command(arguments_.configs, arguments_.output, arguments_.settings, engines_, terminal_);
+            return run_command(arguments_.configs, arguments_.changes, arguments_.output, arguments_.settings, engines_,
+                               terminal_);
         });
     RunSettings& settings = arguments_.settings;
     settings.workers = std::max(1U, std::thread::hardware_concurrency());
@@ -145,6 +162,7 @@ void CommandLine::add_run() {
         run->add_flag("--resume", settings.resume, "Keep what an earlier run of this build has finished");
     run->add_flag("--overwrite", settings.overwrite, "Remove the results of an earlier run first")->excludes(resume);
     run->add_option("--shard", arguments_.shard, "I/N: run only the I-th of N parts; kreisel merge puts them together");
+    add_changes(*run);
 }
 
 void CommandLine::add_results() {

@@ -31,10 +31,11 @@ class CommandLine {
         std::string topic, name, shard = "1/1";
         MethodFilter filter;
         Paths configs, folders;
+        ConfigChanges changes;
         std::filesystem::path folder, output;
         RunSettings settings;
         DiffSettings diff;
-        bool json = false, mixed = false;
+        bool json = false, is_long = false, mixed = false;
         std::size_t cells = 20;
         unsigned seed = 1;
     };
@@ -43,6 +44,7 @@ class CommandLine {
     void add_catalogue();
     void add_filter(CLI::App& list);
     void add_inquiries();
+    void add_changes(CLI::App& sub);
     void add_planning();
     void add_run();
     void add_results();

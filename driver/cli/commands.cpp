@@ -7,14 +7,24 @@
 #include <cstdlib>
 
 #include "driver/campaign/progress.hpp"
+#include "driver/config/composition/composed.hpp"
+#include "driver/config/composition/filter.hpp"
 #include "driver/config/shipped.hpp"
 #include "driver/plan/text.hpp"
-#include "records/json/strict.hpp"
 #include "records/reference_store.hpp"
 
 namespace kreisel {
 
 namespace {
+
+// As one word of a POSIX shell.
+std::string in_shell(const std::string& text) {
+    constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) { return text; }
+    std::string quoted = "'";
+    for (const char c : text) { quoted += c == '\'' ? "'\\''" : std::string(1, c); }
+    return quoted + "'";
+}
 
 struct PlannedConfig {
     Plan plan;
@@ -39,12 +49,17 @@ Paths config_files(const Paths& written) {
 }
 
 // Everything is read before anything runs; the errors of all files are shown together.
-std::vector<Plan> read_all(const Paths& files, const Engines& engines, std::ostream& messages) {
+std::vector<Plan> read_all(const Paths& files, const ConfigChanges& changes, const Engines& engines,
+                           std::ostream& messages) {
+    const Catalogue catalogue(engines.binary64);
     std::vector<Plan> plans;
     std::string errors;
     for (const auto& file : files) {
         try {
-            plans.push_back(plan_of(read_document(file), engines));
+            const Document document = composed_config(file, changes.settings);
+            Config config = read_config(document, catalogue);
+            apply_filters(changes.filters, config);
+            plans.push_back(make_plan(document, config, engines));
             print_warnings(plans.back(), file.string(), messages);
         } catch (const UsageError& error) { errors += (errors.empty() ? "" : "\n") + std::string(error.what()); }
     }
@@ -69,8 +84,19 @@ std::vector<PlannedConfig> with_folders(std::vector<Plan> plans, const std::file
     return result;
 }
 
-Exit report(const CampaignReport& report, const PlannedConfig& planned, const std::filesystem::path& config,
-            const RunSettings& settings, std::ostream& messages) {
+// The command that goes on with an interrupted run.
+std::string to_go_on(const PlannedConfig& planned, const std::filesystem::path& config, const ConfigChanges& changes,
+                     const RunSettings& settings) {
+    std::string command =
+        fmt::format("kreisel run {} -o {}", in_shell(config.string()), in_shell(planned.folder.string()));
+    for (const std::string& setting : changes.settings) { command += " --set " + in_shell(setting); }
+    for (const std::string& filter : changes.filters) { command += " --filter " + in_shell(filter); }
+    if (settings.shards > 1) { command += fmt::format(" --shard {}/{}", settings.shard, settings.shards); }
+    return command + " --resume";
+}
+
+Exit report(const CampaignReport& report, const PlannedConfig& planned, const std::string& to_go_on,
+            std::ostream& messages) {
     const CellCounts& counts = report.counts;
     for (const auto& [text, status] : report.failures) { fmt::print(messages, "failed: {}\n", text); }
     for (const std::string& note : report.notes) { fmt::print(messages, "note: {}\n", note); }
@@ -79,13 +105,10 @@ Exit report(const CampaignReport& report, const PlannedConfig& planned, const st
     if (report.reused > 0) { text += fmt::format(" ({} taken over from before)", report.reused); }
     fmt::print(messages, "{} in {}; results in {}\n", text, duration_text(report.seconds), planned.folder.string());
     if (report.interrupted) {
-        const std::string shard =
-            settings.shards == 1 ? "" : fmt::format(" --shard {}/{}", settings.shard, settings.shards);
         for (const auto& part : report.parts) {
             fmt::print(messages, "samples of an unfinished cell: {}\n", part.string());
         }
-        fmt::print(messages, "interrupted with {} cells to go; continue with: kreisel run {} -o {}{} --resume\n",
-                   counts.missing, config.string(), planned.folder.string(), shard);
+        fmt::print(messages, "interrupted with {} cells to go; continue with: {}\n", counts.missing, to_go_on);
         return Exit::interrupted;
     }
     return counts.failed > 0 ? Exit::cells_failed : Exit::ok;
@@ -93,32 +116,34 @@ Exit report(const CampaignReport& report, const PlannedConfig& planned, const st
 
 }  // namespace
 
-Exit check_command(const Paths& written, const Engines& engines, const Terminal& terminal) {
+Exit check_command(const Paths& written, const ConfigChanges& changes, const Engines& engines,
+                   const Terminal& terminal) {
     const Paths configs = config_files(written);
-    const auto plans = read_all(configs, engines, terminal.messages);
+    const auto plans = read_all(configs, changes, engines, terminal.messages);
     for (std::size_t i = 0; i < plans.size(); ++i) {
         fmt::print(terminal.out, "{}: good; {}\n", configs[i].string(), plan_summary(plans[i]));
     }
     return Exit::ok;
 }
 
-Exit plan_command(const std::filesystem::path& config, bool json, const Engines& engines, const Terminal& terminal) {
-    const Plan plan = read_all(config_files({config}), engines, terminal.messages).front();
+Exit plan_command(const std::filesystem::path& config, const ConfigChanges& changes, bool json, const Engines& engines,
+                  const Terminal& terminal) {
+    const Plan plan = read_all(config_files({config}), changes, engines, terminal.messages).front();
     json ? print_plan_json(plan, terminal.out) : print_plan(plan, terminal.out);
     return Exit::ok;
 }
 
-Exit run_command(const Paths& written, const std::filesystem::path& output, const RunSettings& given,
-                 const Engines& engines, const Terminal& terminal) {
+Exit run_command(const Paths& written, const ConfigChanges& changes, const std::filesystem::path& output,
+                 const RunSettings& given, const Engines& engines, const Terminal& terminal) {
     RunSettings settings = given;
     const Paths configs = config_files(written);
     if (settings.cache.empty()) { settings.cache = default_cache_folder(); }
-    const auto all = with_folders(read_all(configs, engines, terminal.messages), output);
+    const auto all = with_folders(read_all(configs, changes, engines, terminal.messages), output);
     for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, planned.plan, settings); }
     Exit result = Exit::ok;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const CampaignReport outcome = run_campaign(all[i].plan, engines, all[i].folder, settings, terminal.messages);
-        const Exit one = report(outcome, all[i], configs[i], settings, terminal.messages);
+        const Exit one = report(outcome, all[i], to_go_on(all[i], configs[i], changes, settings), terminal.messages);
         if (outcome.workers_left_behind) {
             terminal.out.flush();
             terminal.messages.flush();

@@ -21,12 +21,20 @@ struct Terminal {
 
 using Paths = std::vector<std::filesystem::path>;
 
+/// What the command line changes in configs.
+struct ConfigChanges {
+    std::vector<std::string> settings;  ///< /POINTER=VALUE, see driver/config/composition/composed.hpp
+    std::vector<std::string> filters;   ///< AXIS=PATTERN, see driver/config/composition/filter.hpp
+};
+
 /// Configs are files, or names of shipped configs (driver/config/shipped.hpp).
-Exit check_command(const Paths& configs, const Engines& engines, const Terminal& terminal);
-Exit plan_command(const std::filesystem::path& config, bool json, const Engines& engines, const Terminal& terminal);
+Exit check_command(const Paths& configs, const ConfigChanges& changes, const Engines& engines,
+                   const Terminal& terminal);
+Exit plan_command(const std::filesystem::path& config, const ConfigChanges& changes, bool json, const Engines& engines,
+                  const Terminal& terminal);
 
 /// Without `output`, each config goes to results/<its name>; with several configs, each to output/<its name>.
-Exit run_command(const Paths& configs, const std::filesystem::path& output, const RunSettings& settings,
-                 const Engines& engines, const Terminal& terminal);
+Exit run_command(const Paths& configs, const ConfigChanges& changes, const std::filesystem::path& output,
+                 const RunSettings& settings, const Engines& engines, const Terminal& terminal);
 
 }  // namespace kreisel

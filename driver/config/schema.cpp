@@ -110,6 +110,13 @@ Schema measures_nothing_else() {
               {"time", {{"not", {{"required", Schema::array({"tolerance"})}}}}}}}};
 }
 
+// A config that extends another: any part of a config, since the rest of it stands in the other file.
+Schema change_of_another() {
+    Schema keys = {{"extends", text(4096)}};
+    for (const std::string& key : config_keys()) { keys[key] = Schema::object(); }
+    return object(keys, {"extends"});
+}
+
 }  // namespace
 
 }  // namespace schema
@@ -133,9 +140,9 @@ nlohmann::ordered_json config_schema(const Catalogue& catalogue) {
                 {"figure", {{"anyOf", {figure, list(figure, 0)}}}}},
                {"name", "kind", "problems", "methods", "time"});
     config["anyOf"] = Schema::array({not_timed(), measures_nothing_else()});
-    config["$schema"] = "http://json-schema.org/draft-07/schema#";
-    config["title"] = "kreisel config";
-    return config;
+    return {{"$schema", "http://json-schema.org/draft-07/schema#"},
+            {"title", "kreisel config"},
+            {"anyOf", {config, change_of_another()}}};
 }
 
 }  // namespace kreisel

@@ -4,6 +4,7 @@
 #include "engine/metrics/metric.hpp"
 #include "engine/structure/reversal.hpp"
 #include "engine/structure/symplecticity.hpp"
+#include "engine/structure/volume.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -23,6 +24,14 @@ KREISEL_METRIC({.name = "structure.reversal",
                 .scale = MetricScale::one,
                 .place = 2},
                [](const ObservedStep& at) { return reversal_defect(at); });
+
+KREISEL_METRIC({.name = "structure.volume",
+                .unit = "1",
+                .symbol = "||det A| − 1|",
+                .summary = "by how much a step changes the volume in phase space, relative to it",
+                .scale = MetricScale::one,
+                .place = 3},
+               [](const ObservedStep& at) { return volume_defect(at); });
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -16,7 +16,8 @@ struct S3Coordinates {
 
 KREISEL_FORMULATION(pivoted_formulation<S3Coordinates>(
     {.summary = "unit quaternions of bodies that turn about a fixed point: q = a, v = omega; no constraint is left",
-     .place = 5}));
+     .place = 5,
+     .cites = {"celledonifasso2008"}}));
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

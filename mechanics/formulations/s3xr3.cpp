@@ -17,7 +17,8 @@ struct S3xR3Coordinates : SpaceVelocity {
 KREISEL_FORMULATION(body_formulation<S3xR3Coordinates>(
     {.name = "S3xR3",
      .summary = "unit quaternion and position of each body apart: q = (x, a), v = (x', omega); joints are constraints",
-     .place = 3}));
+     .place = 3,
+     .cites = {"muellerterze2014", "terze2016"}}));
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

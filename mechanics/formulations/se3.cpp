@@ -15,7 +15,8 @@ struct SE3Coordinates : BodyVelocity {
 KREISEL_FORMULATION(body_formulation<SE3Coordinates>(
     {.name = "SE3",
      .summary = "rigid displacement of each body: q = (x, R), v = (R^T x', omega); joints are constraints",
-     .place = 2}));
+     .place = 2,
+     .cites = {"bruelscardona2010", "bruels2012", "muellerterze2014choice"}}));
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -14,7 +14,9 @@ struct SO3Coordinates {
 };
 
 KREISEL_FORMULATION(pivoted_formulation<SO3Coordinates>(
-    {.summary = "bodies that turn about a fixed point: q = R, v = omega; no constraint is left", .place = 4}));
+    {.summary = "bodies that turn about a fixed point: q = R, v = omega; no constraint is left",
+     .place = 4,
+     .cites = {"celledoniowren2003"}}));
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -17,7 +17,8 @@ struct SO3xR3Coordinates : SpaceVelocity {
 KREISEL_FORMULATION(body_formulation<SO3xR3Coordinates>(
     {.name = "SO3xR3",
      .summary = "rotation and position of each body apart: q = (x, R), v = (x', omega); joints are constraints",
-     .place = 1}));
+     .place = 1,
+     .cites = {"muellerterze2014", "terzezlatarmueller"}}));
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mechanics/step_watcher.hpp"
 #include "mechanics/system.hpp"
 
 namespace kreisel {
@@ -10,7 +11,8 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Tells a system where the steps of a method begin and end, so that its torsion springs count full turns.
+/// Tells a system where the steps of a method begin and end, so that its torsion springs count full turns, and
+/// equations that depend on the step size know it.
 class TurnCounting final : public Integrator {
   public:
     TurnCounting(System& system, std::unique_ptr<Integrator> method)
@@ -50,7 +52,7 @@ class TurnCounting final : public Integrator {
 }  // namespace
 
 std::unique_ptr<Integrator> counting_turns(System& system, std::unique_ptr<Integrator> method) {
-    if (system.torsion_springs() == 0) return method;
+    if (system.torsion_springs() == 0 && !dynamic_cast<const StepWatcher*>(&system)) return method;
     return std::make_unique<TurnCounting>(system, std::move(method));
 }
 

@@ -31,6 +31,7 @@ StepControl::StepControl(System& system, Projection& projection, std::unique_ptr
 Status StepControl::start(const Real& t, const Real& t_end, const Real* y) {
     h_ = 0, in_projection_ = false;
     controller_.start();
+    projection_.start();
     if (const Status status = method_->start(t, y); status != Status::ok) return status;
     if (t_end == t) return Status::ok;
     return guess_first_step(system_, norm_, tolerance_, estimate_, t, t_end, y, error_.data(), h_);
@@ -68,6 +69,7 @@ Status StepControl::attempt(const Real& t, const Real& h, const Real& end, const
 void StepControl::accept(const FittedStep& fitted, const Real& error, Real* y) {
     std::copy(new_.begin(), new_.end(), y);
     method_->accept(projection_.moved());
+    projection_.accept();
     ++accepted_;
     const Real next = fitted.h * controller_.after_acceptance(fitted.h, error);
     // A step cut short at a limit says little of longer ones.

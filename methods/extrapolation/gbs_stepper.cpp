@@ -30,6 +30,7 @@ GbsStepper::GbsStepper(System& system, Projection& projection, const MakeExtrapo
 
 Status GbsStepper::start(const Real& t, const Real& t_end, const Real* y) {
     first_known_ = in_projection_ = false;
+    projection_.start();
     if (t_end == t) return Status::ok;
     const int aim = OrderAndStep::first_aim(tolerance_, max_columns);
     Real h = 0;
@@ -51,6 +52,7 @@ Status GbsStepper::step(Real& t, const Real& limit, Real* y) {
             std::copy(new_.begin(), new_.end(), y);
             t = fitted.end;
             control_.accepted(line);
+            projection_.accept();
             first_known_ = false;
             ++accepted_;
             return Status::ok;

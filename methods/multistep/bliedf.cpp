@@ -5,6 +5,7 @@
 
 #include "mechanics/system.hpp"
 #include "methods/contract/integrator.hpp"
+#include "methods/implicit/position_step.hpp"
 #include "methods/implicit/stabilised_step.hpp"
 
 namespace kreisel {
@@ -28,6 +29,8 @@ std::unique_ptr<Integrator> bind_standard(const Method& method, System& system) 
     return method.factory.make(system, with_defaults({}, method.description.options), method.description);
 }
 
+/// With the constraints of the form that `Step` solves.
+template <class Step>
 class BLieDF final : public Integrator {
   public:
     BLieDF(System& system, int k)
@@ -126,7 +129,7 @@ class BLieDF final : public Integrator {
     System& system_;
     std::size_t k_;
     Formula formula_;
-    StabilisedStep step_;
+    Step step_;
     std::unique_ptr<Integrator> starter_;
     std::array<VecX, most_steps> velocities_, increments_;  // v_n, v_{n-1}, ...; Delta_n, Delta_{n-1}, ...
     VecX bracket_;                                          // h^2/12 [v, v'] of the last step
@@ -135,15 +138,20 @@ class BLieDF final : public Integrator {
     bool stepped_ = false;
 };
 
-}  // namespace
-
-Factory bliedf(int k) {
+template <class Step>
+Factory bliedf_of(int k) {
     Factory factory;
     factory.make = [k](System& system, const OptionValues&, const MethodDescription&) {
-        return std::make_unique<BLieDF>(system, k);
+        return std::make_unique<BLieDF<Step>>(system, k);
     };
     return factory;
 }
+
+}  // namespace
+
+Factory bliedf(int k) { return bliedf_of<StabilisedStep>(k); }
+
+Factory bliedf_index3(int k) { return bliedf_of<PositionStep>(k); }
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -19,6 +19,8 @@ inline namespace KREISEL_PRECISION {
 
 /// Of 1 to 3 steps, in the stabilised index-2 form.
 Factory bliedf(int k);
+/// The same in the index-3 form: without eta, C v + b = 0 and what follows from it.
+Factory bliedf_index3(int k);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -2,8 +2,7 @@
 #include "methods/projection/gauss_newton.hpp"
 
 #include <limits>
-
-#include "mechanics/system.hpp"
+#include <utility>
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -18,13 +17,23 @@ const Real round_off = 4 * epsilon, stagnation = 1000 * round_off;
 
 }  // namespace
 
-GaussNewtonProjection::GaussNewtonProjection(System& system)
+GaussNewtonProjection::GaussNewtonProjection(System& system, ProjectedLevels levels, bool once,
+                                             std::unique_ptr<Correction> correction)
     : system_(system),
+      levels_(levels),
+      once_(once),
+      correction_(std::move(correction)),
       residual_(static_cast<std::size_t>(system.constraints())),
       terms_(static_cast<std::size_t>(system.position_constraints())),
       scale_(residual_.size()),
       delta_(static_cast<std::size_t>(system.velocities())) {
     system.row_scale(scale_.data());
+}
+
+Status GaussNewtonProjection::project(const Real& t, Real* y) {
+    Status status = Status::ok;
+    if (levels_.positions) status = project_position(t, y);
+    return status == Status::ok && levels_.velocities ? project_velocity(t, y) : status;
 }
 
 /// The largest position row relative to its terms, NaN where one is not finite; the rows change their sign.
@@ -50,10 +59,10 @@ bool GaussNewtonProjection::stands_still() const {
     return true;
 }
 
-/// The least delta with C delta = residual_.
+/// A delta with C delta = residual_.
 Status GaussNewtonProjection::solve(const Real& t, const Real* q) {
     ++iterations_;
-    return system_.solve_kkt(t, q, nullptr, residual_.data(), delta_.data(), nullptr);
+    return correction_->solve(t, q, residual_.data(), delta_.data());
 }
 
 Status GaussNewtonProjection::project_position(const Real& t, Real* y) {
@@ -69,6 +78,7 @@ Status GaussNewtonProjection::project_position(const Real& t, Real* y) {
         for (std::size_t k = terms_.size(); k < residual_.size(); ++k) residual_[k] = 0;
         if (const Status status = solve(t, y); status != Status::ok) return status;
         system_.group().append_exp(y, delta_.data(), y);
+        if (once_) return Status::ok;
     }
     return Status::projection_failed;
 }
@@ -84,6 +94,36 @@ Status GaussNewtonProjection::project_velocity(const Real& t, Real* y) {
     KREISEL_ELEMENTWISE
     for (std::size_t i = 0; i < delta_.size(); ++i) v[i] -= delta_[i];
     return Status::ok;
+}
+
+OptionDescription iterations_option() {
+    return {.name = "iterations",
+            .summary = "converged, or one: positions stay off their constraints by the square of what they were off",
+            .standard = "converged",
+            .choices = {"converged", "one"}};
+}
+
+bool is_once(const OptionValues& options) {
+    const auto found = options.find("iterations");
+    return found != options.end() && std::get<std::string>(found->second) == "one";
+}
+
+std::vector<OptionDescription> least_projection_options(ProjectedLevels levels) {
+    std::vector<OptionDescription> options = {
+        {.name = "weight",
+         .summary = "metric of the least correction: mass, or identity, which counts metres and radians alike",
+         .standard = "mass",
+         .choices = {"mass", "identity"}}};
+    if (levels.positions) options.push_back(iterations_option());
+    return options;
+}
+
+MakeProjection least_projection(ProjectedLevels levels) {
+    return [levels](System& system, const OptionValues& options) {
+        const bool mass = std::get<std::string>(options.at("weight")) == "mass";
+        return std::make_unique<GaussNewtonProjection>(system, levels, is_once(options),
+                                                       mass ? least_in_mass(system) : least_in_coordinates(system));
+    };
 }
 
 }  // namespace KREISEL_PRECISION

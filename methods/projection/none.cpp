@@ -4,15 +4,6 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-namespace {
-
-class NoProjection final : public Projection {
-  public:
-    Status project(const Real&, Real*) override { return Status::ok; }
-};
-
-}  // namespace
-
 KREISEL_PROJECTION({.name = "none", .summary = "the step as it is: constraints drift", .cites = {}},
                    [](System&, const OptionValues&) { return std::make_unique<NoProjection>(); });
 

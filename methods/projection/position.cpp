@@ -4,22 +4,14 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-namespace {
+static constexpr ProjectedLevels positions_only{.positions = true};
 
-class PositionProjection final : public GaussNewtonProjection {
-  public:
-    using GaussNewtonProjection::GaussNewtonProjection;
-    Status project(const Real& t, Real* y) override { return project_position(t, y); }
-};
-
-}  // namespace
-
-KREISEL_PROJECTION(
-    {.name = "position",
-     .summary = "positions onto Phi = 0, mass-weighted Gauss-Newton with group updates; velocities as they are",
-     .cites = {"eich1993"},
-     .positions = true},
-    [](System& system, const OptionValues&) { return std::make_unique<PositionProjection>(system); });
+KREISEL_PROJECTION({.name = "position",
+                    .summary = "positions onto Phi = 0, Gauss-Newton with group updates; velocities as they are",
+                    .cites = {"eich1993"},
+                    .options = least_projection_options(positions_only),
+                    .positions = true},
+                   least_projection(positions_only));
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -4,27 +4,15 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-namespace {
-
-class PositionVelocityProjection final : public GaussNewtonProjection {
-  public:
-    using GaussNewtonProjection::GaussNewtonProjection;
-    Status project(const Real& t, Real* y) override {
-        const Status status = project_position(t, y);
-        return status == Status::ok ? project_velocity(t, y) : status;
-    }
-};
-
-}  // namespace
+static constexpr ProjectedLevels both_levels{.positions = true, .velocities = true};
 
 KREISEL_PROJECTION({.name = "position_velocity",
-                    .summary = "positions first, then velocities at the new position; mass-weighted, group updates",
+                    .summary = "positions first, then velocities at the new position; group updates",
                     .cites = {"eich1993"},
+                    .options = least_projection_options(both_levels),
                     .positions = true,
                     .velocities = true},
-                   [](System& system, const OptionValues&) {
-                       return std::make_unique<PositionVelocityProjection>(system);
-                   });
+                   least_projection(both_levels));
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -12,7 +12,7 @@
 #include <Eigen/LU>
 
 #include "mechanics/system.hpp"
-#include "methods/contract/projection.hpp"
+#include "methods/projection/gauss_newton.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -25,8 +25,9 @@ constexpr int body_size = 12;         // x and the columns of R
 
 class TerzeProjection final : public Projection {
   public:
-    TerzeProjection(System& system, bool mass_weighted)
+    TerzeProjection(System& system, bool mass_weighted, bool once)
         : system_(system),
+          once_(once),
           configuration_(system.group().size()),
           unknowns_(system.state_group().size()),
           joint_rows_(2 * system.constraints()),
@@ -78,6 +79,7 @@ class TerzeProjection final : public Projection {
             step = relative_step(y);
             z += solution_.head(unknowns_).cwiseProduct(column_unit_);
             ++iterations_;
+            if (once_) return Status::ok;
         }
         return Status::projection_failed;
     }
@@ -165,6 +167,7 @@ class TerzeProjection final : public Projection {
     }
 
     System& system_;
+    bool once_;
     Eigen::Index configuration_, unknowns_, joint_rows_, rows_;
     MatX weight_, joint_jacobian_, jacobian_;
     VecX column_unit_, row_unit_, row_scale_, terms_;
@@ -183,13 +186,15 @@ KREISEL_PROJECTION(
      .options = {{.name = "weight",
                   .summary = "norm of the minimisation",
                   .standard = "identity",
-                  .choices = {"identity", "mass"}}},
+                  .choices = {"identity", "mass"}},
+                 iterations_option()},
      .formulations = {"SO3xR3"},
      .positions = true,
      .velocities = true,
      .ambient = true},
     [](System& system, const OptionValues& options) {
-        return std::make_unique<TerzeProjection>(system, std::get<std::string>(options.at("weight")) == "mass");
+        const bool mass_weighted = std::get<std::string>(options.at("weight")) == "mass";
+        return std::make_unique<TerzeProjection>(system, mass_weighted, is_once(options));
     });
 
 }  // namespace KREISEL_PRECISION

@@ -4,21 +4,14 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-namespace {
-
-class VelocityProjection final : public GaussNewtonProjection {
-  public:
-    using GaussNewtonProjection::GaussNewtonProjection;
-    Status project(const Real& t, Real* y) override { return project_velocity(t, y); }
-};
-
-}  // namespace
+static constexpr ProjectedLevels velocities_only{.velocities = true};
 
 KREISEL_PROJECTION({.name = "velocity",
-                    .summary = "velocities onto C v + b = 0, mass-weighted",
+                    .summary = "velocities onto C v + b = 0, the nearest ones; positions as they are",
                     .cites = {"eich1993"},
+                    .options = least_projection_options(velocities_only),
                     .velocities = true},
-                   [](System& system, const OptionValues&) { return std::make_unique<VelocityProjection>(system); });
+                   least_projection(velocities_only));
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -56,6 +56,7 @@ class Splitting final : public Integrator {
   private:
     /// v <- v + b h M^{-1} f(t, q).
     Status kick(const Real& t, const Real& b_h) {
+        if (b_h == 0) return Status::ok;
         system_.count_evaluation();
         system_.conservative_force(t, y_.data(), force_.data());
         const Status status = system_.solve_kkt(t, y_.data(), force_.data(), nullptr, rate_.data(), nullptr);

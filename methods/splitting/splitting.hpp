@@ -18,7 +18,8 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 /// b_1, b_2, ... and a_1, a_2, ... up to the middle, the rest being their mirror image: s is odd with as many kicks as
-/// drifts, whose last is the middle, and even with one kick more.
+/// drifts, whose last is the middle, and even with one kick more. Schemes that begin with a drift have b_1 = 0, a kick
+/// that costs nothing.
 struct SplittingScheme {
     std::vector<Coefficient> kicks, drifts;
 };

@@ -73,13 +73,25 @@ Status RattleEquations::residual(const Real* x, Real* r) {
     return system_.solve_prepared(end, q, zero_.data(), rows_.data(), rate_.data(), phi.data());
 }
 
+bool RattleEquations::gain() {
+    u_ = -u_;
+    if (!pull_back(u_, momentum_, pulled_)) return false;
+    system_.conservative_force(t_ + h_, configuration_.data(), force_.data());
+    force_ = (pulled_ - start_) + h_ / 2 * force_;
+    return true;
+}
+
+Status RattleEquations::kick(Real* w) {
+    if (!gain()) return Status::left_chart;
+    system_.solve_mass(configuration_.data(), force_.data(), w);
+    Eigen::Map<VecX>(w, n_) += v_;
+    return Status::ok;
+}
+
 Status RattleEquations::finish(Real* v, Real* lambda) {
     const Real end = t_ + h_;
     const Real* q = configuration_.data();
-    u_ = -u_;
-    if (!pull_back(u_, momentum_, pulled_)) return Status::left_chart;
-    system_.conservative_force(end, q, force_.data());
-    force_ = (pulled_ - start_) + h_ / 2 * force_;
+    if (!gain()) return Status::left_chart;
     if (m_ > 0) {
         system_.velocity_residual(end, q, v_.data(), rows_.data());
         rows_ = -rows_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The equations of RATTLie (methods/variational/rattlie.cpp) for given increment D and impulse mu = h/2 lambda:
-// p~ = M D seen from either end of a step, q+, and the residuals.
+// The equations of RATTLie and SHAKELie (methods/variational/rattlie.cpp, shakelie.cpp) for given increment D and impulse
+// mu: p~ = M D seen from either end of a step, q+, and the residuals.
 #pragma once
 
 #include <vector>
@@ -18,6 +18,9 @@ enum class IncrementChart { exp, cayley };
 class RattleEquations {
   public:
     RattleEquations(System& system, IncrementChart chart);
+    virtual ~RattleEquations() = default;
+    RattleEquations(const RattleEquations&) = delete;
+    RattleEquations& operator=(const RattleEquations&) = delete;
 
     /// For a step from (q, v) at t by h: the known parts of the momentum, M v and h/2 f(t, q).
     void begin(const Real& t, const Real& h, const Real* q, const Real* v);
@@ -28,13 +31,19 @@ class RattleEquations {
     Status residual(const Real* x, Real* r);
     /// v+ and lambda: M v+ + h/2 C+^T lambda = (d tau^{-1}_{-hD})^T M D + h/2 f(t+, q+),  C+ v+ + b+ = 0.
     Status finish(Real* v, Real* lambda);
+    /// w+, the velocity before constraints act: M w+ = (d tau^{-1}_{-hD})^T M D + h/2 f(t+, q+).
+    Status kick(Real* w);
 
     const std::vector<Real>& configuration() const { return configuration_; }  ///< q+
     Eigen::Index unknowns() const { return n_ + m_; }
 
+  protected:
+    /// out = (d tau^{-1}_{u})^T p, right-trivialised; false outside the chart. Virtual for a control of the tests.
+    virtual bool pull_back(const VecX& u, const VecX& p, VecX& out) const;
+
   private:
-    /// out = (d tau^{-1}_{u})^T p, right-trivialised; false outside the chart.
-    bool pull_back(const VecX& u, const VecX& p, VecX& out) const;
+    /// force_ = (d tau^{-1}_{-hD})^T M D + h/2 f(t+, q+) - M v; false outside the chart.
+    bool gain();
 
     System& system_;
     IncrementChart chart_;

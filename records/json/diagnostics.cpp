@@ -43,6 +43,20 @@ std::string number_text(const Document& document, const std::string& pointer) {
     return cut(std::string_view(document.text).substr(start, end == std::string::npos ? end : end - start));
 }
 
+// The layer that wrote what is at `pointer`, and the pointer there; null if no layer has it.
+std::pair<const Document*, std::string> writer_of(const Document& document, const std::string& pointer) {
+    for (auto layer = document.layers.rbegin(); layer != document.layers.rend(); ++layer) {
+        const std::string& top = layer->pointer;
+        const bool below = pointer.starts_with(top) && (pointer.size() == top.size() || pointer[top.size()] == '/');
+        if (!below) { continue; }
+        std::string rest = pointer.substr(top.size());
+        if (layer->source->value.contains(nlohmann::json::json_pointer(rest))) {
+            return {layer->source.get(), std::move(rest)};
+        }
+    }
+    return {nullptr, ""};
+}
+
 }  // namespace
 
 std::string in_quotes(std::string_view text) { return "\"" + escaped(cut(text)) + "\""; }
@@ -76,12 +90,19 @@ std::string message_at(const Document& document, std::size_t byte, const std::st
     return fmt::format("{}:{}:{}: {}: {}", document.file, position.line, position.column, shown_pointer(pointer), text);
 }
 
+// The place of a value: its pointer in the whole document, line and column in the file that wrote it.
+static std::string message_in(const Document& document, const Issue& issue, const std::string& text) {
+    const auto [writer, pointer] = writer_of(document, issue.pointer);
+    const Document& source = writer != nullptr ? *writer : document;
+    const std::string& there = writer != nullptr ? pointer : issue.pointer;
+    return message_at(source, locate(source.text, there, issue.target, issue.occurrence), issue.pointer, text);
+}
+
 std::string message(const Document& document, const Issue& issue) {
     std::string text = issue.sentence.empty() ? "expected " + issue.expected : issue.sentence;
     if (!issue.got.empty()) { text += ", got " + issue.got; }
     if (!issue.suggestion.empty()) { text += "; did you mean " + in_quotes(issue.suggestion) + "?"; }
-    return message_at(document, locate(document.text, issue.pointer, issue.target, issue.occurrence), issue.pointer,
-                      text);
+    return message_in(document, issue, text);
 }
 
 void Diagnostics::mismatch(const std::string& pointer, const nlohmann::json& value, const std::string& expected,

@@ -3,6 +3,7 @@
 // A JSON text with its values, and the errors found in it.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -12,11 +13,20 @@
 
 namespace kreisel {
 
+struct Document;
+
+/// A file or a setting that a document was made from: the value at `pointer`, or the parts of it that `source` has.
+struct Layer {
+    std::string pointer;
+    std::shared_ptr<const Document> source;
+};
+
 /// A parsed file that still knows its text.
 struct Document {
     std::string file;
     std::string text;
     nlohmann::json value;
+    std::vector<Layer> layers = {};  ///< of a document that was put together; messages point into the last that fits
 };
 
 /// One error at a JSON pointer: `expected ..., got ...; did you mean "..."?`, without its empty parts, or a

@@ -149,7 +149,8 @@ TEST_CASE("declared orders are observed in quad, below the round-off of double",
 TEST_CASE("orders declared under other options are observed in quad", "[campaign]") {
     int seen = 0;
     for (const MethodDescription& method : engine_binary128().methods()) {
-        if (method.name == "variational/rattlie") continue;  // its iteration in Cayley coordinates does not end there
+        // Their iteration in Cayley coordinates does not end there.
+        if (method.name == "variational/rattlie" || method.name == "variational/shakelie") continue;
         const auto all = variants(method);
         for (std::size_t i = 1; i < all.size(); ++i) seen += certify("forced_heavy_top", "SO3xR3", method, all[i]);
     }

@@ -3,6 +3,7 @@
 
 #include "mechanics/system.hpp"
 #include "methods/commutator_free/commutator_free.hpp"
+#include "methods/projection/baumgarte_system.hpp"
 #include "methods/rkmk/few_commutators.hpp"
 #include "tests/controls/broken.hpp"
 #include "tests/controls/splitting.hpp"
@@ -104,17 +105,34 @@ Control claimant(const std::string& original, Factory factory, Property property
     return made;
 }
 
+Factory under_standard_options(const Factory& inner) {
+    Factory factory = inner;
+    factory.make = [inner](System& system, const OptionValues&, const MethodDescription& declared) {
+        return inner.make(system, with_defaults({}, inner.options), declared);
+    };
+    return factory;
+}
+
 std::vector<Control> faults_of_claims() {
     const Factory rk4 = broken_rkmk(tableau_of("rkmk/rk4"), {});
     // Between bodies that gravity turns, a force at the old pose; elsewhere the method is sound.
-    Control stale{.method = splitting_verlet(true), .true_order = 1, .caught_by = {Check::symplecticity}};
-    return {claimant("rkmk/implicit_midpoint", method("rkmk/implicit_midpoint").factory, Property::symplectic,
+    Control stale{
+        .method = splitting_verlet(true), .true_order = 1, .caught_by = {Check::symplecticity, Check::bounded_energy}};
+    // Its energy grows between bodies: what is symplectic there keeps it near.
+    Control growing = claimant("rkmk/rk4", rk4, Property::symplectic, Domain::constrained, Check::bounded_energy);
+    growing.caught_by.push_back(Check::symplecticity);
+    return {growing,
+            claimant("rkmk/implicit_midpoint", method("rkmk/implicit_midpoint").factory, Property::symplectic,
                      Domain::free, Check::symplecticity),
             claimant("rkmk/rk4", rk4, Property::symplectic, Domain::potential, Check::symplecticity),
+            // In vector spaces it would be, and symmetric it is.
+            claimant("variational/lie_newmark", under_standard_options(method("variational/lie_newmark").factory),
+                     Property::symplectic, Domain::free, Check::symplecticity),
+            control("variational/rattlie", "with_momentum_of_the_stage", rattlie_with_stage_momentum(), 2,
+                    {Check::one_step, Check::symplecticity, Check::momentum}),
             claimant("rkmk/rk4", rk4, Property::momentum, Domain::free, Check::momentum),
             claimant("rkmk/rk4", rk4, Property::energy, Domain::free, Check::energy),
-            claimant("rkmk/rk4", rk4, Property::constraints, Domain::constrained, Check::constraints),
-            stale};
+            claimant("rkmk/rk4", rk4, Property::constraints, Domain::constrained, Check::constraints), stale};
 }
 
 Control pair_control(const std::string& fault, PairFault broken, Check caught_by) {
@@ -163,7 +181,7 @@ std::vector<Control> make_controls() {
 ProjectionMethod impostor(const std::string& claimed, const std::string& actual) {
     ProjectionMethod entry = projection(claimed);
     entry.description.name = "control/" + claimed + "_that_is_" + actual;
-    entry.make = projection(actual).make;
+    entry.make = [make = projection(actual).make](System& system, const OptionValues&) { return make(system, {}); };
     return entry;
 }
 
@@ -194,12 +212,101 @@ ProjectionMethod deaf(const std::string& claimed) {
     return entry;
 }
 
+/// A registered projection under another name and another making.
+ProjectionMethod remade(const std::string& claimed, const std::string& fault, MakeProjection make) {
+    ProjectionMethod entry = projection(claimed);
+    entry.description.name = "control/" + claimed + "_" + fault;
+    entry.make = std::move(make);
+    return entry;
+}
+
+/// Goes half of the way.
+class HalfProjection final : public Projection {
+  public:
+    HalfProjection(System& system, std::unique_ptr<Projection> inner) : system_(system), inner_(std::move(inner)) {}
+    Status project(const Real& t, Real* y) override {
+        std::vector<Real> nearest(y, y + system_.state_group().size());
+        const Status status = inner_->project(t, nearest.data());
+        if (status != Status::ok) return status;
+        const auto places = static_cast<std::size_t>(system_.group().size() / system_.bodies());
+        for (std::size_t i = 0; i < nearest.size(); ++i) {
+            const bool rotation = i < static_cast<std::size_t>(system_.group().size()) && i % places >= 3;
+            y[i] = rotation ? nearest[i] : Real((y[i] + nearest[i]) / 2);
+        }
+        return status;
+    }
+
+  private:
+    System& system_;
+    std::unique_ptr<Projection> inner_;
+};
+
+/// Counts steps that are not taken.
+class ObstinateProjection final : public Projection {
+  public:
+    explicit ObstinateProjection(std::unique_ptr<Projection> inner) : inner_(std::move(inner)) {}
+    void start() override { inner_->start(); }
+    Status project(const Real& t, Real* y) override { return inner_->project(t, y); }
+
+  private:
+    std::unique_ptr<Projection> inner_;
+};
+
+std::vector<ProjectionControl> faults_of_options() {
+    const MakeProjection make = projection("position").make;
+    return {
+        {remade("position", "that_goes_half_the_way",
+                [make](System& system, const OptionValues& options) {
+                    return std::make_unique<HalfProjection>(system, make(system, options));
+                }),
+         Check::iterations},
+        {remade("position", "at_every_step", [make](System& system, const OptionValues&) { return make(system, {}); }),
+         Check::every},
+        {remade("position", "that_counts_rejected_steps",
+                [make](System& system, const OptionValues& options) {
+                    return std::make_unique<ObstinateProjection>(make(system, options));
+                }),
+         Check::every}};
+}
+
+/// Feedback with alpha and beta as `fault` makes them.
+ProjectionControl feedback_control(const std::string& name, std::function<Feedback(Feedback)> fault) {
+    ProjectionMethod entry = projection("baumgarte");
+    entry.description.name = "control/baumgarte_" + name;
+    entry.stabilisation.change = [fault](System& system, const OptionValues& options) {
+        return with_feedback(system, fault(feedback_of(options)), false);
+    };
+    return {entry, Check::stabilisation};
+}
+
+std::vector<ProjectionControl> faults_of_feedback() {
+    return {feedback_control("with_wrong_sign",
+                             [](Feedback f) {
+                                 return Feedback{-f.alpha, f.beta};
+                             }),
+            feedback_control("without_the_2",
+                             [](Feedback f) {
+                                 return Feedback{f.alpha / 2, f.beta};
+                             }),
+            feedback_control("without_the_square", [](Feedback f) {
+                return Feedback{f.alpha, sqrt(f.beta)};
+            })};
+}
+
+std::vector<ProjectionControl> make_projection_controls() {
+    std::vector<ProjectionControl> all = {{impostor("position_velocity", "position"), Check::projection},
+                                          {impostor("position_velocity", "velocity"), Check::projection},
+                                          {impostor("coordinate_partitioning", "velocity"), Check::projection},
+                                          {deaf("position_velocity"), Check::injection}};
+    for (const auto make : {faults_of_options, faults_of_feedback})
+        for (const ProjectionControl& one : make()) all.push_back(one);
+    return all;
+}
+
 }  // namespace
 
 const std::vector<ProjectionControl>& projection_controls() {
-    static const std::vector<ProjectionControl> all = {{impostor("position_velocity", "position"), Check::projection},
-                                                       {impostor("position_velocity", "velocity"), Check::projection},
-                                                       {deaf("position_velocity"), Check::injection}};
+    static const std::vector<ProjectionControl> all = make_projection_controls();
     return all;
 }
 

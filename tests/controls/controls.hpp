@@ -32,11 +32,12 @@ struct Control {
     bool claims_too_much() const {
         return std::all_of(caught_by.begin(), caught_by.end(), [](Check check) {
             return check == Check::symplecticity || check == Check::momentum || check == Check::energy ||
-                   check == Check::constraints;
+                   check == Check::bounded_energy || check == Check::constraints;
         });
     }
     bool must_be_caught_by(Check check) const {
         if (check == Check::order) return seen_by_order();
+        if (check == Check::bounded_energy && KREISEL_QUAD) return false;  // long runs are made in double
         return std::find(caught_by.begin(), caught_by.end(), check) != caught_by.end();
     }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// ForwardingSystem, the base of test doubles, forwards every virtual function of System: those that its header declares
+// ForwardingSystem, the base of stabilisations and test doubles, forwards every virtual function of System: those that its header declares
 // are called one by one, on a system that writes down what it hears.
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "kreisel_build.hpp"
-#include "tests/judges/forwarding_system.hpp"
+#include "mechanics/forwarding_system.hpp"
 
 namespace forwarding {
 

@@ -4,7 +4,7 @@
 // of the same system.
 #include <Eigen/Cholesky>
 
-#include "tests/judges/forwarding_system.hpp"
+#include "mechanics/forwarding_system.hpp"
 #include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;

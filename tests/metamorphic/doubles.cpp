@@ -2,8 +2,8 @@
 #include "tests/metamorphic/doubles.hpp"
 
 #include "mechanics/formulation.hpp"
+#include "mechanics/forwarding_system.hpp"
 #include "mechanics/joints/joint_rows.hpp"
-#include "tests/judges/forwarding_system.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -37,10 +37,11 @@ std::vector<OptionValues> variants(const std::vector<OptionDescription>& options
 }
 
 /// Whether a system has constraints, and the rows that the projection needs.
-bool applies(const ProjectionDescription& projection, const MethodDescription& method, const std::string& formulation,
+bool applies(const ProjectionMethod& entry, const MethodDescription& method, const std::string& formulation,
              const System& system) {
+    const ProjectionDescription& projection = entry.description;
     if (projection.name == "none") return true;
-    if (method.meets_constraints() || system.constraints() == 0) return false;
+    if (method.meets_constraints() || system.constraints() == 0 || !entry.why_not(method).empty()) return false;
     if (!projection.formulations.empty() && !contains(projection.formulations, formulation)) return false;
     return !projection.ambient || system.has_ambient_jacobian();
 }
@@ -128,7 +129,7 @@ std::vector<Combination> combinations(const Model& model, bool all_methods) {
             if (!method.formulations.empty() && !contains(method.formulations, formulation.name)) continue;
             if (entry.factory.declines && !entry.factory.declines(*system).empty()) continue;
             for (const ProjectionMethod& projection : projections()) {
-                if (!applies(projection.description, method, formulation.name, *system)) continue;
+                if (!applies(projection, method, formulation.name, *system)) continue;
                 for (const OptionValues& options : variants(method.options, all_methods))
                     for (const OptionValues& how : variants(projection.description.options, all_methods))
                         list.push_back({method.name, formulation.name, projection.description.name, options, how});

@@ -12,9 +12,11 @@ namespace metamorphic {
 
 namespace {
 
+/// Or feeds them back.
 bool solves_positions(const Combination& combination) {
-    return method(combination.method).description.meets_constraints() ||
-           projection(combination.projection).description.positions;
+    const ProjectionMethod& projector = projection(combination.projection);
+    return method(combination.method).description.meets_constraints() || projector.description.positions ||
+           projector.stabilises();
 }
 
 std::string beyond_round_off(const Case& entry, const RunPair& pair, const Transformed& changed, int steps,

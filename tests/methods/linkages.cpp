@@ -75,7 +75,10 @@ TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") 
                 }
                 CHECK(errors[1] < 1e-2);
                 const Order& order = entry.description.order;
-                if (errors[1] > 1e-12)  // which the solution of order 4 is known to
+                // To 1e-12 the solution of order 4 is known; velocities that follow from positions alone have round-off
+                // over h, and the iteration leaves some units of it.
+                const bool quotients = entry.description.meets_positions && !entry.description.meets_velocities;
+                if (errors[1] > (quotients ? 1e-10 : 1e-12))
                     CHECK(std::log2(errors[0] / errors[1]) >= order.configuration - 0.15);
                 if (entry.description.meets_constraints() && multipliers[1] > 1e-12)
                     CHECK(std::log2(multipliers[0] / multipliers[1]) >= order.multipliers - 0.2);
@@ -154,8 +157,17 @@ namespace {
 /// off their constraints grows twentyfold in six steps of 1/100 s.
 OptionValues damping_options(const Method& entry) {
     OptionValues options = default_options(entry.description.options);
-    if (entry.description.reports_multipliers && !entry.description.meets_velocities) options["rho"] = 0.5;
+    const bool positions_alone = entry.description.reports_multipliers && !entry.description.meets_velocities;
+    if (positions_alone && options.count("rho") > 0) options["rho"] = 0.5;
     return options;
+}
+
+/// Of an undamped spring: RATTLie and Lobatto pairs have forces at the ends of a step, and are unstable from some h^2 k/m
+/// on (4, with two stages), Adams-Moulton methods of order 3 and more at any.
+bool is_stable_for_small_steps_alone(const Method& entry) {
+    const std::string& name = entry.description.name;
+    return entry.description.claims(Property::symplectic) || name.starts_with("rkmk/lobatto3ab") ||
+           name.starts_with("multistep/adams_moulton");
 }
 
 }  // namespace
@@ -166,8 +178,7 @@ TEST_CASE("fast motions of stiff springs that nothing damps are solved, or are n
     const Model chain = linked(
         12, {{ground, 0}, {0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 7}, {7, 8}, {8, 9}, {9, 10}, {10, 11}});
     for_each_implicit([&](const Method& entry) {
-        // Forces at the ends of a step alone: unstable from h^2 k/m = 4 on.
-        if (entry.description.claims(Property::symplectic)) return;
+        if (is_stable_for_small_steps_alone(entry)) return;
         for (const int stiffness : {10000, 100000, 1000000}) {
             INFO("stiffness " << stiffness);
             const bool solvable = stiffness < 1000000;

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "tests/judges/forwarding_system.hpp"
+#include "mechanics/forwarding_system.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

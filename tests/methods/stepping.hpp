@@ -32,6 +32,13 @@ inline bool runs_on(const Method& method, const Model& model, const std::string&
     return !method.factory.declines || method.factory.declines(*make_system(model, formulation)).empty();
 }
 
+/// Whether a projection goes with a method: one that meets the constraints has none.
+inline bool go_together(const MethodDescription& method, const ProjectionMethod& projection) {
+    const bool nothing = !projection.description.positions && !projection.description.velocities;
+    if (!projection.stabilises() && nothing) return true;
+    return !method.meets_constraints() && projection.why_not(method).empty();
+}
+
 inline bool runs_on(const ProjectionDescription& projection, const Model& model, const std::string& formulation) {
     const auto& only = projection.formulations;
     if (!only.empty() && std::find(only.begin(), only.end(), formulation) == only.end()) return false;
@@ -50,9 +57,10 @@ struct Trip {
     Trip(const Model& m, const std::string& formulation, const Method& method, const OptionValues& options,
          const std::string& projector = "none", const OptionValues& projection_options = {})
         : model(m), system(make_system(model, formulation)), y(initial_state(*system, model)) {
-        integrator = method.bind(*system, options);
         const ProjectionMethod& entry = projection(projector);
         project = entry.make(*system, with_defaults(projection_options, entry.description.options));
+        changed = entry.changed(*system, projection_options);
+        integrator = method.bind(changed ? *changed : *system, options);
     }
     Trip(const Model& m, const std::string& formulation, const Method& method, const std::string& projector = "none")
         : Trip(m, formulation, method, default_options(method.description.options), projector) {}
@@ -60,6 +68,7 @@ struct Trip {
     /// N steps to t_end; the first status that is not ok, or ok.
     Status run(const Real& t_end, long steps) {
         const Real h = t_end / Real(steps);
+        project->start();
         Status status = integrator->start(0, y.data());
         for (long i = 0; i < steps && status == Status::ok; ++i) {
             status = integrator->step(h * Real(i), h, y.data());
@@ -85,7 +94,7 @@ struct Trip {
     }
 
     Model model;
-    std::unique_ptr<System> system;
+    std::unique_ptr<System> system, changed;  // what the integrator sees under a stabilisation
     std::vector<Real> y;
     std::unique_ptr<Integrator> integrator;
     std::unique_ptr<Projection> project;

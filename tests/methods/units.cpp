@@ -2,8 +2,8 @@
 //
 // Projections do not depend on units: other units leave their bits unchanged, and a parallelogram of micrometres passes
 // its flat poses like one of kilometres.
+#include "mechanics/forwarding_system.hpp"
 #include "mechanics/joints/joint_rows.hpp"
-#include "tests/judges/forwarding_system.hpp"
 #include "tests/mechanics/models/scaled.hpp"
 #include "tests/methods/stepping.hpp"
 

@@ -7,9 +7,10 @@
 
 #include "tests/judges/families/scheme_family.hpp"
 #include "tests/judges/steps/baseline_step.hpp"
-#include "tests/judges/steps/gauss_step.hpp"
+#include "tests/judges/steps/collocation_step.hpp"
 #include "tests/judges/steps/half_explicit_step.hpp"
 #include "tests/judges/steps/multistep/adams_bashforth_step.hpp"
+#include "tests/judges/steps/multistep/adams_moulton_step.hpp"
 #include "tests/judges/steps/stabilised_step.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
@@ -88,6 +89,11 @@ TEST_CASE("steps of methods with multipliers satisfy their equations", "[one_ste
     CHECK(bliedf_step_objection(method("multistep/bliedf3"), 3, {.sign_of_previous = -1}) != "");
     CHECK(bliedf_step_objection(method("multistep/bliedf3"), 3, {.sign_of_bracket = -1}) != "");
     CHECK(bliedf_step_objection(method("multistep/bliedf2"), 3) != "");
+    const Method& positions = method("multistep/bliedf2_index3");
+    for (StabilisedForm wrong : {left, negated, StabilisedForm{.sign_of_previous = -1}}) {
+        wrong.without_eta = wrong.positions_alone = true;
+        CHECK(bliedf_step_objection(positions, 2, wrong) != "");
+    }
     const Method& index3 = method("generalized_alpha/index3");
     for (const StabilisedForm& wrong : {left, negated, StabilisedForm{.sign_of_bracket = -1},
                                         StabilisedForm{.start_at_rate = true}, StabilisedForm{.unperturbed = true}})
@@ -98,8 +104,13 @@ TEST_CASE("steps of stages satisfy their equations", "[one_step]") {
     CHECK(herk3_step_objection(method("half_explicit/herk3"), {.first_solved = true}) != "");
     CHECK(herk3_step_objection(method("half_explicit/herk3"), {.without_dexpinv = true}) != "");
     CHECK(herk3_step_objection(method("half_explicit/herk2")) != "");
-    CHECK(gauss_step_objection(method("rkmk/gauss2"), 2, true) != "");  // in coordinates around the start
-    CHECK(gauss_step_objection(method("rkmk/gauss2"), 3) != "");
+    using enum CollocationPoints;
+    CHECK(collocation_step_objection(method("rkmk/gauss2"), {gauss, 2, false}) != "");  // around the start
+    CHECK(collocation_step_objection(method("rkmk/gauss2"), gauss_form(3)) != "");
+    CHECK(collocation_step_objection(method("rkmk/radau2a2"), {radau, 2, true}) != "");
+    CHECK(collocation_step_objection(method("rkmk/radau2a2"), gauss_form(2)) != "");
+    CHECK(collocation_step_objection(method("rkmk/lobatto3ab3"), {lobatto, 3, true, false}) != "");  // IIIA alone
+    CHECK(collocation_step_objection(method("rkmk/lobatto3ab3"), {lobatto, 3, false, true}) != "");
 }
 
 TEST_CASE("steps of Adams-Bashforth methods pull the slopes of earlier states back", "[one_step]") {
@@ -111,6 +122,14 @@ TEST_CASE("steps of Adams-Bashforth methods pull the slopes of earlier states ba
             CHECK(adams_bashforth_step_objection(adams, k, wrong) != "");
         CHECK(adams_bashforth_step_objection(method("rkmk/rk4"), k) != "");
     }
+}
+
+TEST_CASE("steps of Adams-Moulton methods pull all slopes back", "[one_step]") {
+    const Method& adams = method("multistep/adams_moulton3");
+    for (const AdamsMoultonForm& wrong : {AdamsMoultonForm{.recentred = false}, AdamsMoultonForm{.sign_of_sigma = -1},
+                                          AdamsMoultonForm{.differences_left_out = 1}})
+        CHECK(adams_moulton_step_objection(adams, 3, wrong) != "");
+    CHECK(adams_moulton_step_objection(adams, 2) != "");
 }
 
 TEST_CASE("steps are checked in every formulation, with and without constraints", "[one_step]") {

@@ -3,8 +3,8 @@
 // Systems with one fault each: every check has a case that it must reject.
 #include <memory>
 
+#include "mechanics/forwarding_system.hpp"
 #include "mechanics/start.hpp"
-#include "tests/judges/forwarding_system.hpp"
 #include "tests/problems/states.hpp"
 
 using namespace kreisel;

@@ -47,6 +47,7 @@ std::string solving_text(const MethodDescription& method) {
         case Form::explicit_steps:
             break;
     }
+    if (method.variable_cost || method.stages == 0) { return "explicit"; }
     return fmt::format("explicit, solves of the dynamics per step: {}", method.stages);
 }
 
@@ -76,11 +77,15 @@ std::vector<NamedText> method_rows(const std::vector<MethodDescription>& methods
     return rows;
 }
 
+std::string declaration_of(const MethodDescription& method) {
+    return fmt::format("{}; {}{}{}{}", order_text(method.order), solving_text(method), control_text(method),
+                       claims_text(method), constraints_text(method));
+}
+
 void describe_method(const MethodDescription& method, std::ostream& out) {
     fmt::print(out, "{}: {}\n", method.name, method.summary);
     print_sources(out, method.cites);
-    fmt::print(out, "{}; {}{}{}{}\n", order_text(method.order), solving_text(method), control_text(method),
-               claims_text(method), constraints_text(method));
+    fmt::print(out, "{}\n", declaration_of(method));
     print_options(out, method.options);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 #include "driver/cli/catalogue/rows.hpp"
@@ -13,6 +14,9 @@ namespace kreisel {
 
 /// Name, order and summary of each.
 std::vector<NamedText> method_rows(const std::vector<MethodDescription>& methods);
+
+/// Orders, how steps are found, what is preserved: a line.
+std::string declaration_of(const MethodDescription& method);
 
 void describe_method(const MethodDescription& method, std::ostream& out);
 void describe_projection(const ProjectionDescription& projection, std::ostream& out);

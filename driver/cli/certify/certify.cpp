@@ -6,9 +6,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include "driver/cli/catalogue/methods.hpp"
+#include "driver/cli/certify/findings.hpp"
 #include "driver/cli/certify/sheet.hpp"
 #include "driver/cli/certify/trials.hpp"
 #include "plots/tables/table.hpp"
@@ -20,13 +22,22 @@ namespace kreisel {
 namespace {
 
 constexpr std::size_t digits_shown = 14;
+constexpr int times_as_long = 100;
 
 // Columns stated once, above a table, if they are the same in every row.
 const std::vector<std::string> once = {"problem",   "formulation", "method", "projection",
                                        "precision", "steps",       "h [s]",  "status"};
 
-// The shipped configs of the trials, in the order of the sheet.
-constexpr const char* trials[] = {"certified_orders", "certified_conservation", "certified_cost"};
+// The trials, in the order of the sheet. Without steps of one size there is no map to look at, and no law of h.
+struct SheetTrial {
+    const char* config;
+    bool needs_steps = false;
+};
+constexpr SheetTrial trials[] = {{"certified_orders"},
+                                 {"certified_structure", true},
+                                 {"certified_energy", true},
+                                 {"certified_conservation"},
+                                 {"certified_cost"}};
 
 MethodDescription method_called(const std::string& name, const Engine& engine) {
     const auto methods = engine.methods();
@@ -95,21 +106,41 @@ DataSheet described(const MethodDescription& method, const Engine& engine) {
     return sheet;
 }
 
+void append(std::vector<std::string>& all, std::vector<std::string> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+// Runs the trials into `folder`, and adds what they tell to the sheet; returns what speaks against the method.
+std::vector<std::string> try_out(const MethodDescription& method, bool is_long, const std::filesystem::path& folder,
+                                 const Engines& engines, std::ostream& messages, DataSheet& sheet) {
+    std::vector<std::string> complaints;
+    for (const SheetTrial& trial : trials) {
+        if (trial.needs_steps && method.own_control) { continue; }
+        const std::string name = trial.config;
+        const int times = is_long && name == "certified_energy" ? times_as_long : 1;
+        const Results results = run_trial(name, method, times, folder, engines, messages);
+        const std::size_t before = sheet.tables.size();
+        add_tables(results, folder / name, sheet);
+        append(complaints, complaints_about(results, sheet, before));
+        Findings found;
+        if (name == "certified_structure") { found = structure_findings(method, results); }
+        if (name == "certified_energy") { found = energy_findings(method, results, folder / name); }
+        append(sheet.remarks, found.remarks);
+        append(complaints, found.complaints);
+    }
+    return complaints;
+}
+
 }  // namespace
 
-Exit certify_command(const std::string& name, const std::filesystem::path& output, const Engines& engines,
+Exit certify_command(const std::string& name, bool is_long, const std::filesystem::path& output, const Engines& engines,
                      const Terminal& terminal) {
     const MethodDescription method = method_called(name, engines.binary64);
     DataSheet sheet = described(method, engines.binary64);
     const TemporaryFolder folder;
     std::vector<std::string> complaints;
     try {
-        for (const char* trial : trials) {
-            const Results results = run_trial(trial, method, folder.path(), engines, terminal.messages);
-            const std::size_t before = sheet.tables.size();
-            add_tables(results, folder.path() / trial, sheet);
-            for (std::string& one : complaints_about(results, sheet, before)) { complaints.push_back(std::move(one)); }
-        }
+        complaints = try_out(method, is_long, folder.path(), engines, terminal.messages, sheet);
     } catch (const TrialInterrupted&) { return Exit::interrupted; }
     terminal.out << terminal_text(sheet);
     if (!output.empty()) { write_sheet(output, method.name, sheet); }

@@ -13,6 +13,8 @@ std::string terminal_text(const DataSheet& sheet) {
     std::string text = sheet.title + "\n";
     for (const std::string& paragraph : sheet.paragraphs) { text += paragraph + "\n"; }
     for (const TextTable& table : sheet.tables) { text += "\n" + terminal_text(table); }
+    if (!sheet.remarks.empty()) { text += "\nRemarks\n"; }
+    for (const std::string& remark : sheet.remarks) { text += "  " + remark + "\n"; }
     return text;
 }
 
@@ -20,6 +22,8 @@ std::string markdown_text(const DataSheet& sheet) {
     std::string text = fmt::format("# {}\n", sheet.title);
     for (const std::string& paragraph : sheet.paragraphs) { text += "\n" + paragraph + "\n"; }
     for (const TextTable& table : sheet.tables) { text += "\n#" + markdown_text(table); }
+    if (!sheet.remarks.empty()) { text += "\n## Remarks\n\n"; }
+    for (const std::string& remark : sheet.remarks) { text += "- " + remark + "\n"; }
     return text;
 }
 
@@ -29,7 +33,10 @@ std::string latex_text(const DataSheet& sheet) {
     for (const TextTable& table : sheet.tables) {
         text += fmt::format("\n\\paragraph{{{}}}\\mbox{{}}\\\\\n{}", latex_escaped(table.title), latex_text(table));
     }
-    return text;
+    if (sheet.remarks.empty()) { return text; }
+    text += "\n\\paragraph{Remarks}\\mbox{}\n\\begin{itemize}\n";
+    for (const std::string& remark : sheet.remarks) { text += "  \\item " + latex_escaped(remark) + "\n"; }
+    return text + "\\end{itemize}\n";
 }
 
 void write_sheet(const std::filesystem::path& folder, const std::string& name, const DataSheet& sheet) {

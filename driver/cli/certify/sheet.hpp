@@ -15,6 +15,7 @@ struct DataSheet {
     std::string title;
     std::vector<std::string> paragraphs;
     std::vector<TextTable> tables;
+    std::vector<std::string> remarks;  ///< below the tables
 };
 
 std::string terminal_text(const DataSheet& sheet);

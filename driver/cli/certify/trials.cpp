@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "driver/campaign/campaign.hpp"
+#include "driver/config/composition/composed.hpp"
 #include "driver/config/shipped.hpp"
 #include "records/json/strict.hpp"
 #include "records/provenance.hpp"
@@ -20,11 +21,18 @@ namespace {
 
 constexpr int highest_order_in_double = 4;
 
-Document config_of_trial(const std::string& name, const MethodDescription& method) {
-    Document document = read_document(config_file(name));
+void lengthen(nlohmann::json& time, int times) {
+    time["end"] = time["end"].get<double>() * times;
+    for (nlohmann::json& steps : time["steps"]) { steps = steps.get<long>() * times; }
+}
+
+Document config_of_trial(const std::string& name, const MethodDescription& method, int times) {
+    Document document = composed_config(config_file(name));
     nlohmann::json& config = document.value;
     config["methods"] = {method.name};
-    if (method.order.configuration > highest_order_in_double) { config["precision"] = "quad"; }
+    const bool is_free = !config.contains("precision");
+    if (is_free && method.order.configuration > highest_order_in_double) { config["precision"] = "quad"; }
+    if (times > 1) { lengthen(config["time"], times); }
     if (method.own_control) {
         config["precision"] = "double";
         config["time"].erase("steps");
@@ -59,9 +67,9 @@ void run_plan(const Plan& plan, const std::filesystem::path& folder, const Engin
     if (run_campaign(plan, engines, folder, trial_settings(), messages).interrupted) { throw TrialInterrupted(); }
 }
 
-Results run_trial(const std::string& name, const MethodDescription& method, const std::filesystem::path& folder,
-                  const Engines& engines, std::ostream& messages) {
-    const Plan plan = plan_of(config_of_trial(name, method), engines);
+Results run_trial(const std::string& name, const MethodDescription& method, int times,
+                  const std::filesystem::path& folder, const Engines& engines, std::ostream& messages) {
+    const Plan plan = plan_of(config_of_trial(name, method, times), engines);
     run_plan(plan, folder / name, engines, messages);
     return read_results(folder / name);
 }

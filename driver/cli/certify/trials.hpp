@@ -33,10 +33,12 @@ struct TrialInterrupted {};
 /// Runs a plan into a folder, references from the cache. Throws TrialInterrupted.
 void run_plan(const Plan& plan, const std::filesystem::path& folder, const Engines& engines, std::ostream& messages);
 
-/// Runs the shipped config `name` with one method into folder/name and reads its results. Above order 4 it runs in
-/// quad, where errors fall far enough for an order; a method with a step control of its own runs to tolerances.
+/// Runs the shipped config `name` with one method into folder/name and reads its results. Where the config
+/// has no precision, it runs in quad above order 4, so that errors fall far enough for an order; a method with a step
+/// control of its own runs to tolerances.
+/// With `times` above 1 runs are that many times as long, in as many more steps; their config lists its counts.
 /// References are those of the cache. Throws UsageError if the config cannot be read, TrialInterrupted.
-Results run_trial(const std::string& name, const MethodDescription& method, const std::filesystem::path& folder,
-                  const Engines& engines, std::ostream& messages);
+Results run_trial(const std::string& name, const MethodDescription& method, int times,
+                  const std::filesystem::path& folder, const Engines& engines, std::ostream& messages);
 
 }  // namespace kreisel

@@ -11,9 +11,9 @@
 #include <stdexcept>
 
 #include "driver/cli/cite/bibliography.hpp"
+#include "driver/config/composition/composed.hpp"
 #include "driver/config/config.hpp"
 #include "driver/config/shipped.hpp"
-#include "records/json/strict.hpp"
 
 namespace kreisel {
 
@@ -22,14 +22,15 @@ namespace {
 // What is used, and what states no source.
 class CitedSources {
   public:
-    // `named`: of a config, each with a name; `all`: their descriptions.
+    // `named`: of a config, names or what has one; `all`: their descriptions.
     template <class Entry, class Description>
     void add(const std::vector<Entry>& named, const std::vector<Description>& all) {
         for (const Entry& entry : named) {
-            const Description& description = *find_named(all, entry.name);
-            if (!seen_.insert(entry.name).second) { continue; }
-            if (description.cites.empty()) { without_.push_back(entry.name); }
-            for (const std::string& key : description.cites) { add_user(key, entry.name); }
+            const std::string& name = name_of(entry);
+            const Description& description = *find_named(all, name);
+            if (!seen_.insert(name).second) { continue; }
+            if (description.cites.empty()) { without_.push_back(name); }
+            for (const std::string& key : description.cites) { add_user(key, name); }
         }
     }
 
@@ -45,6 +46,11 @@ class CitedSources {
     const std::vector<std::string>& without() const { return without_; }
 
   private:
+    static const std::string& name_of(const std::string& name) { return name; }
+    template <class Entry>
+    static const std::string& name_of(const Entry& entry) {
+        return entry.name;
+    }
     void add_user(const std::string& key, const std::string& name) {
         const auto has_key = [&](const BibliographyEntry& entry) { return entry.key == key; };
         if (std::none_of(bibliography().begin(), bibliography().end(), has_key)) {
@@ -74,11 +80,12 @@ class CitedSources {
 
 Exit cite_command(const std::filesystem::path& config, const Engines& engines, const Terminal& terminal) {
     const Catalogue catalogue(engines.binary64);
-    const Config read = read_config(read_document(config_file(config)), catalogue);
+    const Config read = read_config(composed_config(config_file(config)), catalogue);
     CitedSources sources;
     sources.add(read.problems, catalogue.problems);
     sources.add(read.methods, catalogue.methods);
     sources.add(read.projections, catalogue.projections);
+    sources.add(read.formulations, catalogue.formulations);
     sources.print(terminal.out);
     if (!sources.without().empty()) {
         fmt::print(terminal.messages, "without a source: {}\n", fmt::join(sources.without(), ", "));

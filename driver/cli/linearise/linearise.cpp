@@ -6,10 +6,10 @@
 
 #include <cmath>
 
+#include "driver/config/composition/composed.hpp"
 #include "driver/config/shipped.hpp"
 #include "driver/plan/plan.hpp"
 #include "plots/tables/text.hpp"
-#include "records/json/strict.hpp"
 
 namespace kreisel {
 
@@ -92,7 +92,7 @@ void print_entry(const LinearisedEntry& entry, std::ostream& out) {
 
 Exit linearise_command(const std::filesystem::path& config, const std::filesystem::path& output, const Engines& engines,
                        const Terminal& terminal) {
-    const Plan plan = plan_of(read_document(config_file(config)), engines);
+    const Plan plan = plan_of(composed_config(config_file(config)), engines);
     EigenvalueTables tables;
     std::string refusals;
     for (const LinearisedEntry& entry : entries_of(plan, engines.binary128)) {

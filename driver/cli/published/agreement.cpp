@@ -16,8 +16,8 @@ namespace kreisel {
 
 namespace {
 
-const std::vector<std::string> columns_of_published = {"config", "column", "printed", "factor",
-                                                       "digits", "source", "remark"};
+const std::vector<std::string> columns_of_published = {"config", "cells",  "column", "printed",
+                                                       "factor", "digits", "source", "remark"};
 
 // Digits after the point; sources print without exponents.
 int decimals(const std::string& printed) {
@@ -30,11 +30,12 @@ PublishedValue value_of(const std::vector<std::string>& fields) {
         throw std::invalid_argument(
             fmt::format("expected {} fields, got {}", columns_of_published.size(), fields.size()));
     }
-    if (fields[2].find_first_not_of("-.0123456789") != std::string::npos) {
-        throw std::invalid_argument("expected a decimal number without exponent, got " + in_quotes(fields[2]));
+    if (fields[3].find_first_not_of("-.0123456789") != std::string::npos) {
+        throw std::invalid_argument("expected a decimal number without exponent, got " + in_quotes(fields[3]));
     }
-    PublishedValue value{fields[0], fields[1], fields[2], std::stold(fields[3]), std::stoi(fields[4]),
-                         fields[5], fields[6]};
+    if (fields[2] == figure_column) { return {fields[0], fields[1], fields[2], "", 1, 0, fields[6], fields[7]}; }
+    PublishedValue value{fields[0], fields[1], fields[2], fields[3], std::stold(fields[4]), std::stoi(fields[5]),
+                         fields[6], fields[7]};
     if (value.digits < 1 || value.digits > significant_digits(value.printed)) {
         throw std::invalid_argument(
             fmt::format("expected from 1 to {} digits, got {}", significant_digits(value.printed), value.digits));
@@ -74,6 +75,11 @@ int agreeing_digits(const std::string& printed, long double value) {
     if (difference <= unit * 1.001L) { return all; }
     const long double size = expected == 0 ? 1.0L : std::abs(expected);
     return std::clamp(static_cast<int>(std::floor(std::log10(size / difference))), 0, all - 1);
+}
+
+int agreeing_order(const std::string& printed, long double order) {
+    const long double declared = std::stold(printed);
+    return std::abs(order - declared) <= (declared < 6 ? 0.1L : 0.2L) ? significant_digits(printed) : 0;
 }
 
 }  // namespace kreisel

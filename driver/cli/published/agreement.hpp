@@ -9,11 +9,15 @@
 
 namespace kreisel {
 
+/// Stands for a quantity where a source prints a figure and no digits: the config draws one of the same shape.
+inline constexpr const char* figure_column = "figure";
+
 /// A value as a source prints it, and where the same quantity stands in the results of a shipped config.
 struct PublishedValue {
     std::string config;
-    std::string column;   ///< of results.csv, or "eigenvalue.3.real", "eigenvalue.3.imaginary" of its linearised motion
-    std::string printed;  ///< digit by digit
+    std::string cells;       ///< which count, "steps=2000 formulation=SE3", by titles of results.csv; empty: all
+    std::string column;      ///< a quantity that PublishedRuns::find knows, or figure_column
+    std::string printed;     ///< digit by digit; empty for a figure
     long double factor = 1;  ///< the unit of what is printed, in that of the column
     int digits = 0;          ///< that agree at least; fewer are an error
     std::string source, remark;
@@ -29,5 +33,8 @@ int significant_digits(const std::string& printed);
 /// How many of them a value agrees with: all if it differs by at most one unit of the last digit (a source may round
 /// either way), else the number of leading digits, floor(log10(|printed|/|difference|)).
 int agreeing_digits(const std::string& printed, long double value);
+
+/// The same of an order, a whole number: all where the observed one is within 0.1 (from 6 on 0.2), else none.
+int agreeing_order(const std::string& printed, long double order);
 
 }  // namespace kreisel

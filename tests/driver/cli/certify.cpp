@@ -17,6 +17,8 @@ class FakeTrials {
     FakeTrials() {
         write("certified_orders", "convergence", R"("metrics": ["error.*"])");
         write("certified_conservation", "drift", R"("metrics": ["invariant.*"])");
+        write("certified_structure", "drift", R"("metrics": ["invariant.*"])");
+        write("certified_energy", "drift", R"("metrics": ["invariant.*"])");
         write("certified_cost", "work_precision", R"("description": "none")");
         ::setenv("KREISEL_EXPERIMENTS", (folder_ / "").c_str(), 1);
     }
@@ -75,4 +77,24 @@ TEST_CASE("certify names the nearest method") {
     const auto result = run_program({"certify", "rkmk/rk5"});
     CHECK(result.code == 2);
     CHECK_THAT(result.messages, Catch::Contains("did you mean \"rkmk/rk4\"?"));
+}
+
+TEST_CASE("the atlas has every method, with the orders that studies observed, and runs nothing") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("study.json", R"({"name": "study", "kind": "convergence",
+        "problems": ["free_top"], "methods": ["rkmk/rk4"], "metrics": ["error.*"],
+        "time": {"end": 1.0, "steps": {"from": 16, "levels": 6}}})");
+    const std::string results = (scratch / "study").string(), output = (scratch / "atlas").string();
+    REQUIRE(run_program({"run", config, "-o", results}).code == 0);
+    const auto printed = run_program({"atlas", results});
+    CHECK(printed.code == 0);
+    CHECK_THAT(printed.out, Catch::Contains("rkmk/rk4: classical\nSources: kutta1901\norder 4; explicit"));
+    CHECK_THAT(printed.out, Catch::Contains("free_top  4.00 / - / -"));
+    REQUIRE(run_program({"atlas", results, "-o", output}).code == 0);
+    const std::string latex = contents(scratch / "atlas" / "atlas.tex");
+    CHECK_THAT(latex, Catch::Contains("\\atlasmethod{rkmk/rk4}{classical}{kutta1901}{Order 4; explicit"));
+    CHECK_THAT(latex, Catch::Contains("\\atlascoefficients{"));
+    CHECK_THAT(latex, Catch::Contains("free\\_top & 4.00"));
+    CHECK_THAT(latex, Catch::Contains("\\atlasmethod{fake/nan}"));
+    CHECK(run_program({"atlas", (scratch / "nowhere").string()}).code == 3);
 }

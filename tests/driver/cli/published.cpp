@@ -13,7 +13,7 @@ using namespace kreisel;
 
 namespace {
 
-const std::string head_of_list = "config,column,printed,factor,digits,source,remark\n";
+const std::string head_of_list = "config,cells,column,printed,factor,digits,source,remark\n";
 
 // Runs `published` with one line, over a config of the fake engine's top.
 ProgramResult published_with(const std::string& line) {
@@ -43,24 +43,24 @@ TEST_CASE("digits of printed numbers, and those that agree") {
 
 TEST_CASE("published prints what agrees, and fails where less does than the list says") {
     // x_2 = sin(2)/15 in the fake engine, printed in units of 1/15 m.
-    const auto exact = published_with("top,final.top.x.2 [m],0.90930,0.06666666666666667,5,someone 1999,in parts");
+    const auto exact = published_with("top,,final.top.x.2 [m],0.90930,0.06666666666666667,5,someone 1999,in parts");
     INFO(exact.out << exact.messages);
     CHECK(exact.code == 0);
     CHECK_THAT(exact.out, Catch::Contains("5 of 5") && Catch::Contains("someone 1999"));
-    const auto wrong = published_with("top,final.top.x.2 [m],0.84147,0.06666666666666667,5,someone 1999,in parts");
+    const auto wrong = published_with("top,,final.top.x.2 [m],0.84147,0.06666666666666667,5,someone 1999,in parts");
     CHECK(wrong.code == 1);
     CHECK_THAT(wrong.messages, Catch::Contains("expected 5 digits of 0.84147, got 1"));
-    const auto mode = published_with("top,eigenvalue.2.imaginary,-1.0000,1,5,someone 1999,");
+    const auto mode = published_with("top,,eigenvalue.2.imaginary,-1.0000,1,5,someone 1999,");
     CHECK(mode.code == 0);
 }
 
 TEST_CASE("a damaged list, or a quantity that is not there, is an error") {
-    CHECK_THAT(published_with("top,final.top.x.2 [m],1e-3,1,1,someone,").messages,
+    CHECK_THAT(published_with("top,,final.top.x.2 [m],1e-3,1,1,someone,").messages,
                Catch::Contains("published.csv:2: expected a decimal number without exponent, got \"1e-3\""));
-    CHECK_THAT(published_with("top,final.top.x.2 [m],1.0,1,3,someone,").messages,
+    CHECK_THAT(published_with("top,,final.top.x.2 [m],1.0,1,3,someone,").messages,
                Catch::Contains("expected from 1 to 2 digits, got 3"));
-    CHECK_THAT(published_with("top,final.top.x.2 [m],1.0,1").messages, Catch::Contains("expected 7 fields, got 4"));
-    const auto absent = published_with("top,final.bottom.x.1 [m],1.0,1,1,someone,");
+    CHECK_THAT(published_with("top,,final.top.x.2 [m],1.0,1").messages, Catch::Contains("expected 8 fields, got 5"));
+    const auto absent = published_with("top,,final.bottom.x.1 [m],1.0,1,1,someone,");
     CHECK(absent.code == 2);
     CHECK_THAT(absent.messages, Catch::Contains("with a column final.bottom.x.1 [m]"));
 }

@@ -51,7 +51,21 @@ TEST_CASE("cite prints the entries of a config, and names what has none") {
     CHECK_THAT(cited.out, Catch::StartsWith("% rkmk/rk4\n@article{kutta1901,"));
     CHECK_THAT(cited.out, Catch::EndsWith("}\n\n"));
     CHECK(keys_of(bibliography_entries(cited.out)) == std::vector<std::string>{"kutta1901"});
-    CHECK(cited.messages == "without a source: free_top, none\n");
+    CHECK(cited.messages == "without a source: free_top, none, SO3xR3\n");
+}
+
+TEST_CASE("cite prints the sources of formulations") {
+    class CitingEngine final : public OtherEngine {
+        std::vector<FormulationDescription> formulations() const override {
+            return {{"SO3xR3", "direct product", {"muellerterze2014"}}};
+        }
+    };
+    const ScratchFolder scratch;
+    const auto cited =
+        run_program({"cite", scratch.file("some.json", config_with("free_top", "rkmk/rk4"))}, CitingEngine());
+    CHECK(cited.code == 0);
+    CHECK(keys_of(bibliography_entries(cited.out)) == std::vector<std::string>{"kutta1901", "muellerterze2014"});
+    CHECK_THAT(cited.messages, !Catch::Contains("SO3xR3"));
 }
 
 TEST_CASE("what an entry cites is printed too") {

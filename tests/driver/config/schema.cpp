@@ -205,3 +205,11 @@ TEST_CASE("schema and reader agree on three thousand mutants") {
     }
     CHECK(refused > 2000);
 }
+
+TEST_CASE("the schema accepts configs that extend others, in parts, and checks their keys") {
+    SchemaChecker schema{Catalogue(plain_engine)};
+    CHECK(schema.accepts(json::parse(R"({"extends": "good.json", "time": {"end": 2}})")));
+    CHECK_FALSE(schema.accepts(json::parse(R"({"extends": "good.json", "tome": {"end": 2}})")));
+    CHECK_FALSE(schema.accepts(json::parse(R"({"extends": 3})")));
+    CHECK_FALSE(schema.accepts(json::parse(R"({"time": {"end": 2}})")));
+}

@@ -68,10 +68,11 @@ Objection equivariance_objection(const Method& entry) {
                 if (trip->run(Real(5) / 512, 5) != Status::ok) return "a run fails";
             std::vector<BodyState> moved = here.bodies();
             for (BodyState& state : moved) state = motion(state);
-            // Where velocities follow from positions alone, they have the round-off of places over h.
+            // Where velocities follow from positions alone, they have the round-off of places over h, of which the
+            // iteration may leave some thousand units in either run (Newton::solve).
             const bool quotients = entry.description.meets_positions && !entry.description.meets_velocities;
             const Real difference = relative_difference(moved, there.bodies(), quotients ? 512 : 1);
-            return difference <= (quotients ? 10000 : 1000) * epsilon
+            return difference <= (quotients ? 20000 : 1000) * epsilon
                        ? ""
                        : "differs by " + to_text(difference) + " where space is moved";
         });

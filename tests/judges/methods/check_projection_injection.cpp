@@ -17,11 +17,12 @@ namespace {
 const int steps = KREISEL_QUAD ? 3 : 10;
 const Real h = Real(1) / 100;
 
-/// Each word of each option in turn.
+/// The defaults, and each other word of each option.
 std::vector<OptionValues> variants(const std::vector<OptionDescription>& options) {
     std::vector<OptionValues> all = {default_options(options)};
     for (const OptionDescription& option : options)
         for (const std::string& word : option.choices) {
+            if (OptionValue(word) == option.standard) continue;
             all.push_back(default_options(options));
             all.back()[option.name] = word;
         }

@@ -26,6 +26,8 @@ const char* name(Check check) {
             return "momentum";
         case Check::energy:
             return "energy";
+        case Check::bounded_energy:
+            return "bounded energy";
         case Check::constraints:
             return "constraints";
         case Check::equivariance:
@@ -36,6 +38,12 @@ const char* name(Check check) {
             return "convergence";
         case Check::projection:
             return "projection";
+        case Check::iterations:
+            return "iterations";
+        case Check::every:
+            return "every";
+        case Check::stabilisation:
+            return "stabilisation";
     }
     return "unknown";
 }
@@ -49,6 +57,7 @@ const std::vector<Judgement>& running_checks() {
                                                {Check::symplecticity, symplecticity_objection},
                                                {Check::momentum, momentum_objection},
                                                {Check::energy, energy_objection},
+                                               {Check::bounded_energy, bounded_energy_objection},
                                                {Check::constraints, constraints_objection},
                                                {Check::equivariance, equivariance_objection},
                                                {Check::injection, injection_objection},
@@ -58,6 +67,9 @@ const std::vector<Judgement>& running_checks() {
 
 const std::vector<ProjectionJudgement>& projection_checks() {
     static const std::vector<ProjectionJudgement> all = {{Check::projection, projection_objection},
+                                                         {Check::iterations, iterations_objection},
+                                                         {Check::every, every_objection},
+                                                         {Check::stabilisation, stabilisation_objection},
                                                          {Check::injection, projection_injection_objection}};
     return all;
 }

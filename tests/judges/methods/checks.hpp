@@ -25,11 +25,15 @@ enum class Check {
     symplecticity,     ///< steps of a method that claims to be symplectic preserve the two-form
     momentum,          ///< momenta are kept where that is claimed
     energy,            ///< energy is kept where that is claimed
+    bounded_energy,    ///< energy errors do not grow over a long time where a property that implies it is claimed
     constraints,       ///< positions and velocities stay on the constraints where that is claimed
     equivariance,      ///< rigid motions of space commute with a step
     injection,         ///< NaN never ends as ok
     convergence,       ///< a step without a solution never ends as ok
     projection,        ///< a projection reaches the levels it claims, and leaves states on them unchanged
+    iterations,        ///< with one iteration it leaves the square of what it found
+    every,             ///< it acts at each k-th step, those not counted that are not taken
+    stabilisation,     ///< a stabilisation answers rows as it says, and nothing else
 };
 const char* name(Check check);
 
@@ -58,11 +62,15 @@ Objection reversal_objection(const Method&);
 Objection symplecticity_objection(const Method&);
 Objection momentum_objection(const Method&);
 Objection energy_objection(const Method&);
+Objection bounded_energy_objection(const Method&);
 Objection constraints_objection(const Method&);
 Objection equivariance_objection(const Method&);
 Objection injection_objection(const Method&);
 Objection convergence_objection(const Method&);
 Objection projection_objection(const ProjectionMethod&);
+Objection iterations_objection(const ProjectionMethod&);
+Objection every_objection(const ProjectionMethod&);
+Objection stabilisation_objection(const ProjectionMethod&);
 Objection projection_injection_objection(const ProjectionMethod&);
 
 }  // namespace KREISEL_PRECISION

@@ -4,7 +4,7 @@
 // those that a method requests without `evaluate`.
 #pragma once
 
-#include "tests/judges/forwarding_system.hpp"
+#include "mechanics/forwarding_system.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

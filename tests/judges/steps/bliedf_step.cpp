@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps of the BLieDF methods in the stabilised index-2 form.
+// Steps of the BLieDF methods in the stabilised index-2 form and the index-3 form.
 #include <array>
 
 #include "tests/judges/steps/stabilised_step.hpp"
@@ -18,16 +18,6 @@ std::vector<Real> differentiation(int k) {
     for (int j = 1; j <= k; ++j)
         for (std::size_t i = 0; i < 4; ++i) alpha[i] += Real(nabla[static_cast<std::size_t>(j - 1)][i]) / j;
     return alpha;
-}
-
-/// One step of rkmk/rk4 by -h, a method checked against its own scheme.
-RecordedState state_before(RecordedRun& run, const RecordedState& state) {
-    const Method& rk4 = method("rkmk/rk4");
-    const auto integrator = rk4.bind(run.system(), stepping::default_options(rk4.description.options));
-    VecX y(state.q.size() + state.v.size());
-    y << state.q, state.v;
-    if (integrator->step(state.t, -run.h, y.data()) != Status::ok) throw std::domain_error("the step back fails");
-    return {.t = state.t - run.h, .q = y.head(state.q.size()), .v = y.tail(state.v.size()), .lambda = {}};
 }
 
 /// States and Delta = D - h^2/12 [v, v'], the latest last; Delta i leads from state i to the next.
@@ -71,10 +61,13 @@ Violations bliedf_violations(RecordedRun& run, int order, const StabilisedForm& 
         found.see("h v'+ = sum_j alpha_j v_{n+1-j}", differences);
         found.see("v+ = sum_j gamma_j Delta_{n-j}, D = Delta + ... - M^{-1} C(q)^T eta",
                   without_eta_term(run, form, i, r));
-        see_positions(run, next, found), see_velocities(run, next, found);
+        see_positions(run, next, found);
+        if (!form.positions_alone) see_velocities(run, next, found);
     }
     return found;
 }
+
+constexpr StabilisedForm index3_form = {.without_eta = true, .positions_alone = true};
 
 }  // namespace
 
@@ -85,6 +78,10 @@ Objection bliedf_step_objection(const Method& method, int k, const StabilisedFor
 
 KREISEL_STEP_CHECK("multistep/bliedf2", [](const Method& method) { return bliedf_step_objection(method, 2); });
 KREISEL_STEP_CHECK("multistep/bliedf3", [](const Method& method) { return bliedf_step_objection(method, 3); });
+KREISEL_STEP_CHECK("multistep/bliedf2_index3",
+                   [](const Method& method) { return bliedf_step_objection(method, 2, index3_form); });
+KREISEL_STEP_CHECK("multistep/bliedf3_index3",
+                   [](const Method& method) { return bliedf_step_objection(method, 3, index3_form); });
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

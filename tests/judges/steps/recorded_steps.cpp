@@ -157,6 +157,15 @@ VecX RecordedRun::velocity_defect(const RecordedState& state) {
     return rows;
 }
 
+RecordedState state_before(RecordedRun& run, const RecordedState& state, const std::string& method_name) {
+    const Method& known = method(method_name);
+    const auto integrator = known.bind(run.system(), stepping::default_options(known.description.options));
+    VecX y(state.q.size() + state.v.size());
+    y << state.q, state.v;
+    if (integrator->step(state.t, -run.h, y.data()) != Status::ok) throw std::domain_error("the step back fails");
+    return {.t = state.t - run.h, .q = y.head(state.q.size()), .v = y.tail(state.v.size()), .lambda = {}};
+}
+
 void Violations::see(const std::string& equation, const VecX& residual) {
     if (residual.size() == 0) return;
     const Real size = residual.allFinite() ? residual.cwiseAbs().maxCoeff() : std::numeric_limits<Real>::infinity();

@@ -83,6 +83,9 @@ class RecordedRun {
     std::unique_ptr<System> system_;
 };
 
+/// One step by -h of a method that is checked against its own scheme.
+RecordedState state_before(RecordedRun& run, const RecordedState& state, const std::string& method_name = "rkmk/rk4");
+
 /// The most violated equation.
 class Violations {
   public:

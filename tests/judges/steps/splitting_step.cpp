@@ -54,6 +54,10 @@ Composition observed(const Method& method) {
         found.kicks.push_back(y[6]);
         if (i > 0) found.drifts.push_back(all.times[i] - all.times[i - 1]);
     }
+    if (all.times.front() > 0) {  // it begins and ends with a drift
+        found.kicks.insert(found.kicks.begin(), 0), found.kicks.push_back(0);
+        found.drifts.insert(found.drifts.begin(), all.times.front()), found.drifts.push_back(1 - all.times.back());
+    }
     return found;
 }
 

@@ -16,6 +16,7 @@ struct StabilisedForm {
     bool eta_from_end = false;                          ///< M^{-1} C(q+)^T eta for M^{-1} C(q)^T eta
     bool eta_without_mass = false;                      ///< C(q)^T eta, as in the literature
     bool without_eta = false;
+    bool positions_alone = false;      ///< the index-3 form, in which C v + b = 0 is not met; BLieDF only
     bool multipliers_negated = false;  ///< M v' = Q + C^T lambda
     int sign_of_previous = 1;          ///< of the increments before, BLieDF only
     int sign_of_bracket = 1;           ///< of [v, v']

@@ -31,14 +31,19 @@ Real power_of_two(int k) {
 Agreement unless_redundant(const Model& model, Agreement agreement) {
     return has_redundant_rows(model) ? Agreement::truncation : agreement;
 }
-auto up_to_round_off() {
-    return [](const Model& model, const Combination&) { return unless_redundant(model, Agreement::round_off); };
+
+/// Partitioned coordinates are components along axes of space and bodies, and of two that are as good the first.
+bool prefers_coordinates(const Combination& combination) { return combination.projection == "coordinate_partitioning"; }
+
+Agreement of_directions(const Model& model, const Combination& combination) {
+    return prefers_coordinates(combination) ? Agreement::truncation : unless_redundant(model, Agreement::round_off);
 }
 
 /// Stages of the baselines are not rotations; a solve at them depends on its starting point.
 Agreement of_orders(const Model& model, const Combination& combination) {
-    return combination.method.starts_with("baseline/") ? Agreement::truncation
-                                                       : unless_redundant(model, Agreement::round_off);
+    return combination.method.starts_with("baseline/") || prefers_coordinates(combination)
+               ? Agreement::truncation
+               : unless_redundant(model, Agreement::round_off);
 }
 
 auto always(Agreement agreement) {
@@ -113,6 +118,7 @@ Made reversed(const Model& model, Choice choice) {
 
 /// Coordinates of the second kind are angles about the axes of a body.
 bool prefers_axes(const Combination& combination) {
+    if (prefers_coordinates(combination)) return true;
     const auto coordinates = combination.options.find("coordinates");
     return coordinates != combination.options.end() && coordinates->second == OptionValue("second_kind");
 }
@@ -138,7 +144,7 @@ void add_descriptions(std::vector<Transformation>& all) {
         all.push_back({"moved by " + std::to_string(kilometres) + " km",
                        [=](const Model& m) { return moved(m, Real(1000) * kilometres); },
                        always(Agreement::round_off)});
-    all.push_back({"turned", turned, up_to_round_off()});
+    all.push_back({"turned", turned, of_directions});
     all.push_back({"bodies in other axes", in_other_axes, of_axes});
     all.push_back({"zero of torsion moved", moved_zero, always(Agreement::round_off)});
     all.push_back({"reordered", reordered, of_orders});

@@ -16,9 +16,13 @@ namespace {
 
 SimulationParts simulation_parts(const Model& model, const Combination& combination, const Bench& bench) {
     auto system = bench.system(model, combination.formulation);
-    auto integrator = bench.integrator(*system, combination);
-    auto projection = bench.projection(*system, combination);
-    return {std::move(system), std::move(integrator), std::move(projection)};
+    auto changed = projection(combination.projection).changed(*system, combination.projection_options);
+    auto integrator = bench.integrator(changed ? *changed : *system, combination);
+    auto projected = bench.projection(*system, combination);
+    return {.system = std::move(system),
+            .integrator = std::move(integrator),
+            .projection = std::move(projected),
+            .changed = std::move(changed)};
 }
 
 /// A run in progress.

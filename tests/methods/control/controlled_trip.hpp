@@ -16,10 +16,11 @@ class ControlledTrip {
     using Bind = std::function<std::unique_ptr<Stepper>(const Method&, System&, Projection&, const Accuracy&)>;
 
     ControlledTrip(const Model& model, const std::string& formulation, const Method& entry, const Accuracy& accuracy,
-                   const std::string& projector = "none", const Bind& bind = standard)
+                   const std::string& projector = "none", const Bind& bind = standard, const OptionValues& how = {})
         : system(make_system(model, formulation)),
-          project(projection(projector).make(*system, default_options(projection(projector).description.options))),
-          stepper(bind(entry, *system, *project, accuracy)),
+          changed(projection(projector).changed(*system, how)),
+          project(projection(projector).make(*system, how)),
+          stepper(bind(entry, changed ? *changed : *system, *project, accuracy)),
           y(initial_state(*system, model)) {}
 
     static std::unique_ptr<Stepper> standard(const Method& entry, System& system, Projection& project,
@@ -38,7 +39,7 @@ class ControlledTrip {
         return status;
     }
 
-    std::unique_ptr<System> system;
+    std::unique_ptr<System> system, changed;  // what the stepper sees under a stabilisation
     std::unique_ptr<Projection> project;
     std::unique_ptr<Stepper> stepper;
     std::vector<Real> y, times;

@@ -92,6 +92,54 @@ TEST_CASE("what is not claimed is not kept", "[methods][geometry][control]") {
     CHECK(change_over("energy/discrete_gradient", top, "SO3", "angular_momentum_vertical", h, 50) > Real(1) / 1000000);
     CHECK(change_over("variational/rattlie", top, "SO3", "energy", h, 50) > Real(1) / 1000000);
     CHECK(change_over("energy/liemid_ea", top, "SO3", "energy", h, 50) > Real(1) / 1000000);
+    CHECK(change_over("variational/lie_newmark", top, "SO3", "angular_momentum_vertical", h, 50) > Real(1) / 1000000);
+}
+
+TEST_CASE("SHAKELie goes where RATTLie goes, and with its velocity projected it is RATTLie", "[methods][geometry]") {
+    for (const char* formulation : {"SO3xR3", "SE3"}) {
+        INFO(formulation);
+        const Model model = standard("double_pendulum");
+        const Method& shakelie = method("variational/shakelie");
+        Trip rattle(model, formulation, method("variational/rattlie")), shake(model, formulation, shakelie),
+            projected(model, formulation, shakelie, "velocity");
+        for (Trip* trip : {&rattle, &shake, &projected}) REQUIRE(trip->run(Real(1) / 4, 8) == Status::ok);
+        const Distance apart = distance(rattle.bodies(), shake.bodies());
+        CHECK(max(apart.position, apart.rotation) < 1000 * epsilon);
+        CHECK(shake.velocity_defect() > Real(1) / 100000);
+        CHECK(worst(distance(rattle.bodies(), projected.bodies())) < 10000 * epsilon);
+    }
+}
+
+TEST_CASE("multipliers of SHAKELie are of order 2, those of RATTLie of order 1", "[methods][geometry]") {
+    const Model model = standard("double_pendulum");
+    const auto error = [&](const char* name, long n) {
+        Trip trip(model, "SO3xR3", method(name));
+        REQUIRE(trip.run(Real(1) / 4, n) == Status::ok);
+        VecX exact(trip.system->constraints()), a(trip.system->velocities());
+        Trip fine(model, "SO3xR3", method("variational/rattlie"));
+        REQUIRE(fine.run(Real(1) / 4, 4096) == Status::ok);
+        REQUIRE(fine.system->accelerations(Real(1) / 4, fine.y.data(), fine.system->v(fine.y.data()), a.data(),
+                                           exact.data()) == Status::ok);
+        return to_double((Eigen::Map<const VecX>(trip.integrator->multipliers(), exact.size()) - exact).norm());
+    };
+    if (KREISEL_QUAD) return;  // slow, and the same code
+    const double shake = std::log2(error("variational/shakelie", 64) / error("variational/shakelie", 128));
+    const double rattle = std::log2(error("variational/rattlie", 64) / error("variational/rattlie", 128));
+    CHECK(shake == Approx(2).margin(0.15));
+    CHECK(rattle == Approx(1).margin(0.15));
+}
+
+TEST_CASE("in coordinates of increments Lie-Verlet is RATTLie without joints", "[methods][geometry]") {
+    const Model model = standard("asymmetric_heavy_top");
+    for (const char* coordinates : {"exp", "cayley", "matrix"}) {
+        INFO(coordinates);
+        const std::string chart = std::string(coordinates) == "matrix" ? "cayley" : coordinates;
+        Trip verlet(model, "SO3", method("variational/lie_verlet"), {{"coordinates", std::string(coordinates)}}),
+            rattle(model, "SO3", method("variational/rattlie"), {{"coordinates", chart}});
+        for (Trip* trip : {&verlet, &rattle}) REQUIRE(trip->run(Real(1) / 4, 8) == Status::ok);
+        const bool equal = worst(distance(verlet.bodies(), rattle.bodies())) < 10000 * epsilon;
+        CHECK(equal == (std::string(coordinates) != "matrix"));
+    }
 }
 
 TEST_CASE("the energy of RATTLie stays in bounds, with joints too", "[methods][geometry]") {
@@ -121,4 +169,26 @@ TEST_CASE("a step of RATTLie that is too long for the rods fails, and leaves the
     const auto before = trip.y;
     CHECK(trip.integrator->step(0, 20, trip.y.data()) != Status::ok);
     CHECK(trip.y == before);
+}
+
+TEST_CASE("Lie-Verlet and Lie-Newmark decline joints and dampers", "[methods][geometry]") {
+    for (const char* name : {"variational/lie_verlet", "variational/lie_newmark"}) {
+        INFO(name);
+        const Method& entry = method(name);
+        CHECK(entry.factory.declines(*make_system(standard("double_pendulum"), "SO3xR3")) == "joints");
+        CHECK(entry.factory.declines(*make_system(standard("flyball_governor"), "SO3xR3")).find("dampers") !=
+              std::string::npos);
+        CHECK(entry.factory.declines(*make_system(standard("forced_heavy_top"), "SO3")) == "");
+    }
+}
+
+// In Cayley coordinates no step is too long for a free body.
+TEST_CASE("a step of Lie-Verlet that is too long fails, and leaves the state", "[methods][geometry]") {
+    for (const char* coordinates : {"matrix", "exp"}) {
+        INFO(coordinates);
+        Trip trip(free_body(), "SO3xR3", method("variational/lie_verlet"), {{"coordinates", std::string(coordinates)}});
+        const auto before = trip.y;
+        CHECK(trip.integrator->step(0, 1000, trip.y.data()) == Status::newton_failed);
+        CHECK(trip.y == before);
+    }
 }

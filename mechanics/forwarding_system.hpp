@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A system that forwards every call to another one: the base of test doubles, which override what they change. Nothing
-// falls back to System's own answers, those of a body without constraints; tests/mechanics/forwarding.cpp sees to that.
+// A system that forwards every call to another one: the base of stabilisations and of test doubles, which override what
+// they change. Nothing falls back to System's own answers, those of a body without constraints;
+// tests/mechanics/forwarding.cpp sees to that.
 #pragma once
 
 #include <algorithm>

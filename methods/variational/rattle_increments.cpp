@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "methods/variational/rattle_increments.hpp"
+
+#include <algorithm>
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+RattleIncrements::RattleIncrements(System& system, std::unique_ptr<RattleEquations> equations)
+    : system_(system),
+      equations_(std::move(equations)),
+      n_(system.velocities()),
+      m_(system.constraints()),
+      scale_(system),
+      rows_(system, scale_),
+      newton_(n_ + m_),
+      past_(n_ + m_),
+      unknowns_(VecX::Zero(n_ + m_)),
+      turned_(unknowns_),
+      weights_(VecX::Ones(n_ + m_)),
+      applied_(VecX::Zero(n_)),
+      gyroscopic_(applied_),
+      lambda_(VecX::Zero(m_)),
+      bias_(lambda_) {}
+
+Status RattleIncrements::begin(const Real& t, const Real& h, const Real& span, const Real* y) {
+    newton_.forget(), scale_.forget(), past_.clear();
+    q_ = y;
+    scale_.weigh(y);
+    const Real* v = system_.v(y);
+    if (const Status status = index_one(t, y, v); status != Status::ok) return status;
+    unknowns_.head(n_) = Eigen::Map<const VecX>(v, n_) + h / 2 * unknowns_.head(n_);
+    unknowns_.tail(m_) = span * lambda_;
+    remember();
+    return rows_.start(t, y);
+}
+
+/// v' in the unknowns, and some lambda: without the search for those of least norm, which allocates.
+Status RattleIncrements::index_one(const Real& t, const Real* y, const Real* v) {
+    if (m_ == 0) return system_.accelerations(t, y, v, unknowns_.data(), nullptr);
+    if (const Status status = system_.prepare_kkt(t, y); status != Status::ok) return status;
+    system_.count_evaluation();
+    system_.applied_force(t, y, v, applied_.data());
+    system_.gyroscopic_force(y, v, gyroscopic_.data());
+    applied_ += gyroscopic_;
+    system_.acceleration_bias(t, y, v, bias_.data());
+    return system_.solve_prepared(t, y, applied_.data(), bias_.data(), unknowns_.data(), lambda_.data());
+}
+
+Status RattleIncrements::solve(const Real& t, const Real& h, const Real* y) {
+    q_ = y;
+    scale_.weigh(y);
+    motion_ = scale_.of_motion(t, h, y);
+    if (!isfinite(motion_)) return Status::non_finite;
+    if (rows_.refresh(t, y)) newton_.forget();
+    if (rows_.rebalance(motion_, h)) newton_.forget();
+    if (m_ > 0) weights_.tail(m_) = rows_.weights();
+    equations_->begin(t, h, y, system_.v(y));
+    size_ = max(motion_, rows_.of_places(h));
+    return iterate(y);
+}
+
+/// From the guess, and where that leads nowhere from an unchanged velocity.
+Status RattleIncrements::iterate(const Real* y) {
+    past_.guess(newton_.stiff() ? 0 : past_.best_degree(n_), turned_);
+    Status status = newton_.solve(*this, weights_, turned_.data());
+    if (status != Status::newton_failed) return status;
+    turned_.setZero();
+    scale_.to_space(q_, system_.v(y), turned_.data());
+    return newton_.solve(*this, weights_, turned_.data());
+}
+
+Status RattleIncrements::residual(const Real* turned, Real* r) {
+    system_.count_evaluation();
+    scale_.from_space(q_, turned, unknowns_.data());
+    std::copy_n(turned + n_, m_, unknowns_.data() + n_);
+    const Status status = equations_->residual(unknowns_.data(), r);
+    if (status != Status::ok) return status;
+    scale_.to_space(q_, r, r);
+    return status;
+}
+
+void RattleIncrements::remember() {
+    turned_.tail(m_) = unknowns_.tail(m_);
+    scale_.to_space(q_, unknowns_.data(), turned_.data());
+    past_.push(turned_);
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
