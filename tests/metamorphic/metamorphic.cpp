@@ -26,6 +26,7 @@ void check(Extent extent, const Least& least) {
     CHECK(report.compared[to_text(Agreement::round_off)] >= least.round_off);
     CHECK(report.compared[to_text(Agreement::truncation)] >= least.truncation);
     CHECK(report.objections.empty());
+    if (extent == Extent::sparse) return;  // too few comparisons for each exception to be needed
     for (const auto& [reason, count] : report.covered) {
         INFO("no longer needed: " << reason);
         CHECK(report.excepted.contains(reason));

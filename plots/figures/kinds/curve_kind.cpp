@@ -91,13 +91,19 @@ PanelFigure CurveKind::panels(const Results& results, const std::filesystem::pat
     return figure;
 }
 
+std::vector<FigureKey> layout_keys() {
+    return {figure_key("facet", &CurveKind::facet, figure_value::axis(), "one panel for each value of an axis"),
+            figure_key("columns", &CurveKind::columns, figure_value::count(1, 4, "panels beside each other"),
+                       "panels beside each other")};
+}
+
 std::vector<FigureKey> curve_keys(const std::string& family) { return curve_keys(std::vector{family}); }
 
 std::vector<FigureKey> curve_keys(const std::vector<std::string>& families) {
-    return {figure_key("metric", &CurveKind::metrics, figure_value::metrics(families), "what is drawn, a panel each"),
-            figure_key("facet", &CurveKind::facet, figure_value::axis(), "one panel for each value of an axis"),
-            figure_key("columns", &CurveKind::columns, figure_value::count(1, 4, "panels beside each other"),
-                       "panels beside each other")};
+    auto keys = layout_keys();
+    keys.insert(keys.begin(), figure_key("metric", &CurveKind::metrics, figure_value::metrics(families),
+                                         "what is drawn, a panel each"));
+    return keys;
 }
 
 std::string metric_label(const std::string& metric, const Units& units) {

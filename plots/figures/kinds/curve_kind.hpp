@@ -49,6 +49,7 @@ class CurveKind : public PanelKind {
 };
 
 /// The keys of such kinds, whose metrics are of a family such as "error.", or of several.
+std::vector<FigureKey> layout_keys();  ///< those of how panels stand
 std::vector<FigureKey> curve_keys(const std::string& family);
 std::vector<FigureKey> curve_keys(const std::vector<std::string>& families);
 

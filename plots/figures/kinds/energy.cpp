@@ -61,6 +61,6 @@ KREISEL_FIGURE(EnergyFigure,
                 .summary = "energy errors over time at the largest step, with the laws that all steps follow",
                 .draws = FigureData::samples,
                 .script = "lines",
-                .keys = curve_keys("invariant.energy")});
+                .keys = layout_keys()});
 
 }  // namespace kreisel
