@@ -51,6 +51,7 @@ void IntegralMetrics::report(bool finished, MeasuredMetrics& all) const {
         const auto add = [&](const IntegralSuffix& suffix, const Real& value) {
             add_measured(all, patterns_, entry.name + suffix.name, value);
         };
+        if (finished && !isfinite(entry.worst)) add_value(all, patterns_, entry.name, entry.worst);
         add(largest_of_integral, entry.worst);
         if (entry.has_relative) add(relative_of_integral, entry.worst / abs(entry.start));
         if (finished) add(final_of_integral, abs(entry.now));

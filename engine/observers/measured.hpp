@@ -15,10 +15,16 @@ inline namespace KREISEL_PRECISION {
 
 using MeasuredMetrics = std::vector<std::pair<std::string, Number>>;
 
-/// Adds a value that is finite and whose name one of the patterns fits.
+/// Adds a value whose name one of the patterns fits.
+inline void add_value(MeasuredMetrics& all, const std::vector<std::string>& patterns, const std::string& name,
+                      const Real& value) {
+    if (matches_any(patterns, name)) all.emplace_back(name, to_number(value));
+}
+
+/// The same, if it is finite.
 inline void add_measured(MeasuredMetrics& all, const std::vector<std::string>& patterns, const std::string& name,
                          const Real& value) {
-    if (isfinite(value) && matches_any(patterns, name)) all.emplace_back(name, to_number(value));
+    if (isfinite(value)) add_value(all, patterns, name, value);
 }
 
 /// worst = max(worst, now), in which NaN and infinity persist.

@@ -30,9 +30,9 @@ void StepMetrics::observe(Observation& now) {
 void StepMetrics::report(bool finished, MeasuredMetrics& all) const {
     for (const Entry& entry : entries_) {
         const std::string& name = entry.metric->description.name;
-        if (!isfinite(entry.worst)) continue;
-        add_measured(all, patterns_, name, entry.worst);
-        if (finished) add_measured(all, patterns_, name + ".final", entry.now);
+        if (!finished && !isfinite(entry.worst)) continue;
+        add_value(all, patterns_, name, entry.worst);
+        if (finished) add_value(all, patterns_, name + ".final", entry.now);
     }
 }
 

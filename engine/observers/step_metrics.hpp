@@ -20,8 +20,8 @@ class StepMetrics {
     void observe(Observation& now);
     /// Of a state that is not the end of a step, for its sample: it enters no maximum.
     void look(Observation& now);
-    /// Adds the requested values to `all`. Of an unfinished run only the maxima, which hold for the part that was run.
-    /// A metric that could not be measured after some step is left out.
+    /// Adds the requested values to `all`. Of an unfinished run only the maxima, which hold for the part that was run,
+    /// if they are finite. In a finished one a maximum that is not finite stands for a step that could not be measured.
     void report(bool finished, MeasuredMetrics& all) const;
     /// Columns and current values for a trajectory: each quantity and its running maximum.
     void add_columns(std::vector<Column>& all) const;

@@ -10,6 +10,7 @@
 #include "plots/figures/kind.hpp"
 #include "records/kinds/kind.hpp"
 #include "support/errors.hpp"
+#include "support/pattern.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;
@@ -48,7 +49,7 @@ TEST_CASE("every shipped config is called as its file and says what it shows") {
     }
 }
 
-TEST_CASE("a shipped config has the samples that its figure draws, or names its figures") {
+TEST_CASE("a shipped config has the metrics and samples that its figure draws, or names its figures") {
     // ./reproduce draws them all. Of several trajectories, the figure of one has to be told which.
     for (const auto& [name, file] : configs_below(std::filesystem::path(build::source_dir) / "experiments")) {
         INFO(file);
@@ -56,7 +57,12 @@ TEST_CASE("a shipped config has the samples that its figure draws, or names its 
         if (config.contains("figure")) { continue; }
         const ExperimentKind& kind = *find_experiment_kind(config.at("kind").get<std::string>());
         CHECK(kind.name != "trajectory");
-        if (find_figure_kind(kind.figure)->draws != FigureData::samples) { continue; }
+        const FigureKind& figure = *find_figure_kind(kind.figure);
+        const auto measured = config.value("metrics", kind.metrics);
+        for (const std::string& metric : figure.make()->drawn_metrics()) {
+            CHECK((kind.timed || matches_any(measured, metric)));
+        }
+        if (figure.draws != FigureData::samples) { continue; }
         CHECK(config.value("/output/samples"_json_pointer, 0) > 0);
     }
 }

@@ -108,7 +108,8 @@ inline std::vector<std::string> applicable(const Model& model) {
 }
 
 /// Models that every method must be able to step with h of about 1/100 s: rows are independent, as an implicit step
-/// needs them, and no damper is stiff. Few kinds of joints: methods do not depend on the kind.
+/// needs them, and no damper is stiff. Few kinds of joints: methods do not depend on the kind. In quad of at most three
+/// bodies: more are slow, and the same code.
 inline std::vector<Named> for_methods() {
     std::vector<Named> models;
     for (Named& named : registered())
@@ -118,6 +119,7 @@ inline std::vector<Named> for_methods() {
     models.push_back({"rolling", rolling()});
     models.push_back({"closed loop", closed_loop()});
     models.push_back({"revolute joints and dampers", damped("revolute")});
+    if (KREISEL_QUAD) std::erase_if(models, [](const Named& named) { return named.model.bodies.size() > 3; });
     return models;
 }
 
