@@ -3,6 +3,7 @@
 
 #include "engine/linearised/linearise.hpp"
 #include "engine/metrics/metric.hpp"
+#include "engine/report/geometry.hpp"
 #include "engine/report/report.hpp"
 #include "engine/reported_reference.hpp"
 #include "engine/run.hpp"
@@ -60,6 +61,10 @@ class RealEngine final : public Engine {
         for (const FirstIntegral& integral : system->integrals())
             summary.integrals.push_back({integral.name, integral.unit, integral.reason});
         return summary;
+    }
+
+    Geometry geometry(const std::string& name, const ParameterValues& values) const override {
+        return to_geometry(problem(name).build(Parameters(values)));
     }
 
     MethodDescription method(const std::string& name, const OptionValues& options) const override {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/geometry.hpp"
 #include "engine/metrics/description.hpp"
 #include "mechanics/model/data.hpp"
 #include "methods/contract/description.hpp"
@@ -228,6 +229,8 @@ class Engine {
     /// Builds the system. Throws ParameterError if the parameters do not describe a system.
     virtual SystemSummary summary(const std::string& problem, const ParameterValues&,
                                   const std::string& formulation) const = 0;
+    /// What is drawn of a problem. Throws ParameterError.
+    virtual Geometry geometry(const std::string& problem, const ParameterValues&) const = 0;
     /// A method under these options, which may decide its order and its estimate.
     virtual MethodDescription method(const std::string& name, const OptionValues&) const = 0;
     /// The coefficients of a method; none where its family has no such data.

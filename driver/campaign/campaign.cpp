@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "driver/campaign/earlier.hpp"
+#include "driver/campaign/geometry.hpp"
 #include "driver/campaign/interrupt.hpp"
 #include "driver/campaign/results.hpp"
 #include "driver/campaign/work.hpp"
@@ -121,7 +122,10 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
         messages << "note: references are kept in the results only: " << complaint << "\n";
     }
     const Finished finished = campaign->finished();
-    if (shard.empty()) { write_results(plan, finished, table_units(plan, engines.binary64), folder); }
+    if (shard.empty()) {
+        write_results(plan, finished, table_units(plan, engines.binary64), folder);
+        write_geometries(plan, engines.binary64, folder);
+    }
     state.counts = report.counts = count_cells(plan, finished, settings);
     report.interrupted = InterruptGuard::requested() && report.counts.missing > 0;
     if (report.counts.missing == 0 && (!earlier.journals.foreign.empty() || earlier.damaged)) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "driver/campaign/geometry.hpp"
 #include "driver/campaign/results.hpp"
 #include "records/folder/damage.hpp"
 #include "records/folder/owned_files.hpp"
@@ -148,6 +149,7 @@ Exit merge_command(const Paths& folders, const std::filesystem::path& output, co
     for (const auto& folder : folders) { merger.add(folder); }
     merger.write_journal();
     write_results(plan, merger.finished(), table_units(plan, engines.binary64), target);
+    write_geometries(plan, engines.binary64, target);
     const CellCounts counts = state.counts = count_cells(plan, merger.finished(), {});
     state.ended = utc_now();
     state.journal = std::filesystem::file_size(journal_file(target, ""));

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "records/cell/record.hpp"
+#include "records/geometry.hpp"
 #include "records/journal.hpp"
 #include "records/manifest.hpp"
 #include "records/sums/sum_list.hpp"
@@ -60,6 +61,7 @@ std::vector<std::string> files_of_run(const std::string& shard, bool samples, bo
     std::vector<std::string> files = {manifest_file("", shard).string(), journal_file("", shard).string()};
     if (shard.empty()) {
         for (const char* name : {"results.jsonl", "results.csv", "sums.sha256"}) { files.emplace_back(name); }
+        if (samples) { files.emplace_back(geometry_file); }
     }
     if (samples) { files.push_back(any_trajectory); }
     if (references) { files.push_back(any_reference); }

@@ -19,7 +19,7 @@ namespace {
 constexpr int deepest = 100;
 
 /// Up to here every whole number is a double.
-constexpr double largest_whole = 9007199254740992;
+constexpr double largest_exact_whole = 9007199254740992;
 
 std::size_t skip_digits(std::string_view word, std::size_t at) {
     return std::min(word.find_first_not_of("0123456789", at), word.size());
@@ -207,7 +207,7 @@ double JsonValue::number() const {
 
 long JsonValue::count() const {
     const double value = kind == Kind::number ? number() : 0.5;
-    if (value != std::floor(value) || std::fabs(value) > largest_whole) { refuse("a whole number", *this); }
+    if (value != std::floor(value) || std::fabs(value) > largest_exact_whole) { refuse("a whole number", *this); }
     return static_cast<long>(value);
 }
 

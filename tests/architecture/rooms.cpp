@@ -11,6 +11,7 @@ constexpr bool talks = true;
 
 const std::string names_of_cells = "plots/tables/names.hpp";
 const std::string interface = "engine/engine.hpp";
+const std::string geometry = "engine/geometry.hpp";
 const std::string metrics = "engine/metrics/description.hpp";
 const std::string motion = "mechanics/model/motion.hpp";
 const std::string model_data = "mechanics/model/data.hpp";
@@ -71,8 +72,11 @@ const std::vector<Room>& rooms() {
          {"arkode/", "cvode/", "ida/", "nvector/", "sundials/", "sunlinsol/", "sunmatrix/", "sunnonlinsol/"}},
         {"peers", {"methods", "mechanics", "lie"}, numbers},
         {metrics, {}, {}},
-        {interface, {metrics, model_data, "methods/contract/description.hpp", "problems/description.hpp"}, {}},
-        {"engine/report", {interface, "mechanics", "lie"}, numbers},
+        {geometry, {model_data}, {}},
+        {interface,
+         {geometry, metrics, model_data, "methods/contract/description.hpp", "problems/description.hpp"},
+         {}},
+        {"engine/report", {interface, geometry, "mechanics", "lie"}, numbers},
         {"engine/structure", {"mechanics", "lie"}, numbers},
         {"engine/metrics",
          {interface, metrics, "engine/report", "engine/structure", "mechanics", "lie", registered, registration},
@@ -98,13 +102,21 @@ const std::vector<Room>& rooms() {
         {"records/diff", {"records", interface, "support"}, {"fmt/"}, talks},
         {"records/folder", {"records", interface, "support"}, {"fmt/"}, talks},
         {"records/remarks", {"records", "support"}, {"fmt/"}, talks},
-        {"records", {"records", interface, "support"}, {"fmt/", "nlohmann/"}, talks},
+        {"records", {"records", interface, geometry, "support"}, {"fmt/", "nlohmann/"}, talks},
         {names_of_cells, {"records", "support"}, {"fmt/"}, talks},
         {"plots/laws", {names_of_cells, "records", "support"}, {"fmt/"}, talks},
         {"plots/tables", {"plots/laws", names_of_cells, "records", "support"}, {"fmt/"}, talks},
         {"plots/diff", {"plots/tables", "records", "support"}, {"fmt/"}, talks},
-        {"plots/figures/kinds", {"plots/figures", "plots/laws", names_of_cells, "records", "support"}, {"fmt/"}, talks},
+        {"plots/figures/kinds",
+         {"plots/figures", "plots/laws", "plots/mechanism", names_of_cells, "records", "support"},
+         {"fmt/"},
+         talks},
         {"plots/figures", {names_of_cells, "records", "support"}, {"fmt/", "nlohmann/"}, talks},
+        {"plots/mechanism", {geometry, "support"}, {}},
+        {"plots/report",
+         {"plots/figures", "plots/mechanism", "plots/tables", "plots/wanting.hpp", "records", "support"},
+         {"fmt/", "nlohmann/"},
+         talks},
         {"plots", {"plots", "records", "support"}, {"fmt/"}, talks},
         {"driver/config",
          {"plots/figures/spec.hpp", "plots/figures/schema.hpp", "records", interface,

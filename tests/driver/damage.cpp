@@ -40,6 +40,7 @@ struct SmallFolder {
         for (const char* name : {"results.jsonl", "journal.jsonl", "manifest.json", "results.csv", "sums.sha256"}) {
             all.push_back(folder / name);
         }
+        all.push_back(folder / "geometry.json");
         for (const char* below : {"trajectories", "references"}) {
             all.push_back(std::filesystem::directory_iterator(folder / below)->path());
         }

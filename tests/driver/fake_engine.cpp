@@ -174,6 +174,11 @@ SystemSummary FakeEngine::summary(const std::string& problem, const ParameterVal
     return summary;
 }
 
+Geometry FakeEngine::geometry(const std::string& /*problem*/, const ParameterValues& parameters) const {
+    const LinkGeometry pin{"pin", "spherical", {"ground", "top"}, {Vector3{0, 0, 0}, Vector3{0, -1, 0}}};
+    return {{{"top", mass_of(parameters), {0.2, 0, 0, 0, 0.1, 0, 0, 0, 0.2}}}, {pin}};
+}
+
 MethodDescription FakeEngine::method(const std::string& name, const OptionValues& options) const {
     const auto all = methods();
     auto described = *std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });

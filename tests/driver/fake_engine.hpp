@@ -24,6 +24,8 @@ class FakeEngine final : public Engine {
     std::vector<MetricDescription> metrics() const override;
     SystemSummary summary(const std::string& problem, const ParameterValues&,
                           const std::string& formulation) const override;
+    /// A body, "top", on a pin.
+    Geometry geometry(const std::string& problem, const ParameterValues&) const override;
     MethodDescription method(const std::string& name, const OptionValues&) const override;
     /// Two rows of any method.
     std::vector<SchemeRow> scheme(const std::string&) const override { return {{"a_2", {"1/2"}}, {"b", {"0", "1"}}}; }

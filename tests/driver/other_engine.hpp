@@ -18,6 +18,9 @@ class OtherEngine : public Engine {
                           const std::string& formulation) const override {
         return fake_.summary(problem, values, formulation);
     }
+    Geometry geometry(const std::string& problem, const ParameterValues& values) const override {
+        return fake_.geometry(problem, values);
+    }
     MethodDescription method(const std::string& name, const OptionValues& options) const override {
         return fake_.method(name, options);
     }
