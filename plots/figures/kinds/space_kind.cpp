@@ -13,25 +13,6 @@ namespace kreisel {
 
 namespace {
 
-BodyPath read_path(const TrajectoryTable& table, const std::string& body) {
-    std::vector<const std::vector<double>*> columns = {table.find("t")};
-    for (int i = 1; i <= 3; ++i) { columns.push_back(table.find(fmt::format("{}.x{}", body, i))); }
-    for (int i = 1; i <= 3; ++i) {
-        for (int j = 1; j <= 3; ++j) { columns.push_back(table.find(fmt::format("{}.R{}{}", body, i, j))); }
-    }
-    for (const auto* column : columns) {
-        if (column == nullptr || column->empty()) { throw FigureError("the trajectory lacks t, x or R of the body"); }
-    }
-    BodyPath path{*columns[0], {}, {}};
-    for (std::size_t k = 0; k < path.t.size(); ++k) {
-        path.x.push_back({(*columns[1])[k], (*columns[2])[k], (*columns[3])[k]});
-        std::array<double, 9> R{};
-        for (std::size_t i = 0; i < 9; ++i) { R[i] = (*columns[4 + i])[k]; }
-        path.R.push_back(R);
-    }
-    return path;
-}
-
 struct SpaceBox {
     Point3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
     void add(const Point3& point) {
@@ -76,14 +57,33 @@ std::string settings_text(const SpaceKind& figure, const SpaceBox& box, const Bo
 
 }  // namespace
 
+BodyPath path_of_body(const TrajectoryTable& samples, const std::string& body) {
+    std::vector<const std::vector<double>*> columns = {samples.find("t")};
+    for (int i = 1; i <= 3; ++i) { columns.push_back(samples.find(fmt::format("{}.x{}", body, i))); }
+    for (int i = 1; i <= 3; ++i) {
+        for (int j = 1; j <= 3; ++j) { columns.push_back(samples.find(fmt::format("{}.R{}{}", body, i, j))); }
+    }
+    for (const auto* column : columns) {
+        if (column == nullptr || column->empty()) { throw FigureError("the trajectory lacks t, x or R of the body"); }
+    }
+    BodyPath path{*columns[0], {}, {}};
+    for (std::size_t k = 0; k < path.t.size(); ++k) {
+        path.x.push_back({(*columns[1])[k], (*columns[2])[k], (*columns[3])[k]});
+        std::array<double, 9> R{};
+        for (std::size_t i = 0; i < 9; ++i) { R[i] = (*columns[4 + i])[k]; }
+        path.R.push_back(R);
+    }
+    return path;
+}
+
 void SpaceKind::write(const Results& results, const std::filesystem::path& folder) const {
     const ResultRow row = selected_trajectory(*this, results);
     const TrajectoryTable table = samples_until(until, row, folder);
-    const BodyPath path = read_path(table, body_of(*this, body, table));
+    const BodyPath path = path_of_body(table, body_of(*this, body, table));
     SpaceBox box;
     for (const Point3& x : path.x) { box.add(x); }
     std::string lines;
-    for (const TimedLine& line : drawn_bodies(path, row)) {
+    for (const TimedLine& line : drawn_bodies(path, row, table, folder)) {
         for (const Point3& point : line.points) { box.add(point); }
         lines += polyline_text(line.points, {line.t});
     }

@@ -33,9 +33,16 @@ class SpaceKind : public Figure {
     void write(const Results& results, const std::filesystem::path& folder) const final;
 
   protected:
-    /// What is drawn besides the path.
-    virtual std::vector<TimedLine> drawn_bodies(const BodyPath& /*path*/, const ResultRow& /*row*/) const { return {}; }
+    /// What is drawn besides the path. `folder` holds the results.
+    virtual std::vector<TimedLine> drawn_bodies(const BodyPath& /*path*/, const ResultRow& /*row*/,
+                                                const TrajectoryTable& /*samples*/,
+                                                const std::filesystem::path& /*folder*/) const {
+        return {};
+    }
 };
+
+/// The path of a body among samples. Throws FigureError where columns are missing.
+BodyPath path_of_body(const TrajectoryTable& samples, const std::string& body);
 
 /// The keys of such kinds.
 std::vector<FigureKey> space_keys();
