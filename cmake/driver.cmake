@@ -19,6 +19,15 @@ add_custom_command(OUTPUT ${bibliography_source} DEPENDS ${bibliography} ${CMAKE
                            -P ${CMAKE_SOURCE_DIR}/cmake/bibliography.cmake)
 target_sources(kreisel_driver PRIVATE ${bibliography_source})
 set_source_files_properties(${bibliography_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+# Style and script of the page that `kreisel report` writes.
+set(page_parts page.css text.js table.js plot.js figures.js matrix.js scene.js motion.js stage.js camera.js player.js page.js)
+list(TRANSFORM page_parts PREPEND ${CMAKE_SOURCE_DIR}/plots/report/web/)
+set(page_source ${CMAKE_BINARY_DIR}/generated/kreisel_page.cpp)
+add_custom_command(OUTPUT ${page_source} DEPENDS ${page_parts} ${CMAKE_SOURCE_DIR}/cmake/page.cmake
+                   COMMAND ${CMAKE_COMMAND} -D "PARTS=${page_parts}" -D TO=${page_source}
+                           -P ${CMAKE_SOURCE_DIR}/cmake/page.cmake VERBATIM)
+target_sources(kreisel_driver PRIVATE ${page_source})
+set_source_files_properties(${page_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 target_include_directories(kreisel_driver PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
 find_library(KREISEL_NETTLE nettle REQUIRED)  # SHA-256
 target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 GSL::gsl Threads::Threads

@@ -8,10 +8,8 @@
 #include "plots/figures/gnuplot.hpp"
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
-#include "records/cell/stepping.hpp"
+#include "plots/wanting.hpp"
 #include "records/folder/derived_files.hpp"
-#include "records/json/strict.hpp"
-#include "records/kinds/kind.hpp"
 #include "records/sums/sum_list.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
@@ -19,29 +17,6 @@
 namespace kreisel {
 
 namespace {
-
-using Figures = std::vector<std::unique_ptr<Figure>>;
-
-Figures figure_of_kind(const std::string& kind, const std::string& experiment) {
-    const ExperimentKind* known = find_experiment_kind(kind);
-    if (known == nullptr) {
-        throw FigureError(fmt::format("{}: no figure shows an experiment of kind {}; describe one under \"figure\"",
-                                      experiment, kind));
-    }
-    Figures figures;
-    figures.push_back(standard_figure(known->figure, experiment));
-    return figures;
-}
-
-Figures figures_of(const Results& results) {
-    if (results.config.empty()) { throw FileError("manifest.json: no config in it; figures need one"); }
-    const Document document = parse_document("manifest.json (config)", results.config);
-    if (!document.value.contains("figure")) { return figure_of_kind(results.kind, results.name); }
-    Diagnostics diagnostics(document);
-    Figures figures = read_figures(Node(document.value.at("figure"), "/figure", diagnostics), results.name);
-    diagnostics.raise();
-    return figures;
-}
 
 // The files of a figure, below the folder.
 std::vector<std::string> files_of(const Figure& figure) {
@@ -74,27 +49,14 @@ bool is_drawn(const Draw& draw_it) {
     }
 }
 
-// What is wanting, a line for each cell.
-void print_wanting(const Results& results) {
-    for (const auto* rows : {&results.rows, &results.missing}) {
-        for (const ResultRow& row : *rows) {
-            if (row.ok() || row.status == "skipped") { continue; }
-            std::cerr << fmt::format("{}: {} on {} {}, projection {}, {}, {}\n", row.status, row.method, row.label,
-                                     row.formulation, row.projection, row.precision, stepping_text(row));
-        }
-    }
-}
-
 }  // namespace
 
 Exit plot_command(const std::filesystem::path& folder, const PlannedCells& planned) {
     require_results(folder);
     const FolderLock lock(folder, "");
     const Results results = read_results(folder, planned);
-    if (!results.warning.empty()) { std::cerr << results.warning << "\n"; }
-    for (const std::string& damage : results.damage) { std::cerr << damage << "\n"; }
     print_wanting(results);
-    Figures figures;
+    std::vector<std::unique_ptr<Figure>> figures;
     bool drawn = is_drawn([&] { figures = figures_of(results); });
     const auto scripts = plot_scripts();
     make_folder(folder / "figures");

@@ -98,7 +98,10 @@ ResultRow result_row(const CellRecord& record) {
                   .t_reached = outcome.t_reached,
                   .has_trajectory = !outcome.trajectory.empty(),
                   .trajectory_sum = outcome.trajectory_sum};
-    for (const auto& [name, number] : outcome.metrics) { row.metrics[name] = number.value; }
+    for (const auto& [name, number] : outcome.metrics) {
+        row.metrics[name] = number.value;
+        if (identity.quad()) { row.digits[name] = number.text; }
+    }
     for (const auto& [name, count] : outcome.counts) { row.cost[name] = count.value; }
     if (outcome.final) { row.scale = scales(*outcome.final); }
     if (identity.order) { row.declared_order = declared_orders(*identity.order); }

@@ -26,6 +26,7 @@ struct ResultRow {
     std::string controller;  ///< of steps to a tolerance
     double t_reached = 0;    ///< of a failed cell, s
     std::map<std::string, double> metrics;
+    std::map<std::string, std::string> digits;      ///< of the metrics of a quad cell, as written
     std::map<std::string, std::string> unmeasured;  ///< metrics that are not defined, and why
     std::map<std::string, double> reference_error;  ///< by error.* metric; empty without a reference
     double reference_horizon = 0;                   ///< s; 0 without a reference

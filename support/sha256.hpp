@@ -10,5 +10,7 @@ namespace kreisel {
 
 /// 64 hexadecimal digits, lower case, as sha256sum prints them.
 std::string sha256_text(std::string_view text);
+/// The 32 bytes themselves.
+std::string sha256_bytes(std::string_view text);
 
 }  // namespace kreisel

@@ -17,6 +17,7 @@
 #include "driver/config/schema.hpp"
 #include "kreisel_build.hpp"
 #include "plots/plot.hpp"
+#include "plots/report/report.hpp"
 #include "plots/table.hpp"
 #include "records/json/diagnostics.hpp"
 #include "records/provenance.hpp"
@@ -182,6 +183,11 @@ void CommandLine::add_results() {
         command("table", "Tables from results", [this, planned] { return table_command(arguments_.folder, planned); }));
     add_folder(
         command("plot", "Figures from results", [this, planned] { return plot_command(arguments_.folder, planned); }));
+    CLI::App* report = command("report", "One page (HTML) with results, tables, figures and motion", [this, planned] {
+        return report_command(arguments_.folder, arguments_.output, planned);
+    });
+    add_folder(report);
+    report->add_option("-o,--output", arguments_.output, "File to write (default: report.html in the folder)");
     CLI::App* verify = command("verify", "Computes some cells again and compares them byte for byte", [this] {
         return verify_command(arguments_.folder, arguments_.cells, arguments_.seed, build_id(), engines_, terminal_);
     });

@@ -17,7 +17,8 @@ struct Point {
 struct Curve {
     std::string label;
     std::vector<Point> points;
-    int style = 1;  ///< line, point and dash type; equal numbers have equal styles in all panels
+    int style = 1;                   ///< line, point and dash type; equal numbers have equal styles in all panels
+    std::vector<Point> fitted = {};  ///< those that the order in the label was fitted to
 };
 
 struct Mark {

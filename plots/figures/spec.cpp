@@ -6,6 +6,9 @@
 #include <set>
 
 #include "plots/figures/kind.hpp"
+#include "records/json/strict.hpp"
+#include "records/kinds/kind.hpp"
+#include "support/errors.hpp"
 
 namespace kreisel {
 
@@ -43,6 +46,17 @@ std::unique_ptr<Figure> read_figure(const Node& node, const std::string& experim
     return figure;
 }
 
+std::vector<std::unique_ptr<Figure>> figure_of_kind(const std::string& kind, const std::string& experiment) {
+    const ExperimentKind* known = find_experiment_kind(kind);
+    if (known == nullptr) {
+        throw FigureError(fmt::format("{}: no figure shows an experiment of kind {}; describe one under \"figure\"",
+                                      experiment, kind));
+    }
+    std::vector<std::unique_ptr<Figure>> figures;
+    figures.push_back(standard_figure(known->figure, experiment));
+    return figures;
+}
+
 }  // namespace
 
 std::unique_ptr<Figure> standard_figure(const std::string& kind, const std::string& experiment) {
@@ -61,6 +75,16 @@ std::vector<std::unique_ptr<Figure>> read_figures(const Node& figure, const std:
         }
         figures.push_back(std::move(one));
     }
+    return figures;
+}
+
+std::vector<std::unique_ptr<Figure>> figures_of(const Results& results) {
+    if (results.config.empty()) { throw FileError("manifest.json: no config in it; figures need one"); }
+    const Document document = parse_document("manifest.json (config)", results.config);
+    if (!document.value.contains("figure")) { return figure_of_kind(results.kind, results.name); }
+    Diagnostics diagnostics(document);
+    auto figures = read_figures(Node(document.value.at("figure"), "/figure", diagnostics), results.name);
+    diagnostics.raise();
     return figures;
 }
 

@@ -20,4 +20,8 @@ std::vector<std::unique_ptr<Figure>> read_figures(const Node& figure, const std:
 /// A figure of that kind with all keys at their defaults. Throws FigureError where there is no such kind.
 std::unique_ptr<Figure> standard_figure(const std::string& kind, const std::string& experiment);
 
+/// The figures of a folder: those that its config asks for, else one of the kind of the experiment. Throws FigureError,
+/// FileError where the manifest holds no config.
+std::vector<std::unique_ptr<Figure>> figures_of(const Results& results);
+
 }  // namespace kreisel

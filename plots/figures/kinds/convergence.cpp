@@ -101,6 +101,8 @@ class ConvergenceFigure final : public CurveKind {
         drawn.remark =
             ": " + (failed ? enhanced_escape(group.front().status) : law() + (past ? ", past the horizon" : ""));
         for (const WorkPoint& point : points) { drawn.points.push_back({point.x, point.error}); }
+        const ObservedOrder order = order_of(group, metric);
+        if (x_of(group) == "h" && order.order && !failed) { drawn.fitted = window_points(order); }
         return drawn;
     }
     // One triangle for each whole order, below the lowest of its curves, where there is space.

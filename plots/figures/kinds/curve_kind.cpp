@@ -79,7 +79,8 @@ PanelFigure CurveKind::panels(const Results& results, const std::filesystem::pat
                 const auto one = curve(group, metric, folder);
                 if (!one) { continue; }
                 const std::string label = legends.name(group.front());
-                panel->curves.push_back({enhanced_escape(label) + one->remark, one->points, legends.style(label)});
+                panel->curves.push_back(
+                    {enhanced_escape(label) + one->remark, one->points, legends.style(label), one->fitted});
                 if (!one->guide.empty()) { panel->guides.push_back(one->guide); }
                 drawn.push_back(group);
             }

@@ -17,7 +17,8 @@ namespace kreisel {
 struct DrawnCurve {
     std::vector<Point> points;
     std::string remark;
-    std::vector<Point> guide = {};  ///< a fitted law; empty: none
+    std::vector<Point> guide = {};   ///< a fitted law; empty: none
+    std::vector<Point> fitted = {};  ///< the points it was fitted to
 };
 
 /// A kind says which rows it draws, which of them form a curve, and what a panel and a curve look like.

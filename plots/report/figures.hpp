@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The figures of a folder as data of the page: the curves that gnuplot draws.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "plots/figures/panels.hpp"
+#include "records/results.hpp"
+
+namespace kreisel {
+
+struct ReportFigures {
+    std::string json;                    ///< a list of objects
+    std::vector<std::string> not_drawn;  ///< why, a text for each figure that could not be drawn
+};
+
+/// A list of {"name", "kind", "title", "columns", "marks", "panels"}, or with "not_drawn", why, in place of the last;
+/// one in space has "space": true. Labels are enhanced text of gnuplot. A curve has "x", "y" (null: a gap), "style",
+/// "fitted" (indices).
+ReportFigures report_figures(const Results& results, const std::filesystem::path& folder);
+
+/// A panel as JSON, for tests.
+std::string json_value(const Panel& panel);
+
+}  // namespace kreisel

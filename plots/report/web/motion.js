@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Motions as the page holds them, and the parts of a mechanism that follow its bodies.
+
+const bytesOf = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;
+
+// The samples of a cell that the page holds.
+class Motion {
+  constructor(cell) {
+    this.names = cell.bodies;
+    this.t = new Float64Array(bytesOf(cell.t));
+    this.x = new Float64Array(bytesOf(cell.x));
+    this.q = cell.q === null ? null : new Int16Array(bytesOf(cell.q));
+    this.end = this.t[this.t.length - 1];
+  }
+  position(body, i) {
+    const at = 3 * (i * this.names.length + body);
+    return [this.x[at], this.x[at + 1], this.x[at + 2]];
+  }
+  rotation(body, i) {
+    const at = 4 * (i * this.names.length + body);
+    return this.q ? [0, 1, 2, 3].map((k) => this.q[at + k] / 32767) : [1, 0, 0, 0];
+  }
+  // The instant before a time, and how far it is to the next one.
+  instant(time) {
+    let low = 0, high = this.t.length - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.t[middle] <= time) low = middle;
+      else high = middle;
+    }
+    const part = high > low ? (time - this.t[low]) / (this.t[high] - this.t[low]) : 0;
+    return [low, high, Math.min(Math.max(part, 0), 1)];
+  }
+  pose(body, time) {
+    const [i, j, part] = this.instant(time), q = this.rotation(body, i), r = this.rotation(body, j);
+    const mixed = q.map((value, k) => value + part * (r[k] - value)), size = Math.hypot(...mixed) || 1;
+    const x = this.position(body, i);
+    return pose4(add3(x, add3(this.position(body, j), x, -1), part), mixed.map((value) => value / size));
+  }
+  // Whether some body turns by more than a third of a turn from an instant to the next.
+  isCoarse() {
+    for (let i = 1; this.q && i < this.t.length; i++)
+      for (let body = 0; body < this.names.length; body++) {
+        const q = this.rotation(body, i - 1), r = this.rotation(body, i);
+        if (Math.abs(q[0] * r[0] + q[1] * r[1] + q[2] * r[2] + q[3] * r[3]) < 0.5) return true;
+      }
+    return false;
+  }
+}
+
+// Distance of two motions over time: the norm over all bodies, at the instants that both have.
+function distanceCurve(a, b) {
+  const x = [], y = [];
+  if (a.names.join() !== b.names.join()) return null;
+  for (let i = 0, j = 0; i < a.t.length && j < b.t.length;) {
+    const gap = a.t[i] - b.t[j];
+    if (Math.abs(gap) > 1e-9 * (Math.abs(a.t[i]) + 1e-9)) {
+      if (gap < 0) i++;
+      else j++;
+      continue;
+    }
+    let sum = 0;
+    for (let body = 0; body < a.names.length; body++) {
+      const d = length3(add3(a.position(body, i), b.position(body, j), -1));
+      sum += d * d;
+    }
+    x.push(a.t[i]);
+    y.push(Number.isFinite(sum) ? Math.sqrt(sum) : null);
+    i++;
+    j++;
+  }
+  return {label: '', style: 1, x, y};
+}
+
+// Parts of a mechanism about the frames of its bodies: "ground" or the index of a body, a matrix there, solid, colour.
+function partsOf(mechanism, names, size) {
+  const parts = [], springs = [], thin = 0.014 * size, ball = 0.034 * size;
+  const home = (name) => (name === 'ground' ? 'ground' : names.indexOf(name));
+  const known = new Map(((mechanism && mechanism.bodies) || []).map((body) => [body.name, body]));
+  names.forEach((name, body) => {
+    const shape = known.get(name);
+    if (!shape || shape.shape === 'point')
+      parts.push({
+        at: body,
+        solid: 'sphere',
+        model: frame4([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [1.7, 1.7, 1.7].map((v) => v * ball), [0, 0, 0]),
+        pattern: 2,
+        body
+      });
+    else
+      parts.push({
+        at: body,
+        solid: shape.shape,
+        model: frame4(shape.axes, shape.sizes, [0, 0, 0]),
+        pattern: {cylinder: 1, sphere: 2}[shape.shape] || 0,
+        body
+      });
+  });
+  for (const link of (mechanism && mechanism.links) || []) {
+    if (link.type === 'spring' || link.type === 'distance') springs.push({link, ends: link.between.map(home)});
+    link.between.map(home).forEach((at, side) => {
+      if (at === -1) return;
+      const point = link.points[side], axis = link.axes[side],
+            turns = ['revolute', 'cylindrical', 'universal'].includes(link.type);
+      const colour = at === 'ground' ? 'ground' : 'joint';
+      if (at !== 'ground' && length3(point) > 1e-9 * size)
+        parts.push({at, solid: 'cylinder', model: rod4([0, 0, 0], point, thin), colour: 'joint'});
+      if (at === 'ground')
+        parts.push({
+          at,
+          solid: 'box',
+          model: frame4([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [1.3 * ball, 1.3 * ball, 0.5 * ball], point),
+          colour
+        });
+      else if (turns) parts.push({at, solid: 'cylinder', model: along4(axis, [ball, ball, 1.9 * ball], point), colour});
+      else if (link.type === 'prismatic' || link.type === 'fixed')
+        parts.push({at, solid: 'box', model: along4(axis || [0, 0, 1], [ball, ball, 1.9 * ball], point), colour});
+      else if (link.type !== 'rolling')
+        parts.push({at, solid: 'sphere', model: along4([0, 0, 1], [ball, ball, ball], point), colour});
+    });
+  }
+  return {parts, springs};
+}
+
+// The box that a motion takes, with all its parts.
+function boundsOf(motion, mechanism) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  const take = (p) => p.forEach((value, k) => {
+    if (Math.abs(value) < 1e6) {
+      low[k] = Math.min(low[k], value);
+      high[k] = Math.max(high[k], value);
+    }
+  });
+  for (let i = 0; i < motion.t.length; i++)
+    for (let body = 0; body < motion.names.length; body++) take(motion.position(body, i));
+  let reach = 0;
+  for (const body of (mechanism && mechanism.bodies) || []) reach = Math.max(reach, length3(body.sizes) / 2);
+  for (const link of (mechanism && mechanism.links) || [])
+    link.between.forEach((name, side) => {
+      if (name === 'ground') take(link.points[side]);
+      else reach = Math.max(reach, length3(link.points[side]));
+    });
+  if (!(low[0] <= high[0])) return {low: [-1, -1, -1], high: [1, 1, 1]};
+  const spread = Math.max(...high.map((value, k) => value - low[k]));
+  const margin = spread > 0 ? Math.min(reach, spread) : reach || 1;
+  return {low: low.map((value) => value - margin), high: high.map((value) => value + margin)};
+}

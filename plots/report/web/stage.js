@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One mechanism in its part of the picture.
+
+class Stage {
+  constructor(scene, cell, motion) {
+    const mechanism = cell.mechanism === null ? null : data.motion.mechanisms[cell.mechanism];
+    this.scene = scene;
+    this.cell = cell;
+    this.motion = motion;
+    this.bounds = boundsOf(motion, mechanism);
+    const extent = add3(this.bounds.high, this.bounds.low, -1);
+    this.size = Math.max(...extent);
+    Object.assign(this, partsOf(mechanism, motion.names, this.size * 0.6));
+    const few = motion.names.length <= 6;
+    this.trails = motion.names.map(
+        (name, body) =>
+            (few || body === motion.names.length - 1 ?
+                 scene.lines([...motion.t.keys()].flatMap((i) => motion.position(body, i))) :
+                 null));
+    this.grid = scene.lines(this.gridLines());
+  }
+  gridLines() {
+    const {low, high} = this.bounds, lines = [], half = 0.62 * this.size,
+                middle = [0, 1].map((k) => (low[k] + high[k]) / 2), z = low[2];
+    for (let i = -6; i <= 6; i++) {
+      const at = (i / 6) * half;
+      lines.push(
+          middle[0] + at, middle[1] - half, z, middle[0] + at, middle[1] + half, z, middle[0] - half, middle[1] + at, z,
+          middle[0] + half, middle[1] + at, z);
+    }
+    return lines;
+  }
+  paint(time, withTrails, colours) {
+    const {scene, motion} = this, poses = motion.names.map((name, body) => motion.pose(body, time));
+    const at = (home) => (home === 'ground' ? identity4 : poses[home]);
+    scene.segments(this.grid, identity4, colours.grid);
+    for (const part of this.parts)
+      scene.solid(
+          part.solid, multiply4(at(part.at), part.model),
+          part.body === undefined ? colours[part.colour] : colours.bodies[part.body % 7], part.pattern);
+    for (const {link, ends} of this.springs) {
+      if (ends.includes(-1)) continue;
+      const [a, b] = ends.map((home, side) => apply4(at(home), link.points[side]));
+      scene.solid('cylinder', rod4(a, b, 0.008 * this.size), colours.spring);
+    }
+    const drawn = motion.instant(Math.min(time, motion.end))[0] + 1;
+    if (withTrails)
+      this.trails.forEach(
+          (trail, body) => trail &&
+              scene.strip(
+                  trail, colours.bodies[body % 7],
+                  drawn + 1 >= motion.t.length && time >= motion.end ? drawn + 1 : drawn));
+  }
+  remove() {
+    for (const lines of [this.grid, ...this.trails])
+      if (lines) this.scene.remove(lines);
+  }
+}
