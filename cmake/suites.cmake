@@ -158,6 +158,12 @@ if(KREISEL_CLANG_FORMAT)
   set_tests_properties(architecture.format PROPERTIES LABELS architecture)
 endif()
 
+# Report pages in a browser. Where there is none the test says so and is skipped, unless KREISEL_REQUIRE has `browser`.
+if(TARGET kreisel)
+  add_test(NAME browser.report COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/browser/report.py $<TARGET_FILE:kreisel>)
+  set_tests_properties(browser.report PROPERTIES LABELS browser SKIP_RETURN_CODE 77 TIMEOUT 600)
+endif()
+
 # The table of controls that ./check writes at its end, which runs every check on every control.
 if(TARGET test_orders_binary64)
   add_test(NAME orders.controls COMMAND test_orders_binary64 "[list]")

@@ -1,0 +1,278 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page that `kreisel report` writes, used as a reader uses it: report.py PROGRAM [FOLDER...]
+
+Without folders it runs two small experiments, whose labels hold markup. With folders it opens their reports only, and
+prints size and load time of each.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from browser import Browser, require_browser  # noqa: E402
+
+EVIL = "</script><script>window.injected = 1</script><img src=x onerror='window.injected = 1'>"
+LARGEST = 2500000
+
+ORDERS = {
+    "name": "page_orders", "kind": "convergence", "description": "Orders, " + EVIL,
+    "problems": [{"name": "heavy_top", "label": EVIL}, "free_top"],
+    "methods": ["rkmk/rk4", "rkmk/midpoint", "baseline/rk4_quaternion"], "formulations": ["SO3xR3", "SE3"],
+    "time": {"end": 0.2, "steps": {"from": 64, "levels": 5}},
+}
+MOTION = {
+    "name": "page_motion", "kind": "drift",
+    "problems": ["double_pendulum", "four_bar"],
+    "methods": ["rkmk/rk4", "rkmk/euler"], "projections": ["none", "position_velocity"],
+    "time": {"end": 4, "steps": 800}, "output": {"samples": 200},
+}
+
+
+def report_of(program, folder, config):
+    """Runs a config and writes its report."""
+    file = folder / (config["name"] + ".json")
+    file.write_text(json.dumps(config))
+    results = folder / config["name"]
+    ran = subprocess.run([program, "run", file, "-o", results, "-j", "1"], capture_output=True, text=True)
+    assert ran.returncode in (0, 1), ran.stderr
+    return written(program, results, folder / (config["name"] + ".html"))
+
+
+def written(program, results, page):
+    made = subprocess.run([program, "report", results, "-o", page], capture_output=True, text=True)
+    assert made.returncode in (0, 1), made.stderr
+    return page
+
+
+def ready(browser, page):
+    """Opens a page; the seconds until it is complete."""
+    start = time.monotonic()
+    browser.open(page)
+    assert browser.run("return document.documentElement.dataset.ready") == "true", "the script did not come to its end"
+    return time.monotonic() - start
+
+
+def check_quiet(browser, what):
+    complaints = browser.complaints()
+    assert not complaints, f"{what}: {complaints}"
+
+
+def rows(browser):
+    return browser.run("return document.querySelectorAll('#tables tbody tr').length")
+
+
+def column_of(browser, title):
+    """The texts of a column of the shown table."""
+    return browser.run("""
+        const heads = [...document.querySelectorAll('#tables thead th')];
+        const at = heads.findIndex((head) => head.textContent.split(' [')[0] === arguments[0]);
+        return [...document.querySelectorAll('#tables tbody tr')].map((row) => row.children[at].textContent);""", title)
+
+
+def put(browser, selector, value):
+    browser.run("""const node = document.querySelector(arguments[0]);
+        node.value = arguments[1];
+        node.dispatchEvent(new Event(node.tagName === 'SELECT' ? 'change' : 'input'));""", selector, value)
+
+
+def check_table(browser):
+    everything = rows(browser)
+    assert everything == 60, everything
+    put(browser, "#tables input[type=search]", "method:rkmk/rk4 steps>100")
+    kept = rows(browser)
+    assert kept == 16, kept  # of two problems in two formulations, four counts of steps
+    put(browser, "#tables input[type=search]", "")
+    head = "[...document.querySelectorAll('#tables thead button')].find((one) => one.textContent.startsWith('h '))"
+    for direction in ("ascending", "descending"):
+        browser.run(f"{head}.click()")
+        shown = [float(text) for text in column_of(browser, "h")]
+        assert shown == sorted(shown, reverse=direction == "descending"), direction
+        assert browser.run(f"return {head}.parentNode.getAttribute('aria-sort')") == direction
+        assert browser.run(f"return document.activeElement === {head}"), "sorting loses the focus"
+    browser.run("document.querySelector('#tables .bar input[type=checkbox]').click()")
+    data = browser.run("return JSON.parse(document.getElementById('data').textContent).tables[0].columns")
+    exact = next(one for one in data if one["title"].startswith("error.position"))["numbers"]
+    shown = [float(text) for text in column_of(browser, "error.position") if text]
+    assert sorted(shown) == sorted(value for value in exact if value is not None), "digits are lost"
+
+
+def check_figure(browser):
+    count = "return document.querySelectorAll('.figure .curve path[d^=M]').length"
+    before = browser.run(count)
+    browser.run("document.querySelector('.figure .legend button').click()")
+    assert browser.run(count) < before, "the legend does not hide a curve"
+    browser.run("document.querySelector('.figure .legend button').click()")
+    assert browser.run(count) == before
+    ticks = "return [...document.querySelectorAll('.figure svg')].map((one) => one.textContent).join()"
+    logarithmic = browser.run(ticks)
+    browser.run("document.querySelector('.figure [aria-label=\"Scale of the y axis\"] button').click()")
+    assert browser.run(ticks) != logarithmic, "a linear axis looks like a logarithmic one"
+    assert browser.run("return document.querySelectorAll('.figure .mark.fitted').length") > 0, "no window is shown"
+    browser.run("""const svg = document.querySelector('.figure .plot > svg'); svg.focus();
+        svg.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight'}));""")
+    tip = browser.run("return document.querySelector('.figure .tip:not([hidden])').textContent")
+    assert "h [s] = " in tip, tip
+
+
+def check_labels(browser):
+    assert browser.run("return window.injected") is None, "a label was run"
+    assert browser.run("return document.querySelectorAll('#report img, #report script').length") == 0
+    assert EVIL in browser.run("return document.getElementById('report').textContent"), "the label is not shown"
+
+
+def pixels(browser):
+    """How many pixels of the canvas differ from its corner, and a sum of all."""
+    return browser.run("""
+        const canvas = document.querySelector('#motion canvas'), copy = document.createElement('canvas');
+        copy.width = canvas.width; copy.height = canvas.height;
+        const context = copy.getContext('2d');
+        context.drawImage(canvas, 0, 0);
+        const data = context.getImageData(0, 0, copy.width, copy.height).data;
+        let count = 0, sum = 0;
+        for (let i = 0; i < data.length; i += 4) {
+            if (data[i] !== data[0] || data[i + 1] !== data[1] || data[i + 2] !== data[2]) count++;
+            sum = (sum * 31 + data[i] + 7 * data[i + 1] + 13 * data[i + 2]) % 1000000007;
+        }
+        return [count, sum];""")
+
+
+def wait_until(holds, complaint, most=60):
+    """Software rendering on a loaded machine takes its time."""
+    end = time.monotonic() + most
+    while not holds():
+        assert time.monotonic() < end, complaint
+        time.sleep(0.1)
+
+
+def clock(browser):
+    return float(browser.run("return document.querySelector('#motion .clock').textContent").split()[2])
+
+
+def check_motion(browser):
+    drawn, at_start = pixels(browser)
+    assert drawn > 3000, f"the picture is blank: {drawn} pixels"
+    put(browser, "#motion input[type=range]", "1.5")
+    assert abs(clock(browser) - 1.5) < 1e-3
+    later = pixels(browser)[1]
+    assert later != at_start, "scrubbing does not move the picture"
+    browser.run("document.querySelector('#motion .play').click()")
+    wait_until(lambda: clock(browser) > 1.6, "it does not play")
+    browser.run("document.querySelector('#motion .play').click()")
+    played = clock(browser)
+    time.sleep(0.5)
+    assert clock(browser) == played, "it does not pause"
+    assert pixels(browser)[1] != later
+    paths = browser.run("return document.querySelectorAll('.distance .curve path[d^=M]').length")
+    assert paths == 1, "no distance is drawn"
+    browser.run("""document.querySelector('#motion canvas').dispatchEvent(
+        new KeyboardEvent('keydown', {key: 'ArrowLeft', cancelable: true}))""")
+    assert pixels(browser)[1] != later, "the view does not turn"
+
+
+def check_stopped(browser):
+    """A cell that failed says when and why."""
+    browser.run("""const left = document.querySelector('#motion select');
+        const at = [...left.options].findIndex((one) => /four_bar.*rk4.*no projection/.test(one.textContent));
+        left.value = at; left.dispatchEvent(new Event('change'));""")
+    put(browser, "#motion input[type=range]", "4")
+    said = browser.run("return document.querySelector('#motion .stop').textContent")
+    assert said.startswith("stopped at t = ") and "singular_kkt" in said, said
+
+
+def check_access(browser):
+    unnamed = browser.run("""
+        return [...document.querySelectorAll('button, select, input, a, canvas, [tabindex]')].filter((node) =>
+            !(node.textContent.trim() || node.getAttribute('aria-label') || (node.labels && node.labels.length)))
+            .map((node) => node.outerHTML.slice(0, 90));""")
+    assert not unnamed, unnamed
+    contrast = """
+        const style = getComputedStyle(document.documentElement);
+        const light = (name) => {
+            const hex = style.getPropertyValue(name).trim();
+            const part = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)
+                .map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+            return 0.2126 * part[0] + 0.7152 * part[1] + 0.0722 * part[2];
+        };
+        const ratio = (a, b) => (Math.max(light(a), light(b)) + 0.05) / (Math.min(light(a), light(b)) + 0.05);
+        return arguments[0].map(([a, b]) => [a, b, ratio(a, b)]);"""
+    texts = ("--ink", "--faint", "--accent", "--bad", "--good")
+    pairs = [[text, page] for text in texts for page in ("--page", "--soft")]
+    pairs += [["--bad", "--bad-soft"], ["--tip-ink", "--tip"]]
+    for _ in ("one theme", "the other"):
+        poor = [pair for pair in browser.run(contrast, pairs) if pair[2] < 4.5]
+        assert not poor, poor
+        browser.run("document.querySelector('nav button').click()")
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.keys import Keys
+    browser.run("document.activeElement.blur()")
+    reached = set()
+    for _ in range(12):
+        ActionChains(browser.driver).send_keys(Keys.TAB).perform()
+        reached.add(browser.run("const one = document.activeElement; return one.tagName + one.textContent.slice(0, 20)"))
+        assert browser.run("return getComputedStyle(document.activeElement).outlineStyle") != "none", "focus is invisible"
+    assert len(reached) > 8, reached
+
+
+def check_control(browser, page):
+    """What a page must not do is noticed: a script that is not ours, a request, an error."""
+    text = page.read_text()
+    faults = {
+        "a script": text.replace("<main", "<script>window.injected = 1</script><main", 1),
+        "a request": text.replace("<main", '<img src="http://127.0.0.1:9/x.png" alt=""><main', 1),
+        "a changed script": text.replace("'use strict';", "'use strict';window.injected = 1;", 1),
+    }
+    for name, faulty in faults.items():
+        assert faulty != text, name
+        changed = page.with_name("control.html")
+        changed.write_text(faulty)
+        browser.open(changed)
+        assert browser.run("return window.injected") is None, f"control: {name} was run"
+        assert browser.complaints(), f"control: {name} was not noticed"
+
+
+def without_webgl(page):
+    with Browser("--disable-3d-apis") as browser:
+        ready(browser, page)
+        said = browser.run("return document.getElementById('motion').textContent")
+        assert "no WebGL2" in said, said
+        assert rows(browser) > 0
+
+
+def check_own(program):
+    with tempfile.TemporaryDirectory() as folder:
+        orders = report_of(program, pathlib.Path(folder), ORDERS)
+        motion = report_of(program, pathlib.Path(folder), MOTION)
+        with Browser() as browser:
+            ready(browser, orders)
+            for check in (check_labels, check_table, check_figure, check_access):
+                check(browser)
+            said = browser.run("return document.getElementById('motion').textContent")
+            assert '"output": {"samples": 500}' in said, said
+            check_quiet(browser, "orders")
+            ready(browser, motion)
+            for check in (check_motion, check_stopped, check_access):
+                check(browser)
+            check_quiet(browser, "motion")
+            check_control(browser, orders)
+        without_webgl(motion)
+    print("browser.report: plays, scrubs, filters, sorts; no error, request or violation")
+
+
+def check_folders(program, folders):
+    with tempfile.TemporaryDirectory() as scratch, Browser() as browser:
+        for folder in map(pathlib.Path, folders):
+            page = written(program, folder, pathlib.Path(scratch) / (folder.name + ".html"))
+            size = page.stat().st_size
+            seconds = ready(browser, page)
+            check_quiet(browser, folder.name)
+            print(f"{folder.name}: {size} bytes, {seconds:.2f} s")
+            assert size <= LARGEST, f"{folder.name}: expected at most {LARGEST} bytes"
+
+
+if __name__ == "__main__":
+    require_browser()
+    check_folders(sys.argv[1], sys.argv[2:]) if sys.argv[2:] else check_own(sys.argv[1])
