@@ -53,7 +53,7 @@ std::string data_json(const Results& results, const std::filesystem::path& folde
         .member("config", results.config.empty() ? "null" : results.config)
         .member("provenance", provenance_json(folder))
         .member("figures", figures)
-        .member("motion", report_motion(results, folder))
+        .member("motions", report_motion(results, folder))
         .member("tables", report_tables(results, folder))
         .text();
 }

@@ -14,14 +14,8 @@ namespace {
 
 constexpr std::size_t room_for_tables = 1500000;  // bytes, beside that of all cells
 
-// Those that show nothing but columns of all cells come last.
-bool repeats_cells(const std::string& table) {
-    static const std::vector<std::string> names = {"errors", "cost", "invariants", "not_ok"};
-    return std::find(names.begin(), names.end(), table) != names.end();
-}
-
 struct NamedTable {
-    bool last;
+    bool last;  // repeats columns of all cells
     TextTable table;
 };
 
@@ -31,7 +25,7 @@ std::vector<NamedTable> tables_of(const Results& results, const std::filesystem:
         if (!table.applies(results)) { continue; }
         for (TablePair& pair : table.make(results, folder)) {
             pair.full.notes.insert(pair.full.notes.end(), pair.brief.notes.begin(), pair.brief.notes.end());
-            if (!pair.full.rows.empty()) { all.push_back({repeats_cells(table.name), std::move(pair.full)}); }
+            if (!pair.full.rows.empty()) { all.push_back({table.repeats_cells, std::move(pair.full)}); }
         }
     }
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.last < b.last; });

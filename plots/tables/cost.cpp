@@ -41,6 +41,7 @@ KREISEL_TABLE({.name = "cost",
                .place = 90,
                .applies = always,
                .is_printed = never,
+               .repeats_cells = true,
                .make = cost_tables});
 
 }  // namespace kreisel

@@ -108,6 +108,7 @@ KREISEL_TABLE({.name = "errors",
                .place = 40,
                .applies = has_errors,
                .is_printed = always,
+               .repeats_cells = true,
                .make = errors_tables});
 
 }  // namespace kreisel

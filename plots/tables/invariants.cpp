@@ -41,6 +41,7 @@ KREISEL_TABLE({.name = "invariants",
                .place = 80,
                .applies = always,
                .is_printed = has_no_errors,
+               .repeats_cells = true,
                .make = invariants_tables});
 
 }  // namespace kreisel

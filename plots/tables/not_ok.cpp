@@ -31,6 +31,7 @@ KREISEL_TABLE({.name = "not_ok",
                .place = 100,
                .applies = always,
                .is_printed = always,
+               .repeats_cells = true,
                .make = not_ok_tables});
 
 }  // namespace kreisel

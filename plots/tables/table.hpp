@@ -35,6 +35,7 @@ struct ResultTable {
     int place = 0;        ///< tables are written and printed in ascending order of it; each has its own
     OfResults applies = always;
     OfResults is_printed = always;  ///< on the terminal, not only written
+    bool repeats_cells = false;     ///< shows nothing but columns of all cells
     /// `folder` holds the results and their trajectories. A table without rows is not written.
     std::vector<TablePair> (*make)(const Results& results, const std::filesystem::path& folder) = nullptr;
 };

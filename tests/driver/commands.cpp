@@ -142,7 +142,7 @@ TEST_CASE("info tells all that has the name of a kind, and the keys of figures")
     CHECK(tells(scaling, "\"cost.step_per_body\""));
     CHECK(tells(scaling, "scaling, a table: "));
     const auto motion = run_program({"info", "motion"}).out;
-    CHECK(tells(motion, "how many tops, evenly spaced over time: a whole number from 1 to 100 (default 9)"));
+    CHECK(tells(motion, "how many pictures, evenly spaced over time: a whole number from 1 to 100 (default 9)"));
     CHECK(tells(motion, "[elevation, azimuth] (default [65.0,35.0])"));
     CHECK(tells(run_program({"info", "drift"}).out, "Metrics: \"defect.*\", \"invariant.*\" by default\n"));
     CHECK(tells(run_program({"info", "motoin"}).messages, "did you mean \"motion\"?"));

@@ -216,7 +216,9 @@ TEST_CASE("a resume says what is damaged, and computes it again to the same byte
             CAPTURE(file.string(), result.messages);
             CHECK(result.code == 0);
             CHECK(outputs(small.folder) == before);
-            CHECK(run_program({"verify", small.folder.string(), "--cells", "0"}).code == 0);
+            const auto verified = run_program({"verify", small.folder.string(), "--cells", "0"});
+            CAPTURE(verified.messages);
+            CHECK(verified.code == 0);
         });
     }
 }

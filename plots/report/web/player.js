@@ -186,7 +186,7 @@ class Player {
 }
 
 function motionView() {
-  const shown = data.motion.cells, small = (text) => make('p', {class: 'faint small'}, text);
+  const shown = data.motions.cells, small = (text) => make('p', {class: 'faint small'}, text);
   if (!shown.length) {
     return make('p', {class: 'faint'},
         'No cell of this experiment keeps samples, so that there is no motion to show. The key ',
@@ -199,7 +199,7 @@ function motionView() {
     return make('p', {class: 'alert'},
         'This browser has no WebGL2: the motion is not shown. The figures and tables are complete without it.');
   }
-  return make('div', {}, new Player(shown, canvas, scene).root, data.motion.remarks.map(small),
+  return make('div', {}, new Player(shown, canvas, scene).root, data.motions.remarks.map(small),
       small('Drag turns the view, shift-drag moves it, the wheel comes nearer once the picture is clicked. ' +
             'Bodies are drawn as homogeneous solids of their mass and inertia; rods lead from mass centres to joints.'));
 }

@@ -3,7 +3,7 @@
 
 class Stage {
   constructor(scene, cell, motion) {
-    const mechanism = cell.mechanism === null ? null : data.motion.mechanisms[cell.mechanism];
+    const mechanism = cell.mechanism === null ? null : data.motions.mechanisms[cell.mechanism];
     this.scene = scene;
     this.cell = cell;
     this.motion = motion;
