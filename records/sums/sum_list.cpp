@@ -73,8 +73,22 @@ void write_sum_list(const std::filesystem::path& folder, const SumList& list) {
     write_atomically(folder / sum_list_name, entries + last_comment(entries));
 }
 
-void record_sums(const std::filesystem::path& folder, const std::vector<std::string>& paths) {
+namespace {
+
+// Of a list whose own sum does not hold any line may be wrong: a file that differs from its line counts as unfinished.
+SumList list_to_change(const std::filesystem::path& folder) {
     SumList list = read_sum_list(folder);
+    if (list.damage.empty()) { return list; }
+    for (auto& [path, sum] : list.sums) {
+        if (!is_file(folder / path) || sha256_text(read_text(folder / path)) != sum) { sum = unfinished_sum; }
+    }
+    return list;
+}
+
+}  // namespace
+
+void record_sums(const std::filesystem::path& folder, const std::vector<std::string>& paths) {
+    SumList list = list_to_change(folder);
     for (const std::string& path : paths) {
         if (is_file(folder / path)) {
             list.sums[path] = sha256_text(read_text(folder / path));
@@ -86,7 +100,7 @@ void record_sums(const std::filesystem::path& folder, const std::vector<std::str
 }
 
 void announce_files(const std::filesystem::path& folder, const std::vector<std::string>& paths) {
-    SumList list = read_sum_list(folder);
+    SumList list = list_to_change(folder);
     for (const std::string& path : paths) { list.sums[path] = unfinished_sum; }
     write_sum_list(folder, list);
 }

@@ -10,6 +10,7 @@ set -euo pipefail
 shared=(
     Cell Column ConstraintSummary Cost Eigenvalue Engine Linearisation LostIntegral MotionPart Number             # engine.hpp
     Outcome Reference ReferenceCheck ReferenceSample ReportedBody ReportedReaction ReportedState SchemeRow SystemSummary
+    BodyGeometry Geometry LinkGeometry                          # engine/geometry.hpp
     MetricDescription integral_suffixes                         # engine/metrics/description.hpp
     matches matches_any brief_text                              # support/pattern.hpp, support/number_text.hpp: texts
     Status name                                                 # lie/status.hpp: an enumeration, and texts
