@@ -3,7 +3,6 @@
 
 #include <malloc.h>
 
-#include <algorithm>
 #include <ctime>
 
 #include "engine/engine.hpp"
@@ -32,7 +31,6 @@ double heap_bytes() {
 bool RepeatedTimes::enough() const { return runs_ > 0 && total_ >= least_seconds / timing_rounds; }
 
 void RepeatedTimes::add(double seconds) {
-    fastest_ = runs_ == 0 ? seconds : std::min(fastest_, seconds);
     total_ += seconds;
     ++runs_;
 }

@@ -18,9 +18,10 @@ TextTable scaling_table(const Results& results, std::string (*number)(double)) {
         cell_table("scaling", "Time and memory: " + results.name,
                    {"steps", "bodies", "per step [s]", "per step and body [s]", "memory [bytes]", "per body [bytes]"});
     table.notes = {
-        "CPU time of a step: that of the fastest of several runs, divided by its steps. Memory: what model, system, "
-        "method, projection and state occupy on the heap; differences of a few kB are noise. Both depend on "
-        "the machine, the time also on its load."};
+        "CPU time of a step: the mean of the runs of the fastest of five rounds, divided by their steps. Memory: what "
+        "model, system, method, projection and state occupy on the heap; differences of a few kB are noise. Both "
+        "depend "
+        "on the machine, the time also on its load."};
     for (const ResultRow& row : rows) {
         if (!row.ok()) { continue; }
         std::vector<std::string> cells = {fmt::format("{}", row.steps), fmt::format("{}", row.bodies)};

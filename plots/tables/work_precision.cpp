@@ -22,8 +22,8 @@ using Costs = std::vector<std::optional<CostAtAccuracy>>;  ///< by group
 const std::vector<std::string> work_precision_notes = {
     "The lowest cost at which the error falls to the accuracy in the head of the column, by interpolation of the "
     "logarithms between neighbouring cells, never extrapolated. An asterisk marks the lowest on the problem, \"<=\" an "
-    "upper bound: the cheapest cell is more accurate already, or has no error. CPU times are those of the fastest of "
-    "several runs, and depend on the machine and its load."};
+    "upper bound: the cheapest cell is more accurate already, or has no error. CPU times are means over the "
+    "runs of the fastest of five rounds, and depend on the machine and its load."};
 
 bool is_of_costs(const Results& results) {
     const ExperimentKind* kind = find_experiment_kind(results.kind);
