@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "methods/contract/integrator.hpp"
+#include "methods/contract/take_over.hpp"
 #include "methods/splitting/free_flow.hpp"
+#include "methods/splitting/kick.hpp"
 #include "methods/tableaus/bound_tableau.hpp"
 
 namespace kreisel {
@@ -31,39 +33,25 @@ class Splitting final : public Integrator {
     Splitting(System& system, const SplittingScheme& scheme)
         : system_(system),
           flow_(system),
+          kick_(system),
           scheme_(scheme),
-          y_(static_cast<std::size_t>(system.state_group().size())),
-          force_(static_cast<std::size_t>(system.velocities())),
-          rate_(force_) {}
+          y_(static_cast<std::size_t>(system.state_group().size())) {}
 
     Status step(const Real& t, const Real& h, Real* y) override {
         std::copy_n(y, y_.size(), y_.begin());
         flow_.weigh(y);
         Real now = t;
-        if (const Status status = kick(now, scheme_.kicks[0] * h); status != Status::ok) return status;
+        if (const Status status = kick_(now, scheme_.kicks[0] * h, y_.data()); status != Status::ok) return status;
         for (std::size_t i = 0; i < scheme_.drifts.size(); ++i) {
             drift(scheme_.drifts[i] * h);
             now = i + 1 < scheme_.drifts.size() ? Real(now + scheme_.drifts[i] * h) : Real(t + h);
-            if (const Status status = kick(now, scheme_.kicks[i + 1] * h); status != Status::ok) return status;
+            if (const Status status = kick_(now, scheme_.kicks[i + 1] * h, y_.data()); status != Status::ok)
+                return status;
         }
-        Real sum = 0;
-        for (const Real& entry : y_) sum += entry;
-        if (!isfinite(sum)) return Status::non_finite;
-        std::copy(y_.begin(), y_.end(), y);
-        return Status::ok;
+        return take_over(y_, y);
     }
 
   private:
-    /// v <- v + b h M^{-1} f(t, q).
-    Status kick(const Real& t, const Real& b_h) {
-        if (b_h == 0) return Status::ok;
-        system_.count_evaluation();
-        system_.conservative_force(t, y_.data(), force_.data());
-        const Status status = system_.solve_kkt(t, y_.data(), force_.data(), nullptr, rate_.data(), nullptr);
-        Real* v = system_.v(y_.data());
-        for (std::size_t i = 0; i < rate_.size(); ++i) v[i] += b_h * rate_[i];
-        return status;
-    }
     void drift(const Real& a_h) {
         flow_.advance(a_h, y_.data(), system_.v(y_.data()));
         ++work_.exponentials;
@@ -71,8 +59,9 @@ class Splitting final : public Integrator {
 
     System& system_;
     FreeFlow flow_;
+    Kick kick_;
     Palindromes scheme_;
-    std::vector<Real> y_, force_, rate_;
+    std::vector<Real> y_;
 };
 
 std::string why_not_split(const System& system) {

@@ -15,6 +15,8 @@
 
 #include "mechanics/free_body/inertias.hpp"
 #include "methods/contract/integrator.hpp"
+#include "methods/contract/take_over.hpp"
+#include "methods/splitting/kick.hpp"
 #include "methods/variational/discrete_rotation.hpp"
 
 namespace kreisel {
@@ -28,9 +30,9 @@ class LieVerlet final : public Integrator {
         : system_(system),
           distance_(distance),
           inertias_(system),
+          kick_(system),
           y_(static_cast<std::size_t>(system.state_group().size())),
           u_(static_cast<std::size_t>(system.velocities())),
-          force_(u_),
           rate_(u_) {
         bodies_.reserve(static_cast<std::size_t>(inertias_.bodies()));
     }
@@ -39,31 +41,17 @@ class LieVerlet final : public Integrator {
         if (h == 0) return system_.accelerations(t, y, system_.v(y), rate_.data(), nullptr);
         weigh(y);
         std::copy_n(y, y_.size(), y_.begin());
-        Status status = kick(t, h / 2);
+        Status status = kick_(t, h / 2, y_.data());
         if (status == Status::ok) status = drift(h);
-        if (status == Status::ok) status = kick(t + h, h / 2);
+        if (status == Status::ok) status = kick_(t + h, h / 2, y_.data());
         if (status != Status::ok) return status;
-        Real sum = 0;
-        for (const Real& entry : y_) sum += entry;
-        if (!isfinite(sum)) return Status::non_finite;
-        std::copy(y_.begin(), y_.end(), y);
-        return Status::ok;
+        return take_over(y_, y);
     }
 
   private:
     struct Inertia {
         Mat3 J, inverse;
     };
-
-    /// v <- v + time M^{-1} f(t, q).
-    Status kick(const Real& t, const Real& time) {
-        system_.count_evaluation();
-        system_.conservative_force(t, y_.data(), force_.data());
-        const Status status = system_.solve_kkt(t, y_.data(), force_.data(), nullptr, rate_.data(), nullptr);
-        Real* v = system_.v(y_.data());
-        for (std::size_t i = 0; i < rate_.size(); ++i) v[i] += time * rate_[i];
-        return status;
-    }
 
     Status drift(const Real& h) {
         Real *v = system_.v(y_.data()), *u = u_.data();
@@ -94,7 +82,8 @@ class LieVerlet final : public Integrator {
     System& system_;
     RotationDistance distance_;
     BodyInertias inertias_;
-    std::vector<Real> y_, u_, force_, rate_;
+    Kick kick_;
+    std::vector<Real> y_, u_, rate_;
     std::vector<Inertia> bodies_;
 };
 

@@ -7,6 +7,7 @@
 #include "mechanics/free_body/free_rotation.hpp"
 #include "mechanics/free_body/inertias.hpp"
 #include "methods/contract/integrator.hpp"
+#include "methods/contract/take_over.hpp"
 #include "methods/variational/modified_moments.hpp"
 
 namespace kreisel {
@@ -90,11 +91,7 @@ class MoserVeselov final : public Integrator {
         }
         system_.group().append_cay(y_.data(), u_.data(), y_.data());
         ++work_.exponentials;
-        Real sum = 0;
-        for (const Real& entry : y_) sum += entry;
-        if (!isfinite(sum)) return Status::non_finite;
-        std::copy(y_.begin(), y_.end(), y);
-        return Status::ok;
+        return take_over(y_, y);
     }
 
   private:

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "lie/real.hpp"
+#include "lie/status.hpp"
+
+namespace kreisel {
+inline namespace KREISEL_PRECISION {
+
+/// y <- next, if all of next is finite; else y stays and the answer is `non_finite`. A sum shows it: no entry that is not
+/// finite can be cancelled.
+inline Status take_over(const std::vector<Real>& next, Real* y) {
+    Real sum = 0;
+    for (const Real& entry : next) sum += entry;
+    if (!isfinite(sum)) return Status::non_finite;
+    std::copy(next.begin(), next.end(), y);
+    return Status::ok;
+}
+
+}  // namespace KREISEL_PRECISION
+}  // namespace kreisel
