@@ -16,8 +16,7 @@ target_link_libraries(kreisel_rapid PUBLIC rapidcheck)
 set(KREISEL_FOLDERS_driver driver driver/cli driver/config driver/diff)
 set(KREISEL_FOLDERS_methods methods methods/control methods/families)
 set(KREISEL_FOLDERS_metamorphic metamorphic metamorphic/descriptions metamorphic/models)
-set(KREISEL_FOLDERS_orders orders judges/conditions judges/conditions/solved judges/families judges/steps
-    judges/steps/multistep)
+set(KREISEL_FOLDERS_orders orders judges/families judges/steps judges/steps/multistep)
 set(KREISEL_FOLDERS_outside peers/simbody)
 set(KREISEL_FOLDERS_peers peers/methods)
 set(KREISEL_FOLDERS_problems problems judges/problems)
@@ -69,6 +68,21 @@ function(kreisel_controls precision)
   target_link_libraries(kreisel_controls_${precision} PRIVATE kreisel_flags_${precision} Catch2::Catch2 fmt::fmt GSL::gsl)
 endfunction()
 
+# Order conditions in exact arithmetic and 100 digits: neither precision is theirs, so they are compiled once, and their
+# tests are part of the suite in double.
+file(GLOB conditions CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/judges/conditions/*.cpp
+     ${CMAKE_SOURCE_DIR}/tests/judges/conditions/solved/*.cpp)
+file(GLOB exact_tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/orders/exact/*.cpp)
+function(kreisel_conditions)
+  add_library(kreisel_conditions OBJECT ${conditions})
+  kreisel_unite(kreisel_conditions)
+  kreisel_compile_quickly(kreisel_conditions)
+  kreisel_precompile(kreisel_conditions tests_binary64)
+  target_link_libraries(kreisel_conditions PRIVATE kreisel_flags_binary64 Catch2::Catch2 fmt::fmt GSL::gsl)
+  set_target_properties(kreisel_conditions PROPERTIES UNITY_BUILD_CODE_BEFORE_INCLUDE
+                                                      "#include <boost/multiprecision/eigen.hpp>")
+endfunction()
+
 kreisel_controls(binary64)
 kreisel_suite(series binary64 LIBRARIES kreisel_lie_binary64)
 kreisel_suite(lie binary64 LIBRARIES kreisel_lie_binary64 kreisel_rapid)
@@ -79,7 +93,9 @@ kreisel_suite(peers binary64 LIBRARIES kreisel_binary64 kreisel_peers_binary64)
 kreisel_suite(architecture plain)
 target_link_libraries(test_architecture_plain PRIVATE fmt::fmt)
 if(NOT KREISEL_SANITIZE)  # exact rationals compile slowly there
-  kreisel_suite(orders binary64 LIBRARIES kreisel_binary64 kreisel_controls_binary64 kreisel_order)
+  kreisel_conditions()
+  kreisel_suite(orders binary64 LIBRARIES kreisel_binary64 kreisel_controls_binary64 kreisel_order kreisel_conditions
+                SOURCES ${exact_tests})
   include(cmake/simbody.cmake)
   kreisel_suite(outside binary64 LIBRARIES kreisel_binary64 kreisel_simbody
                 SOURCES ${CMAKE_SOURCE_DIR}/tests/problems/states.cpp)
@@ -109,7 +125,8 @@ if(KREISEL_BINARY128)
   kreisel_suite(problems binary128 LIBRARIES kreisel_binary128)
   kreisel_controls(binary128)
   kreisel_suite(methods binary128 LIBRARIES kreisel_binary128 kreisel_controls_binary128 kreisel_order)
-  kreisel_suite(orders binary128 LIBRARIES kreisel_binary128 kreisel_controls_binary128 kreisel_order)
+  kreisel_suite(orders binary128 LIBRARIES kreisel_binary128 kreisel_controls_binary128 kreisel_order
+                SOURCES $<TARGET_OBJECTS:kreisel_conditions>)
   find_package(SUNDIALS 6 REQUIRED)  # an independent reference, for tests only
   kreisel_suite(reference binary128 LIBRARIES kreisel_binary128 GSL::gsl SUNDIALS::ida_shared SUNDIALS::nvecserial_shared
                 SUNDIALS::sunmatrixdense_shared SUNDIALS::sunlinsoldense_shared)
@@ -188,17 +205,6 @@ if(KREISEL_VALGRIND AND KREISEL_HAS_X86_64_V3 AND TARGET kreisel AND CMAKE_BUILD
   set_tests_properties(instructions.rkmk.rk4.1 PROPERTIES WILL_FAIL ON)
 endif()
 
-# The longest first, so that none is left alone at the end: seconds, as ctest remembers them of earlier runs.
-foreach(long methods.binary128:380 campaign.plain:200 metamorphic.binary128:130 reference.binary128:100
-        metamorphic.binary64:60)
-  string(REPLACE ":" ";" long ${long})
-  list(GET long 0 name)
-  list(GET long 1 cost)
-  if(TEST ${name})
-    set_tests_properties(${name} PROPERTIES COST ${cost})
-  endif()
-endforeach()
-
 # A few mutants of each kind, so that the tools that make them stay alive. They reuse the objects of this build.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_GENERATOR STREQUAL "Ninja")
   foreach(sample "series:lie/small_angle.hpp:40" "tableaus:methods/:4")
@@ -211,3 +217,14 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_GENERATOR STREQUAL "Ninja")
     set_tests_properties(mutation.${name} PROPERTIES LABELS mutation RESOURCE_LOCK mutation TIMEOUT 900)
   endforeach()
 endif()
+
+# The longest first, so that none is left alone at the end: seconds, as ctest remembers them of earlier runs.
+foreach(long methods.binary128:380 campaign.plain:200 metamorphic.binary128:130 reference.binary128:100
+        mutation.tableaus:70 metamorphic.binary64:60)
+  string(REPLACE ":" ";" long ${long})
+  list(GET long 0 name)
+  list(GET long 1 cost)
+  if(TEST ${name})
+    set_tests_properties(${name} PROPERTIES COST ${cost})
+  endif()
+endforeach()

@@ -12,7 +12,7 @@ using namespace kreisel::metamorphic;
 
 namespace {
 
-constexpr int steps = KREISEL_QUAD ? 16 : 64;
+constexpr int steps = KREISEL_QUAD ? 8 : 64;
 
 /// The required numbers of comparisons, by class.
 struct Least {

@@ -89,13 +89,13 @@ TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") 
 
 TEST_CASE("a linkage moves the same in every unit", "[methods]") {
     const Model one = planar_four_bar();
-    const int steps = KREISEL_QUAD ? 25 : 100;
+    const int steps = KREISEL_QUAD ? 10 : 100;
     for_each_implicit([&](const Method& entry) {
         Trip reference(one, "SO3xR3", entry);
         REQUIRE(reference.run(Real(steps) / 200, steps) == Status::ok);
         for (const int length : {-20, -7, 10, 20})
             for (const int mass : {-20, 0, 20}) {
-                if (KREISEL_QUAD && (abs(length) != 20 || mass == 0)) continue;  // slow, and the same code
+                if (KREISEL_QUAD && (abs(length) != 20 || mass != -length)) continue;  // slow, and the same code
                 INFO("lengths times 2^" << length << ", masses times 2^" << mass);
                 const Real L = pow(Real(2), length), m = pow(Real(2), mass);
                 Trip trip(in_units(one, L, m), "SO3xR3", entry);
@@ -107,7 +107,7 @@ TEST_CASE("a linkage moves the same in every unit", "[methods]") {
 
 TEST_CASE("a linkage moves the same in every place", "[methods]") {
     const Model one = planar_four_bar();
-    const int steps = KREISEL_QUAD ? 25 : 50;
+    const int steps = KREISEL_QUAD ? 10 : 50;
     for_each_implicit([&](const Method& entry) {
         Trip reference(one, "SO3xR3", entry);
         REQUIRE(reference.run(Real(steps) / 200, steps) == Status::ok);
@@ -130,6 +130,7 @@ TEST_CASE("implicit methods handle stiff springs and dampers", "[methods]") {
     for_each_implicit([&](const Method& entry) {
         for (const Real& stiffness : {Real(100), Real(10000)})
             for (const Real& damping : {Real(0), Real(stiffness / 100)}) {
+                if (KREISEL_QUAD && stiffness * damping == 0) continue;  // slow, and the same code
                 INFO("stiffness " << stiffness << ", damping " << damping);
                 for (const Model& model : {standard("double_pendulum"), linked(12, {{ground, 0},
                                                                                     {0, 1},
@@ -165,8 +166,8 @@ OptionValues damping_options(const Method& entry) {
     return options;
 }
 
-/// Of an undamped spring: RATTLie and Lobatto pairs have forces at the ends of a step, and are unstable from some h^2 k/m
-/// on (4, with two stages), Adams-Moulton methods of order 3 and more at any.
+/// Of an undamped spring: RATTLie and Lobatto pairs have forces at the ends of a step, and are unstable from some h^2
+/// k/m on (4, with two stages), Adams-Moulton methods of order 3 and more at any.
 bool is_stable_for_small_steps_alone(const Method& entry) {
     const std::string& name = entry.description.name;
     return entry.description.claims(Property::symplectic) || name.starts_with("rkmk/lobatto3ab") ||

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Every registered Munthe-Kaas method satisfies the classical conditions of its declared order, violates one of the
-// next order, and its estimate is of the order it declares; a change of any single coefficient is detected.
+// next order, and its estimate and dense output are of the orders it declares; a change of any single coefficient is
+// detected.
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -82,6 +83,32 @@ TEST_CASE("an estimate is declared as it is", "[butcher]") {
     CHECK(tableau_objection(euler, 1, 2) == "the embedded solution is not better than the one advanced");
     euler.b_hat = euler.b;
     CHECK(tableau_objection(euler, 1, most_order + 1) == "the embedded solution does not tell the error from zero");
+}
+
+TEST_CASE("a coefficient of dense output off by 1e-6 lowers its order", "[butcher]") {
+    int changes = 0;
+    for (const Method* method : registered<MuntheKaasScheme>()) {
+        Tableau tableau = scheme_of<MuntheKaasScheme>(*method)->tableau;
+        INFO(method->description.name);
+        for (auto& row : tableau.dense)
+            for (Coefficient& entry : row) {
+                const Coefficient declared = entry;
+                const Rational changed = exact(declared) + Rational(1, 1000000);
+                entry = {static_cast<long>(numerator(changed)), static_cast<long>(denominator(changed))};
+                CHECK(dense_order(tableau) < method->description.dense);
+                entry = declared, ++changes;
+            }
+    }
+    CHECK(changes >= 30);
+}
+
+TEST_CASE("dense output must end where the step does", "[butcher]") {
+    Tableau heun = heun_euler();
+    CHECK(dense_order(heun) == 0);
+    heun.dense = {{1, {-1, 2}}, {0, {1, 2}}};  // theta - theta^2/2, theta^2/2
+    CHECK(dense_order(heun) == 2);
+    heun.dense = {{1, {-1, 3}}, {0, {1, 3}}};
+    CHECK(dense_order(heun) == 0);
 }
 
 TEST_CASE("a misprint is named by its row where nodes are given", "[butcher]") {
