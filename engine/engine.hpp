@@ -118,7 +118,7 @@ struct Cost {
     long projection_iterations = 0;  ///< Gauss-Newton iterations, all steps
     long output_evaluations = 0;     ///< solves for start, metrics and samples
     double cpu_s = 0;
-    std::optional<double> run_s;   ///< of a timed cell: CPU time of its fastest run in the first round, s
+    std::optional<double> run_s;   ///< of a timed cell: CPU time of a run, mean of the first round, s
     std::optional<double> step_s;  ///< the same per step, s
     std::optional<double> memory;  ///< of a timed cell: what model, system, method, projection and state occupy, bytes
 };
@@ -243,8 +243,8 @@ class Engine {
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop) const {
         return run(cell, reference, stop, nullptr);
     }
-    /// A further round of a timed or repeated cell: CPU time of the fastest of its runs, s; nothing if they do not come
-    /// to the end.
+    /// A further round of a timed or repeated cell: mean CPU time of its runs, s; nothing if they do not come to the
+    /// end.
     virtual std::optional<double> run_time(const Cell&, const std::stop_token&) const = 0;
     /// The reference solution of a problem at `t_end`, and at so many equidistant samples on the way; requested only
     /// from the quad engine.

@@ -42,10 +42,13 @@ Setup setup_of(const Cell& cell) {
             decimal(cell.tolerance), cell.controller};
 }
 
-/// Whether samples may fall between steps: they are of order p - 1 at least, or steps are cut short for them.
-bool interpolates(const Cell& cell) {
-    const Order order = method(cell.method).factory.order(cell.options, method(cell.method).description.order);
-    return cell.tolerance > 0 && cell.dense && order.configuration <= Interpolant::order + 1;
+/// How samples are taken: between steps, if they are of order p - 1 at least, else steps are cut short for them.
+Sampler::Between between_steps(const Cell& cell) {
+    if (cell.tolerance == 0 || !cell.dense) return Sampler::Between::none;
+    const MethodDescription& method = kreisel::method(cell.method).description;
+    const int least = kreisel::method(cell.method).factory.order(cell.options, method.order).configuration - 1;
+    if (method.dense > 0 && method.dense >= least) return Sampler::Between::own;
+    return Interpolant::order >= least ? Sampler::Between::ends : Sampler::Between::none;
 }
 
 /// A simulation and its observers: all objects of one cell.
@@ -54,7 +57,7 @@ class Run {
     /// `reference` and `sink` may be null.
     Run(const Cell& cell, const Reference* reference, SampleSink* sink);
     Outcome execute(const std::stop_token& stop);
-    /// A round of runs without measuring: the fastest, s; nothing if one has not come to its end.
+    /// A round of runs without measuring: their mean time, s; nothing if one has not come to its end.
     std::optional<double> time(const std::stop_token& stop);
 
   private:
@@ -114,7 +117,7 @@ Run::Run(const Cell& cell, const Reference* reference, SampleSink* sink)
                          Sampled{simulation_.model(), *joint_forces_, step_metrics_, integral_metrics_,
                                  sample_errors_ ? &*sample_errors_ : nullptr,
                                  cell.repeated ? [this] { return work(); } : std::function<Cost()>()},
-                         interpolates(cell), sink);
+                         between_steps(cell), sink);
 }
 
 Outcome Run::execute(const std::stop_token& stop) {
@@ -122,7 +125,7 @@ Outcome Run::execute(const std::stop_token& stop) {
     cell_.timed ? time_steps(stop) : measure(stop);
     finish();
     outcome_.cost.cpu_s = thread_seconds() - begin;
-    if (cell_.repeated && outcome_.status == "ok") outcome_.cost.run_s = repeat(stop).fastest();
+    if (cell_.repeated && outcome_.status == "ok") outcome_.cost.run_s = repeat(stop).mean();
     return std::move(outcome_);
 }
 
@@ -145,8 +148,8 @@ void Run::time_steps(const std::stop_token& stop) {
     if (memory_ > 0) outcome_.cost.memory = memory_;
     const RepeatedTimes times = repeat(stop);
     if (outcome_.status != "ok") return;
-    outcome_.cost.run_s = times.fastest();
-    outcome_.cost.step_s = times.fastest() / static_cast<double>(outcome_.steps_done);
+    outcome_.cost.run_s = times.mean();
+    outcome_.cost.step_s = times.mean() / static_cast<double>(outcome_.steps_done);
 }
 
 /// Runs several times from the start, without observers.
@@ -215,8 +218,8 @@ Cost Run::work() const {
 }
 
 std::optional<double> Run::time(const std::stop_token& stop) {
-    const double fastest = repeat(stop).fastest();
-    return outcome_.status == "ok" ? std::optional(fastest) : std::nullopt;
+    const double seconds = repeat(stop).mean();
+    return outcome_.status == "ok" ? std::optional(seconds) : std::nullopt;
 }
 
 void Run::finish() {

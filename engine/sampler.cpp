@@ -4,15 +4,16 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-Sampler::Sampler(const Cell& cell, Simulation& simulation, const Sampled& sources, bool interpolates, SampleSink* sink)
+Sampler::Sampler(const Cell& cell, Simulation& simulation, const Sampled& sources, Between between, SampleSink* sink)
     : cell_(cell),
       simulation_(simulation),
       sources_(sources),
       samples_(sources, sink),
+      between_(between),
       before_(simulation.state()),
       inside_(before_),
       t_end_(decimal(cell.t_end)) {
-    if (interpolates) interpolant_.emplace(simulation.system());
+    if (between == Between::ends) interpolant_.emplace(simulation.system());
 }
 
 Real Sampler::next() const {
@@ -25,26 +26,35 @@ void Sampler::begin(Observation& start) {
 }
 
 void Sampler::remember() {
-    if (!interpolant_) return;
+    if (between_ == Between::none) return;
     before_ = simulation_.state();
     t_before_ = simulation_.time();
 }
 
 void Sampler::between(Observation& now) {
     const Real end = simulation_.time(), h = end - t_before_;
-    if (!interpolant_ || !(next() < end)) return;
-    const Status status = interpolant_->set(t_before_, h, before_.data(), simulation_.state().data());
+    if (between_ == Between::none || !(next() < end)) return;
+    Status status = Status::ok;
+    if (interpolant_) status = interpolant_->set(t_before_, h, before_.data(), simulation_.state().data());
     for (Real t = next(); t < end; t = next()) {
         if (status != Status::ok) {
             samples_.leave_out(), ++taken_;
             continue;
         }
-        interpolant_->at((t - t_before_) / h, inside_.data());
+        find_inside(t, h);
         now.move_to(t, inside_.data());
         sources_.step_metrics.look(now);
         sources_.integral_metrics.look(now);
         take(now, nullptr);  // the method's own multipliers are those of the end of the step
     }
+}
+
+void Sampler::find_inside(const Real& t, const Real& h) {
+    const Real theta = (t - t_before_) / h;
+    if (interpolant_)
+        interpolant_->at(theta, inside_.data());
+    else
+        simulation_.interpolate(theta, h, before_.data(), inside_.data());
 }
 
 bool Sampler::due(long steps_done) const {

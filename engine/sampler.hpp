@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // When the samples of a run are taken: after every so many steps of one size; of steps to a tolerance at their times,
-// either between the ends of steps (methods/control/interpolant.hpp), or by steps that are cut short to end there.
+// either within steps, by dense output of the method or from the ends of the step (methods/control/interpolant.hpp), or
+// by steps that are cut short to end there.
 #pragma once
 
 #include <optional>
@@ -16,13 +17,15 @@ inline namespace KREISEL_PRECISION {
 
 class Sampler {
   public:
-    /// Refers to all of these; `sink` may be null. `interpolates`: samples may lie between steps to a tolerance.
-    Sampler(const Cell& cell, Simulation& simulation, const Sampled& sources, bool interpolates, SampleSink* sink);
+    /// What makes samples within steps to a tolerance: nothing, the method's own dense output, the ends of the step.
+    enum class Between { none, own, ends };
+    /// Refers to all of these; `sink` may be null.
+    Sampler(const Cell& cell, Simulation& simulation, const Sampled& sources, Between between, SampleSink* sink);
 
     /// The sample of the start.
     void begin(Observation& start);
     /// Where the next step to a tolerance has to end at the latest.
-    Real limit() const { return interpolant_ ? t_end_ : next(); }
+    Real limit() const { return between_ == Between::none ? next() : t_end_; }
     /// Before a step.
     void remember();
     /// After it: the samples inside it, which enter no maximum. One that cannot be interpolated is left out.
@@ -35,6 +38,8 @@ class Sampler {
 
   private:
     bool due(long steps_done) const;
+    /// The state at t, within the step that ended last.
+    void find_inside(const Real& t, const Real& h);
     void take(Observation& now, const Real* multipliers) { samples_.take(now, multipliers), ++taken_; }
     /// Time of the next sample.
     Real next() const;
@@ -43,6 +48,7 @@ class Sampler {
     Simulation& simulation_;
     Sampled sources_;
     Samples samples_;
+    Between between_;
     std::optional<Interpolant> interpolant_;
     std::vector<Real> before_, inside_;  // the state before the step, and one inside it
     Real t_end_, t_before_ = 0;

@@ -65,7 +65,7 @@ class Simulation {
     const Real* v() const { return system_->v(y_.data()); }  ///< velocities, in the coordinates of the formulation
     std::vector<BodyState> bodies() const;
     /// The method's own multipliers after the last step, or null (Integrator::multipliers).
-    const Real* multipliers() const { return integrator_ ? integrator_->multipliers() : nullptr; }
+    const Real* multipliers() const { return stepper_ ? stepper_->multipliers() : integrator_->multipliers(); }
     /// Null where steps have a given size.
     const Stepper* stepper() const { return stepper_.get(); }
     const Work& work() const { return stepper_ ? stepper_->work() : integrator_->work(); }
@@ -92,6 +92,11 @@ class Simulation {
     Status stride(const Real& limit) {
         const Status status = stepper_->step(t_, limit, y_.data());
         return status == Status::ok ? status : fail_in_stride(status);
+    }
+
+    /// Within the last of them, from y0 by h, if the method declares dense output of its own: y = y(t + theta h).
+    void interpolate(const Real& theta, const Real& h, const Real* y0, Real* y) const {
+        stepper_->interpolate(theta, h, y0, y);
     }
 
     /// To t_end (s) in steps that the method chooses; `observe(simulation)` is called after each of them.

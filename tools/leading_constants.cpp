@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Predicts the errors of generalised-alpha methods [arnold2015] on a symmetric heavy top in SE(3) and SO(3) x R^3. Run it
-// by tools/leading-constants.
+// Predicts the errors of generalised-alpha methods [arnold2015] on a symmetric heavy top in SE(3) and SO(3) x R^3. Run
+// it by tools/leading-constants.
 //
 // To leading order a method of order two is the exact flow of modified equations: with the defects of a step,
-//   d = C_q v'' + 1/12 [v, v']   in the increment, over h^3: the exact one is h v + h^2/2 v' + h^3 (v''/6 + [v, v']/12),
+//   d = C_q v'' + 1/12 [v, v']   in the increment, over h^3; the exact increment is
+//                                h v + h^2/2 v' + h^3 (v''/6 + [v, v']/12),
 //   e = C_v v'''                 in the velocity, over h^3,
 //   C_q = 1/6 - beta - D/2,  C_v = 1/6 - D (alpha_m - 1/2) - gamma D - gamma/2,  D = alpha_m - alpha_f,
-// it moves by q' = q (v - h^2 d), M v' + C^T lambda = Q - h^2 M e on the constraints. The multipliers leave of d and e what
-// is tangent, in the metric of the kinetic energy. In SE(3) all of v, v', ... is tangent, in body axes. In SO(3) x R^3
-// the translational part of v'' and v''' is that of space axes, and P (e_x, e_w) = J_O^{-1} (J e_w + m X x e_x) is left.
-// In the index-3 form constraints hold for positions alone, and v keeps the normal part of h^2 d.
+// it moves by q' = q (v - h^2 d), M v' + C^T lambda = Q - h^2 M e on the constraints. The multipliers leave of d and e
+// what is tangent, in the metric of the kinetic energy. In SE(3) all of v, v', ... is tangent, in body axes. In SO(3) x
+// R^3 the translational part of v'' and v''' is that of space axes, and P (e_x, e_w) = J_O^{-1} (J e_w + m X x e_x) is
+// left. In the index-3 form constraints hold for positions alone, and v keeps the normal part of h^2 d.
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
@@ -54,8 +55,8 @@ struct State {
 State operator+(const State& a, const State& b) { return {a.R + b.R, a.omega + b.omega}; }
 State operator*(double c, const State& a) { return {c * a.R, c * a.omega}; }
 
-/// The derivatives of a vector with the components a_0 in body axes that turn with omega: its derivatives in space axes,
-/// in body components, from those of its components and of omega.
+/// The derivatives of a vector with the components a_0 in body axes that turn with omega: its derivatives in space
+/// axes, in body components, from those of its components and of omega.
 std::array<Vec3, 4> in_space(const std::array<Vec3, 4>& a, const std::array<Vec3, 4>& w) {
     const auto once = [&w](const std::array<Vec3, 4>& b) {
         std::array<Vec3, 4> d = {};
@@ -150,8 +151,8 @@ double leading_constant(const Top& top, const Method& method) {
 
 }  // namespace
 
-// Lines "index formulation rho mass lever transverse axial spin precession gravity t_end"; for each the constant, and what it
-// would be without the bracket.
+// Lines "index formulation rho mass lever transverse axial spin precession gravity t_end"; for each the constant, and
+// what it would be without the bracket.
 int main() {
     int index = 0;
     std::string formulation;

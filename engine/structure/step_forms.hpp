@@ -8,8 +8,8 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// omega_0 and A^T omega_1 A, with mu = M v, in the vectors of a TangentFrame at the start of the step, where omega_0/rate
-/// has the entries +- 1 and those of the momentum.
+/// omega_0 and A^T omega_1 A, with mu = M v, in the vectors of a TangentFrame at the start of the step, where
+/// omega_0/rate has the entries +- 1 and those of the momentum.
 struct StepForms {
     MatX before, after;
     MatX coarse = {};          ///< `after` from the wider differences of StepDerivative

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods/conditions/tableau_orders.hpp"
 
+#include <algorithm>
+
 namespace kreisel::orders {
 
 namespace {
@@ -54,6 +56,32 @@ TableauOrders orders_in(const NumericTableau<T>& tableau, const T& slack) {
     return found;
 }
 
+/// The weights of theta, theta^2, ...
+std::vector<std::vector<Rational>> powers_of(const std::vector<std::vector<Coefficient>>& dense) {
+    std::vector<std::vector<Rational>> powers;
+    for (std::size_t i = 0; i < dense.size(); ++i)
+        for (std::size_t k = 0; k < dense[i].size(); ++k) {
+            if (k == powers.size()) powers.emplace_back(dense.size(), Rational(0));
+            powers[k][i] = exact(dense[i][k]);
+        }
+    return powers;
+}
+
+bool ends_at(const std::vector<Rational>& b, const std::vector<std::vector<Rational>>& powers, const Rational& slack) {
+    std::vector<Rational> rest = b;
+    for (const auto& weights : powers)
+        for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= weights.at(i);
+    return all_within(rest, slack);
+}
+
+/// The order up to which the weights of theta^k contribute what they must: 1/gamma for trees of k nodes, else nothing.
+int order_of_power(StageWeights<Rational>& stages, const std::vector<Rational>& weights, int k, const Rational& slack) {
+    for (std::size_t tree = 0; tree < all_trees().size(); ++tree)
+        if (abs(missed_by(stages, tree, weights, all_trees().nodes(tree) == k ? 1 : 0)) > slack)
+            return all_trees().nodes(tree) - 1;
+    return most_order;
+}
+
 std::string node_objection(const Tableau& tableau, const NumericTableau<Rational>& numbers, const Rational& slack) {
     if (tableau.c.empty()) return "";
     if (tableau.c.size() != numbers.a.size()) return std::to_string(tableau.c.size()) + " nodes for its rows";
@@ -78,6 +106,18 @@ TableauOrders tableau_orders(const NumericTableau<Float100>& tableau, const Floa
 }
 
 TableauOrders tableau_orders(const Tableau& tableau) { return tableau_orders(exact(tableau), rounding(tableau)); }
+
+int dense_order(const Tableau& tableau) {
+    const Rational slack = rounding(tableau);
+    const NumericTableau<Rational> numbers = exact(tableau);
+    const auto powers = powers_of(tableau.dense);
+    if (powers.empty() || !ends_at(numbers.b, powers, slack)) return 0;
+    StageWeights<Rational> stages(all_trees(), numbers.a);
+    int order = std::min(most_order, static_cast<int>(powers.size()));
+    for (std::size_t k = 0; k < powers.size(); ++k)
+        order = std::min(order, order_of_power(stages, powers[k], static_cast<int>(k) + 1, slack));
+    return order;
+}
 
 int butcher_order(const NumericTableau<Rational>& tableau, const Rational& slack) {
     return tableau_orders({tableau.a, tableau.b, {}}, slack).step;

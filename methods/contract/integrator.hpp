@@ -36,6 +36,12 @@ class Integrator {
     /// projection, so that slopes computed there are not those of the state.
     virtual void accept(bool /*moved*/) {}
 
+    /// Of methods that declare dense output of their own (MethodDescription::dense): y = y(t + theta h), 0 <= theta <= 1,
+    /// within the last attempt, which has been accepted; from y0 = y(t) and what the method remembers of its stages.
+    virtual void interpolate(const Real& /*theta*/, const Real& /*h*/, const Real* /*y0*/, Real* /*y*/) {
+        throw std::logic_error("dense output of a method that has none of its own");
+    }
+
     /// The method's own multipliers at the end of the last step, as forces (N) in the order of the rows of C. Null
     /// before the first step, without constraints, and for methods without: theirs follow from the index-1 form.
     virtual const Real* multipliers() const { return nullptr; }

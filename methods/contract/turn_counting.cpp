@@ -39,6 +39,9 @@ class TurnCounting final : public Integrator {
         return system_.end_step(status, t + h, y_new);
     }
     void accept(bool moved) override { method_->accept(moved); }
+    void interpolate(const Real& theta, const Real& h, const Real* y0, Real* y) override {
+        method_->interpolate(theta, h, y0, y);
+    }
 
     const Real* multipliers() const override { return method_->multipliers(); }
     const Work& work() const override { return method_->work(); }

@@ -27,8 +27,12 @@ class StepControl final : public Stepper {
 
     Status start(const Real& t, const Real& t_end, const Real* y) override;
     Status step(Real& t, const Real& limit, Real* y) override;
+    void interpolate(const Real& theta, const Real& h, const Real* y0, Real* y) override {
+        method_->interpolate(theta, h, y0, y);
+    }
     std::string failed_part() const override;
     const Work& work() const override { return method_->work(); }
+    const Real* multipliers() const override { return method_->multipliers(); }
 
   private:
     /// One attempt at y -> new_, with the projection. `error` is relative to the tolerance.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "lie/real.hpp"
@@ -31,9 +32,15 @@ class Stepper {
     /// One accepted step of y, with the projection in it, from t to a new t not beyond `limit`; if it gets there, t is
     /// `limit` exactly. Any status but ok leaves t and y as they were.
     virtual Status step(Real& t, const Real& limit, Real* y) = 0;
+    /// Within the last step, from y0 by h, for methods with dense output of their own: y = y(t + theta h).
+    virtual void interpolate(const Real& /*theta*/, const Real& /*h*/, const Real* /*y0*/, Real* /*y*/) {
+        throw std::logic_error("dense output of a control that has none of its own");
+    }
     /// After a status that is not ok, the part that gave it: "step of rkmk/dopri5", "projection velocity".
     virtual std::string failed_part() const = 0;
     virtual const Work& work() const = 0;
+    /// The multipliers of a control of the method's own at the end of the last step, as Integrator::multipliers.
+    virtual const Real* multipliers() const { return nullptr; }
 
     long accepted() const { return accepted_; }  ///< steps since construction
     long rejected() const { return rejected_; }  ///< attempts since construction

@@ -76,8 +76,8 @@ Status ImplicitStages::guess() {
     return status;
 }
 
-/// From the guess, and where that leads nowhere, or out of the chart, from an unchanged velocity: springs that are stiff
-/// make f swing.
+/// From the guess, and where that leads nowhere, or out of the chart, from an unchanged velocity: springs that are
+/// stiff make f swing.
 Status ImplicitStages::iterate() {
     const Status status = newton_.solve(*this, weights_, turned_.data());
     if (status != Status::newton_failed && status != Status::left_chart) return status;

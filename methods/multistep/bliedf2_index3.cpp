@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// BLieDF with k = 2 in the index-3 form, with Phi(q+) = 0 alone [wieloch2021]. Velocities leave C v + b = 0 by the local
-// error of the formula, O(h^2), and multipliers start with an error of O(h^1), which the formula damps within some steps.
+// BLieDF with k = 2 in the index-3 form, with Phi(q+) = 0 alone [wieloch2021]. Velocities leave C v + b = 0 by the
+// local error of the formula, O(h^2), and multipliers start with an error of O(h^1), which the formula damps within
+// some steps.
 #include "methods/multistep/bliedf.hpp"
 
 namespace kreisel {

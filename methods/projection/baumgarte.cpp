@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// With rates of its own (1/s), whatever the step size. What is usual is alpha = beta, critical damping, from 1/s to 10/s
-// [flores2011]; where a motion is fast, 100/s may be little, and where steps are long, 10/s too much.
+// With rates of its own (1/s), whatever the step size. What is usual is alpha = beta, critical damping, from 1/s to
+// 10/s [flores2011]; where a motion is fast, 100/s may be little, and where steps are long, 10/s too much.
 #include "methods/projection/baumgarte_system.hpp"
 
 namespace kreisel {

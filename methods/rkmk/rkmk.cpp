@@ -27,10 +27,11 @@ class MuntheKaas final : public Integrator {
           tableau_(tableau, stride_),
           u_(stride_),
           slopes_(stride_ * tableau_.stages()),
-          stage_(size_ + n_) {}
+          stage_(size_ + n_),
+          weights_(tableau_.dense.size()) {}
 
     Status start(const Real&, const Real*) override {
-        first_known_ = false;
+        first_known_ = last_is_first_ = false;
         return Status::ok;
     }
 
@@ -43,6 +44,7 @@ class MuntheKaas final : public Integrator {
 
     /// error = u - u^, both in the chart around y.
     Status attempt(const Real& t, const Real& h, const Real* y, Real* y_new, Real* error) override {
+        if (last_is_first_) take_last_as_first();
         if (const Status status = stages(first_known_, tableau_.stages(), t, h, y); status != Status::ok) return status;
         first_known_ = true;  // a rejected step starts from here once more
         combine(tableau_.error, h, slopes_.data(), stride_, u_.data());
@@ -52,17 +54,30 @@ class MuntheKaas final : public Integrator {
         return Status::ok;
     }
 
-    /// The last stage lies at u of the new state. What the pull-back made of its slope (v, v') in the old chart is v'
-    /// in its second half only; v is the velocity of the state.
     void accept(bool moved) override {
-        first_known_ = tableau_.first_same_as_last && !moved;
-        if (!first_known_) return;
-        const Real* last = slopes_.data() + (tableau_.stages() - 1) * stride_;
-        std::copy_n(stage_.data() + size_, n_, slopes_.data());
-        std::copy_n(last + n_, n_, slopes_.data() + n_);
+        first_known_ = false;
+        last_is_first_ = tableau_.first_same_as_last && !moved;
+    }
+
+    /// y = y0 psi(h sum b_i(theta) k~_i): in the chart, what the weights make of any differential equation.
+    void interpolate(const Real& theta, const Real& h, const Real* y0, Real* y) override {
+        tableau_.weigh(theta, weights_);
+        combine(weights_, h, slopes_.data(), stride_, u_.data());
+        chart_.append(y0, u_.data(), y);
+        for (std::size_t i = 0; i < n_; ++i) y[size_ + i] = y0[size_ + i] + u_[n_ + i];
     }
 
   private:
+    /// The last stage lies at u of the new state. What the pull-back made of its slope (v, v') in the old chart is v'
+    /// in its second half only; v is the velocity of the state. Done when the next step begins: until then the slopes
+    /// are those of the dense output.
+    void take_last_as_first() {
+        const Real* last = slopes_.data() + (tableau_.stages() - 1) * stride_;
+        std::copy_n(stage_.data() + size_, n_, slopes_.data());
+        std::copy_n(last + n_, n_, slopes_.data() + n_);
+        first_known_ = true, last_is_first_ = false;
+    }
+
     /// The slopes of the stages [first, end).
     Status stages(std::size_t first, std::size_t end, const Real& t, const Real& h, const Real* y) {
         for (std::size_t i = first; i < end; ++i) {
@@ -102,7 +117,9 @@ class MuntheKaas final : public Integrator {
     std::size_t n_, size_, stride_;
     BoundTableau tableau_;
     std::vector<Real> u_, slopes_, stage_;
-    bool first_known_ = false;  // the first slope is that of the state
+    Combination weights_;         // b_i(theta)
+    bool first_known_ = false;    // the first slope is that of the state
+    bool last_is_first_ = false;  // the last slope is that of the state
 };
 
 template <class Chart>

@@ -2,8 +2,8 @@
 //
 // Splitting for small kicks, forces that change the motion little: errors of a step O(eps h^11 + eps^2 h^5)
 // where forces are of size eps, order 4 in all. It begins and ends with a drift.
-// Source: [blanes2013, ABA104], 40 digits. a_1 is taken as printed; Newton's method solves the order conditions, consistency,
-// five of the quadrature in eps and one in eps^2, from the rest.
+// Source: [blanes2013, ABA104], 40 digits. a_1 is taken as printed; Newton's method solves the order conditions,
+// consistency, five of the quadrature in eps and one in eps^2, from the rest.
 #include "methods/splitting/splitting.hpp"
 
 namespace kreisel {

@@ -2,8 +2,8 @@
 //
 // Splitting for small kicks, forces that change the motion little: errors of a step O(eps h^9 + eps^2 h^5)
 // where forces are of size eps, order 4 in all. It begins and ends with a drift.
-// Source: [mclachlan1995, order (8, 4)], 20 digits, from which Newton's method solves the order conditions: consistency,
-// four of the quadrature in eps, one in eps^2.
+// Source: [mclachlan1995, order (8, 4)], 20 digits, from which Newton's method solves the order conditions:
+// consistency, four of the quadrature in eps, one in eps^2.
 #include "methods/splitting/splitting.hpp"
 
 namespace kreisel {

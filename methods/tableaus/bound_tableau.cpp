@@ -85,10 +85,30 @@ BoundTableau::BoundTableau(const Tableau& tableau, std::size_t stride)
                 throw std::invalid_argument("row " + std::to_string(i + 1) +
                                             " of the tableau does not sum to its node");
     }
+    bind_dense(tableau, stride);
     if (tableau.b_hat.empty()) return;
     check_size("embedded weights", tableau.b_hat.size(), tableau.a.size());
     check_weights("embedded weights", nonzero(tableau.b_hat, stride));
     error = difference(tableau.b, tableau.b_hat, stride);
+}
+
+void BoundTableau::bind_dense(const Tableau& tableau, std::size_t stride) {
+    if (tableau.dense.empty()) return;
+    check_size("rows of dense output", tableau.dense.size(), tableau.a.size());
+    for (std::size_t i = 0; i < tableau.dense.size(); ++i) {
+        if (tableau.dense[i].empty()) continue;
+        DenseWeight weight{.coefficients = {}, .offset = i * stride};
+        for (const Coefficient& c : tableau.dense[i]) weight.coefficients.push_back(value(c));
+        dense.push_back(std::move(weight));
+    }
+}
+
+void BoundTableau::weigh(const Real& theta, Combination& weights) const {
+    for (std::size_t i = 0; i < dense.size(); ++i) {
+        Real sum = 0;
+        for (auto c = dense[i].coefficients.rbegin(); c != dense[i].coefficients.rend(); ++c) sum = theta * (sum + *c);
+        weights[i] = {sum, dense[i].offset};
+    }
 }
 
 }  // namespace KREISEL_PRECISION

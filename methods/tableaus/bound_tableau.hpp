@@ -25,6 +25,12 @@ int stages_of_step(const Tableau& tableau);
 /// Whether the last stage of a pair is taken where the step ends, so that it is the first one of the next step.
 bool first_same_as_last(const Tableau& tableau);
 
+/// The weight b_i(theta) = sum_k coefficients_k theta^(k+1) of the slope at `offset`.
+struct DenseWeight {
+    std::vector<Real> coefficients;
+    std::size_t offset;
+};
+
 /// A tableau as numbers, bound to slopes that lie `stride` reals apart. Throws std::invalid_argument where it is not
 /// explicit, sum b or sum b_hat is not 1, or a given node is not the sum of its row.
 struct BoundTableau {
@@ -36,6 +42,12 @@ struct BoundTableau {
     Combination b;
     Combination error;  ///< b - b_hat; empty where there is no b_hat
     std::vector<Real> c;
+    std::vector<DenseWeight> dense;  ///< without those that are zero; empty where there is no dense output
+    /// The b_i(theta), in storage as long as `dense`.
+    void weigh(const Real& theta, Combination& weights) const;
+
+  private:
+    void bind_dense(const Tableau& tableau, std::size_t stride);
 };
 
 /// Vectors that are combined have a length that is a multiple of this, so that no loop has a remainder.

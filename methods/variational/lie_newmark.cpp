@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The trapezoidal Lie-Newmark method (Newmark's on a group [simovuquoc1988], with beta = 0 and gamma = 1/2), explicit in
-// the forces [kryslendres2005], for systems without joints: velocity Verlet as it is written for vector spaces, in body
-// axes,
+// The trapezoidal Lie-Newmark method (Newmark's on a group [simovuquoc1988], with beta = 0 and gamma = 1/2), explicit
+// in the forces [kryslendres2005], for systems without joints: velocity Verlet as it is written for vector spaces, in
+// body axes,
 //   V = v + h/2 a(t, q, v),   q+ = q tau(h V),   v+ = V + h/2 a(t + h, q+, v+),   M a = f(t, q) + gyroscopic(v),
-// tau = exp or cay; v+ is found by iteration, in which only the gyroscopic term changes. Symmetric. Looks symplectic, and
-// is not where rotations do not commute: momenta are kept to O(h^2) only, and a step changes the two-form by O(h^3)
+// tau = exp or cay; v+ is found by iteration, in which only the gyroscopic term changes. Symmetric. Looks symplectic,
+// and is not where rotations do not commute: momenta are kept to O(h^2) only, and a step changes the two-form by O(h^3)
 // (compare methods/variational/lie_verlet.cpp).
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The equations of RATTLie and SHAKELie (methods/variational/rattlie.cpp, shakelie.cpp) for given increment D and impulse
-// mu: p~ = M D seen from either end of a step, q+, and the residuals.
+// The equations of RATTLie and SHAKELie (methods/variational/rattlie.cpp, shakelie.cpp) for given increment D and
+// impulse mu: p~ = M D seen from either end of a step, q+, and the residuals.
 #pragma once
 
 #include <vector>

@@ -51,6 +51,10 @@ Status Index1Residual::start(const Real& t, const Real* u, Real* x, Real* dx) {
     return isfinite(sum) ? Status::ok : Status::non_finite;
 }
 
+void Index1Residual::multipliers(const Real* x, Real* lambda) const {
+    for (std::size_t i = 0; i < multiplier_unit_.size(); ++i) lambda[i] = multiplier_unit_[i] * x[u_size_ + i];
+}
+
 bool Index1Residual::evaluate(const Real& t, const Real* x, const Real* dx, Real* F) {
     system_.count_evaluation();
     equations_.write(x, y_.data());
@@ -60,7 +64,7 @@ bool Index1Residual::evaluate(const Real& t, const Real* x, const Real* dx, Real
     Real* dv = system_.dv(z_.data());
     std::copy_n(v, n_, z_.begin());
     for (int i = 0; i < n_; ++i) dv[i] = unit[i] * dx[at_v + static_cast<std::size_t>(i)];
-    for (std::size_t i = 0; i < lambda_.size(); ++i) lambda_[i] = multiplier_unit_[i] * x[u_size_ + i];
+    multipliers(x, lambda_.data());
 
     equations_.rates(x, z_.data(), F);
     for (std::size_t i = 0; i < at_v; ++i) F[i] = dx[i] - F[i];

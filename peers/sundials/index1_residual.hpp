@@ -21,6 +21,8 @@ class Index1Residual {
     /// A consistent start at t: x and x' for u, from a solve of the equations of motion. Chooses the scales of
     /// multipliers: mass of the first coordinate, length and rate of the motion.
     Status start(const Real& t, const Real* u, Real* x, Real* dx);
+    /// lambda = s mu of x, as forces (N) in the order of the rows of C.
+    void multipliers(const Real* x, Real* lambda) const;
     /// False where F is not finite.
     bool evaluate(const Real& t, const Real* x, const Real* dx, Real* F);
 

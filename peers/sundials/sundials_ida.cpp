@@ -36,12 +36,16 @@ class IdaStepper final : public PeerStepper {
           x_(residual_.size()),
           dx_(x_),
           differential_(x_),
+          lambda_(static_cast<std::size_t>(system.constraints())),
           context_(sundials_context()) {
         std::fill_n(differential_.begin(), residual_.unknowns(), Real(1));
     }
 
+    const Real* multipliers() const override { return known_ && !lambda_.empty() ? lambda_.data() : nullptr; }
+
   protected:
     Status begin(const Real& t) override {
+        known_ = false;
         const Status status = residual_.start(t, unknowns_.data(), x_.data(), dx_.data());
         if (status != Status::ok) return status;
         x_vector_ = of(x_), dx_vector_ = of(dx_), id_ = of(differential_);
@@ -71,6 +75,8 @@ class IdaStepper final : public PeerStepper {
             return equations_.status(result == IDA_CONV_FAIL ? Status::newton_failed : Status::step_too_small);
         if (reached == t) return Status::step_too_small;
         std::copy_n(x_.begin(), unknowns_.size(), unknowns_.begin());
+        residual_.multipliers(x_.data(), lambda_.data());
+        known_ = true;
         t = result == IDA_TSTOP_RETURN ? limit : reached;
         return Status::ok;
     }
@@ -98,7 +104,8 @@ class IdaStepper final : public PeerStepper {
     }
 
     Index1Residual residual_;
-    std::vector<Real> x_, dx_, differential_;
+    std::vector<Real> x_, dx_, differential_, lambda_;
+    bool known_ = false;                // lambda_
     long failed_ = 0, iterations_ = 0;  // since `begin`
     Owned<SUNContext> context_;         // before what lives in it
     Owned<N_Vector> x_vector_, dx_vector_, id_;
@@ -130,6 +137,7 @@ KREISEL_METHOD(
      .own_control = true,
      .projectable = false,
      .form = Form::implicit,
+     .reports_multipliers = true,
      .formulations = {"SO3", "SO3xR3"}});
 
 }  // namespace KREISEL_PRECISION

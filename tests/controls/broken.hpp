@@ -37,8 +37,8 @@ Factory broken_crouch_grossman(const Tableau& declared, CrouchGrossmanFault faul
 Factory one_sided_extrapolation();
 
 /// RATTLie with its momentum p, which is carried along by transposed differentials, replaced by M v of the stage and
-/// half of its gyroscopic impulse: M D = p + h/2 (f + gyroscopic(D) - C^T lambda'), and from there to p+ alike. Of order
-/// 2 and symmetric like RATTLie; neither the two-form nor momenta are kept.
+/// half of its gyroscopic impulse: M D = p + h/2 (f + gyroscopic(D) - C^T lambda'), and from there to p+ alike. Of
+/// order 2 and symmetric like RATTLie; neither the two-form nor momenta are kept.
 Factory rattlie_with_stage_momentum();
 
 /// An embedded pair of orders 3 and 2, first same as last, by attempts.

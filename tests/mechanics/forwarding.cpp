@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// ForwardingSystem, the base of stabilisations and test doubles, forwards every virtual function of System: those that its header declares
-// are called one by one, on a system that writes down what it hears.
+// ForwardingSystem, the base of stabilisations and test doubles, forwards every virtual function of System: those that
+// its header declares are called one by one, on a system that writes down what it hears.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <functional>

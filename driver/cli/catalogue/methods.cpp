@@ -34,8 +34,9 @@ void print_options(std::ostream& out, const std::vector<OptionDescription>& opti
 // Whether steps can be chosen to a tolerance.
 std::string control_text(const MethodDescription& method) {
     if (method.own_control) { return "; chooses its steps itself, to a tolerance only"; }
-    return method.estimate > 0 ? fmt::format("; steps to a tolerance, by an error estimate O(h^{})", method.estimate)
-                               : "";
+    if (method.estimate == 0) { return ""; }
+    const std::string steps = fmt::format("; steps to a tolerance, by an error estimate O(h^{})", method.estimate);
+    return method.dense > 0 ? steps + fmt::format("; dense output of its own, of order {}", method.dense) : steps;
 }
 
 std::string solving_text(const MethodDescription& method) {

@@ -10,8 +10,8 @@
 namespace kreisel {
 
 /// Prints the entries of the methods, projections, problems and formulations of a config in the order of the
-/// bibliography, each below a comment that says what it is the source of, and the entries that these cite themselves. Names on `messages` what
-/// states no source. Throws UsageError for a config that cannot be read.
+/// bibliography, each below a comment that says what it is the source of, and the entries that these cite themselves.
+/// Names on `messages` what states no source. Throws UsageError for a config that cannot be read.
 Exit cite_command(const std::filesystem::path& config, const Engines& engines, const Terminal& terminal);
 
 }  // namespace kreisel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The motion as a sequence of pictures, coloured by time, over the path of a mass centre and its shadow: of a top, or of
-// all bodies of a mechanism.
+// The motion as a sequence of pictures, coloured by time, over the path of a mass centre and its shadow: of a top, or
+// of all bodies of a mechanism.
 #include <fmt/format.h>
 
 #include <cmath>

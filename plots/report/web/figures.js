@@ -82,7 +82,8 @@ function panelsView(figure) {
       fitted ?
           make(
               'p', {class: 'faint small'},
-              'Filled marks: the window of step sizes that the order in the legend was fitted to; ± is the largest distance of a slope in it.') :
+              'Filled marks: the window of step sizes that the order in the legend was fitted to; ± is the largest distance ' +
+             'of a slope in it.') :
           null);
 }
 

@@ -10,7 +10,8 @@ precision highp float;
 in vec3 normal, place; uniform vec3 colour; uniform float lit; uniform int pattern; out vec4 pixel;
 void main() {
   vec3 n = normalize(normal);
-  float light = 0.50 + 0.42 * max(0.0, dot(n, normalize(vec3(0.45, -0.6, 0.85)))) + 0.16 * max(0.0, dot(n, normalize(vec3(-0.7, 0.3, 0.2))));
+  float light = 0.50 + 0.42 * max(0.0, dot(n, normalize(vec3(0.45, -0.6, 0.85))))
+    + 0.16 * max(0.0, dot(n, normalize(vec3(-0.7, 0.3, 0.2))));
   float sector = pattern == 1 ? place.x * place.y : pattern == 2 ? place.x * place.y * place.z : 1.0;
   vec3 base = sector < 0.0 ? mix(colour, vec3(1.0), 0.42) : colour;
   pixel = vec4(lit > 0.5 ? base * light : colour, 1);

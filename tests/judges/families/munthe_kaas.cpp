@@ -36,7 +36,7 @@ DenseStep munthe_kaas_step(const MuntheKaasScheme& scheme, const ScriptedStep& g
 
 SchemeOrders munthe_kaas_orders(const MuntheKaasScheme& scheme) {
     const orders::TableauOrders found = orders::tableau_orders(scheme.tableau);
-    return {.step = found.step, .embedded = found.embedded};
+    return {.step = found.step, .embedded = found.embedded, .dense = orders::dense_order(scheme.tableau)};
 }
 
 ClassicalScheme munthe_kaas_classical(const MuntheKaasScheme& scheme) { return classical_scheme(scheme.tableau); }

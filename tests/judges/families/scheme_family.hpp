@@ -16,9 +16,10 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// The largest p such that the order conditions up to p hold, of the solution and, in a pair, of the embedded one.
+/// The largest p such that the order conditions up to p hold, of the solution, in a pair of the embedded one, and of
+/// dense output.
 struct SchemeOrders {
-    int step = 0, embedded = 0;
+    int step = 0, embedded = 0, dense = 0;
 };
 
 /// What is left of a scheme on R^n: an explicit Runge-Kutta method, zeros left out at the end of rows.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A step of the lifted Gauss, Radau IIA and Lobatto IIIA-IIIB methods [hairer1996], [hairer2006], [zanna2001]: nodes are
-// zeros of combinations of Legendre polynomials, a_ij the integrals of Lagrange's, by Vandermonde's equations
+// A step of the lifted Gauss, Radau IIA and Lobatto IIIA-IIIB methods [hairer1996], [hairer2006], [zanna2001]: nodes
+// are zeros of combinations of Legendre polynomials, a_ij the integrals of Lagrange's, by Vandermonde's equations
 //   sum_j a_ij c_j^k = c_i^(k+1)/(k + 1),   and of IIIB   sum_i b_i c_i^k a^_ij = b_j (1 - c_j^(k+1))/(k + 1).
 // The stages are iterated with dense matrices until they stand.
 #include "tests/judges/steps/collocation_step.hpp"

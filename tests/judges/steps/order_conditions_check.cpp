@@ -37,6 +37,8 @@ Objection order_conditions_objection(const Method& method) {
     const SchemeOrders found = family->orders(*method.factory.scheme);
     const int declared = method.description.order.configuration;
     if (found.step != declared) return "order " + of(found.step, declared);
+    if (found.dense != method.description.dense)
+        return "dense output of order " + of(found.dense, method.description.dense);
     return estimate_objection(found, method.description.estimate);
 }
 

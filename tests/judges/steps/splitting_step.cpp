@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "mechanics/free_body/free_rotation.hpp"
-#include "tests/judges/conditions/splitting_conditions.hpp"
 #include "tests/judges/steps/recorded_steps.hpp"
+#include "tests/judges/steps/splitting_conditions.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
 namespace kreisel {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A stiff damper, with a spring or without: what it ends at once, Radau IIA methods end at once, and Gauss methods carry
-// on, with alternating signs where the number s of stages is odd, because R(-infinity) = 0 and (-1)^s [hairer1996].
+// A stiff damper, with a spring or without: what it ends at once, Radau IIA methods end at once, and Gauss methods
+// carry on, with alternating signs where the number s of stages is odd, because R(-infinity) = 0 and (-1)^s
+// [hairer1996].
 #include <cmath>
 
 #include "tests/methods/stepping.hpp"
@@ -12,8 +13,8 @@ using namespace stepping;
 
 namespace {
 
-/// A bob of 1 kg that hangs on a rod of 1 m, held by a spring and a damper across it, stretched by 0.1 um or pushed with
-/// 1 mm/s at the start.
+/// A bob of 1 kg that hangs on a rod of 1 m, held by a spring and a damper across it, stretched by 0.1 um or pushed
+/// with 1 mm/s at the start.
 Model held_pendulum(const Real& stiffness, const Real& damping) {
     Model model;
     Body bob{.name = "bob", .mass = 1};
