@@ -9,8 +9,10 @@
 Units are SI throughout. Names are imported from here alone: what the modules below do is Python today, and can be
 taken over by a compiled module without a change for users.
 """
+from .curves import NotDrawn, read_figures
 from .errors import (ConfigError, DamagedResults, DamagedResultsWarning, FormatError, KreiselError, MissingResults,
                      ProgramFailed, ProgramNotFound)
+from .plots import plot_convergence, plot_drift, plot_figure, plot_trajectory
 from .program import find_program
 from .results import Results, load
 from .running import run
@@ -19,6 +21,7 @@ from .states import BodyState, Reaction, State
 
 __all__ = [
     "BodyState", "ConfigError", "DamagedResults", "DamagedResultsWarning", "FormatError", "KreiselError",
-    "MissingResults", "ProgramFailed", "ProgramNotFound", "Reaction", "Results", "State", "find_program", "load",
-    "rotations", "run", "vectors",
+    "MissingResults", "NotDrawn", "ProgramFailed", "ProgramNotFound", "Reaction", "Results", "State", "find_program",
+    "load", "plot_convergence", "plot_drift", "plot_figure", "plot_trajectory", "read_figures", "rotations", "run",
+    "vectors",
 ]

@@ -106,8 +106,8 @@ def _column(values: list[Any], has_unit: bool) -> pd.Series | list[Any]:
 
 
 def cell_table(records: list[dict[str, Any]], units: ColumnUnits, of_quad: Callable[[str], Any]) -> pd.DataFrame:
-    """One row a record, indexed by the cell's hash; units in `attrs["units"]`. `of_quad` converts numbers of quad cells.
-    """
+    """One row a record, indexed by the cell's hash; units in `attrs["units"]`. `of_quad` converts numbers of quad
+    cells."""
     groups: dict[str, dict[str, list[Any]]] = {field: {} for field in _FIELDS}
     for row, record in enumerate(records):
         convert = of_quad if record["precision"] == "quad" else None

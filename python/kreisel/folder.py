@@ -2,12 +2,12 @@
 """A results folder as it lies on the disk, every sum checked. Damage is described as the program does."""
 from __future__ import annotations
 
-import hashlib
 import re
 from dataclasses import dataclass, field
-from pathlib import Path, PurePosixPath
-from typing import Any, Iterator
+from pathlib import Path
+from typing import Any
 
+from .damage import journal_damage, listed_damage, reference_damage
 from .errors import FormatError, MissingResults
 from .numbers import parse_json
 from .sums import SumState, hash_text, line_sum_holds, sum_state
@@ -15,10 +15,8 @@ from .sums import SumState, hash_text, line_sum_holds, sum_state
 FORMAT = 2
 """What the manifests of folders say that this package reads."""
 
-_UNFINISHED = "0" * 64  # the sum of a file that is being written
 _SHARD = re.compile(r"(manifest|journal)(\.[0-9]+-of-[0-9]+)?\.jsonl?")
 _CELL = re.compile(r"[0-9a-f]{16}")  # becomes part of a path
-_ENTRY = re.compile(rb"([0-9a-f]{64})  (.+)", re.DOTALL)
 
 
 @dataclass
@@ -54,26 +52,13 @@ def _files_of_runs(folder: Path, stem: str) -> list[Path]:
     return sorted(file for file in folder.glob(stem + "*") if _SHARD.fullmatch(file.name))
 
 
-def _journal_damage(manifest_file: Path, manifest: dict[str, Any]) -> Iterator[str]:
-    expected = manifest.get("journal", {}).get("bytes")
-    journal = manifest_file.with_name(manifest_file.name.replace("manifest", "journal", 1) + "l")
-    if expected is None:
-        return
-    if not journal.is_file():
-        yield f"{journal}: damaged: it is not there"
-    elif journal.stat().st_size < expected:
-        text = journal.read_bytes()
-        yield (f"{journal}:{text.count(10) + 1}: damaged: expected {expected} bytes, got {len(text)}: "
-               "its end is missing")
-
-
 def _read_manifests(contents: FolderContents) -> None:
     for file in _files_of_runs(contents.folder, "manifest"):
         manifest = _read_manifest(file)
         if isinstance(manifest, str):
             contents.damage.append(manifest)
             continue
-        contents.damage.extend(_journal_damage(file, manifest))
+        contents.damage.extend(journal_damage(file, manifest))
         if file.name == "manifest.json":
             contents.manifest = manifest
     if not contents.manifest and not contents.damage:
@@ -106,52 +91,16 @@ def _read_lines(contents: FolderContents) -> None:
         contents.damage.append(f"{file}:{len(lines) + 1}: damaged: expected {expected} lines, got {len(lines)}")
 
 
-def _reference_damage(folder: Path) -> Iterator[str]:
-    for file in sorted((folder / "references").glob("*.json")):
-        if sum_state(file.read_bytes(), after=b'"}\n') is not SumState.HOLDS:
-            yield f"{file}:1: damaged: its sum does not hold"
-
-
-def _is_path_below(path: str) -> bool:
-    parts = PurePosixPath(path)
-    return "\0" not in path and not parts.is_absolute() and ".." not in parts.parts and str(parts) == path
-
-
-def _listed_damage(folder: Path) -> Iterator[str]:
-    """Of sums.sha256 and the files that it lists. Those that are not there are no damage."""
-    file = folder / "sums.sha256"
-    if not file.is_file():
-        return
-    text = file.read_bytes()
-    entries, bad, last = {}, 0, 0
-    for last, line in enumerate(text.removesuffix(b"\n").split(b"\n"), 1):
-        entry = _ENTRY.fullmatch(line)
-        if entry and _is_path_below(entry[2].decode(errors="replace")):
-            entries[entry[2]] = entry[1]
-        elif not line.startswith(b"#"):
-            bad = bad or last
-    listed = b"".join(digest + b"  " + path + b"\n" for path, digest in sorted(entries.items()))
-    if text != listed + f"# sum {hash_text(listed)}\n".encode():
-        yield f"{file}:{bad or last}: damaged: its own sum does not hold"
-        return
-    for path, digest in sorted(entries.items()):
-        one = folder / path.decode()
-        if digest.decode() == _UNFINISHED or not one.is_file():
-            continue
-        if hashlib.sha256(one.read_bytes()).hexdigest() != digest.decode():
-            yield f"{one}: damaged: it is not what sums.sha256 says"
-
-
 def read_folder(folder: Path) -> FolderContents:
-    """Reads DIR/manifest.json and DIR/results.jsonl and checks all sums but those of the samples, which are checked when
-    they are read. Raises MissingResults, FormatError and OSError."""
+    """Reads DIR/manifest.json and DIR/results.jsonl and checks all sums but those of the samples, which are checked
+    when they are read. Raises MissingResults, FormatError and OSError."""
     contents = FolderContents(folder)
     if not (folder / "results.jsonl").is_file():
         raise MissingResults(f"{folder / 'results.jsonl'}: cannot be read: there is no such file")
     _read_manifests(contents)
     _read_lines(contents)
-    contents.damage.extend(_reference_damage(folder))
-    contents.damage.extend(_listed_damage(folder))
+    contents.damage.extend(reference_damage(folder))
+    contents.damage.extend(listed_damage(folder))
     return contents
 
 

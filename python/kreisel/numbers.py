@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import Any, Callable, Literal
 
 Quad = Literal["text", "mpmath", "double"]
-"""What becomes of a number with 113 bits: its 36 digits, an mpf of mpmath, or the nearest double."""
+"""What becomes of a number with 113 bits: its decimal digits, an mpf of mpmath, or the nearest double."""
 
 QUAD_BITS = 113
 

@@ -130,9 +130,9 @@ def load(folder: str | os.PathLike, *, leave_out_damage: bool = False) -> Result
     """Reads a results folder. Every sum is checked: of lines, manifests, references and listed files now, of samples
     when they are read.
 
-    Raises DamagedResults, which names each damaged file and where possible its line; with `leave_out_damage` the rest is
-    read, with a DamagedResultsWarning. Raises FormatError for a folder of another format, MissingResults for one without
-    results.
+    Raises DamagedResults, which names each damaged file and where possible its line; with `leave_out_damage` the rest
+    is read, with a DamagedResultsWarning. Raises FormatError for a folder of another format, MissingResults for one
+    without results.
     """
     return read_results(Path(folder), leave_out_damage)
 

@@ -22,8 +22,8 @@ def _powers() -> np.ndarray:
 def _low_bytes(text: np.ndarray, start: int) -> np.ndarray:
     """The low byte of (hash xor byte) before each multiplication.
 
-    The low byte of the hash evolves by itself, and bit k of a product with an odd number is bit k of the factor, changed
-    by its lower bits only. One bit after the other is therefore a cumulative exclusive or over the whole text.
+    The low byte of the hash evolves by itself, and bit k of a product with an odd number is bit k of the factor,
+    changed by its lower bits only. One bit after the other is therefore a cumulative exclusive or over the whole text.
     """
     mixed = np.zeros_like(text)
     for bit in range(8):
