@@ -185,7 +185,8 @@ class Answers(Scratch):
     def test_an_interrupt_reaches_the_program_once(self):
         log = self.scratch / "log"
         ready = self.scratch / "ready"
-        text = (f"trap 'echo interrupted >> {log}; exit 130' INT\ntouch {ready}\n"
+        text = (f"trap 'echo interrupted >> {log}; exit 130' INT\n"
+                f"cut -d' ' -f5 /proc/$$/stat > {ready}.new; echo $$ >> {ready}.new; mv {ready}.new {ready}\n"
                 "for i in $(seq 200); do sleep 0.05; done\n")
         # A test that is run in the background may have been told to ignore interrupts.
         self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
@@ -201,6 +202,8 @@ class Answers(Scratch):
             self.call(text)
         thread.join()
         self.assertEqual(log.read_text(), "interrupted\n")
+        group, process = ready.read_text().split()
+        self.assertEqual(group, process)  # so that an interrupt of the terminal's group does not reach it too
 
 
 class Installed(Scratch):

@@ -9,6 +9,7 @@ import pandas as pd
 
 import kreisel
 from kreisel.columns import split_title
+from kreisel.samples import sample_table
 from small import bits, results_of
 
 
@@ -16,6 +17,13 @@ def table_of(results):
     with (results.folder / "results.csv").open(newline="") as file:
         titles, *rows = csv.reader(file)
     return titles, rows
+
+
+def assert_nearest(case, number, text, what):
+    """The text has more digits than 113 bits need: the nearest number is the one that was written."""
+    sign, mantissa, exponent, _ = number._mpf_
+    value = (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** exponent
+    case.assertLessEqual(abs(value - Fraction(text)), abs(value) / 2 ** 113, what)
 
 
 class Cells(unittest.TestCase):
@@ -93,15 +101,9 @@ class QuadNumbers(unittest.TestCase):
             for cell in quad:
                 if pd.isna(text.at[cell, name]):
                     continue
-                self.assert_nearest(exact.at[cell, name], text.at[cell, name], (cell, name))
+                assert_nearest(self, exact.at[cell, name], text.at[cell, name], (cell, name))
                 count += 1
         self.assertGreater(count, 500)
-
-    def assert_nearest(self, number, text, what):
-        """The text has more digits than 113 bits need: the nearest number is the one that was written."""
-        sign, mantissa, exponent, _ = number._mpf_
-        value = (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** exponent
-        self.assertLessEqual(abs(value - Fraction(text)), abs(value) / 2 ** 113, what)
 
     def test_the_precision_of_others_does_not_matter(self):
         import mpmath
@@ -109,7 +111,7 @@ class QuadNumbers(unittest.TestCase):
         with mpmath.workdps(5):
             number = results_of("orders").final(self.quad_cell(), "mpmath").bodies["top"].x[0]
         self.assertEqual(number.context.prec, 113)
-        self.assert_nearest(number, results_of("orders").final(self.quad_cell()).bodies["top"].x[0], "x")
+        assert_nearest(self, number, results_of("orders").final(self.quad_cell()).bodies["top"].x[0], "x")
 
     def test_doubles_are_the_nearest(self):
         results = results_of("orders")
@@ -197,6 +199,24 @@ class Samples(unittest.TestCase):
                     else:
                         self.assertEqual(bits(value), bits(text), title)
             self.assertEqual(len(samples), len(rows))
+
+    def test_samples_of_quad_cells_are_converted(self):
+        results, cell = results_of("orders"), QuadNumbers.quad_cell()
+        text = results.trajectory(cell)
+        exact, double = results.trajectory(cell, "mpmath"), results.trajectory(cell, "double")
+        for name in ("top.x1", "defect.orthogonality.max"):
+            for t in range(len(text)):
+                assert_nearest(self, exact[name].iloc[t], text[name].iloc[t], name)
+                self.assertEqual(bits(double[name].iloc[t]), bits(text[name].iloc[t]))
+        self.assertEqual(double.index[-1], results.record(cell)["t_end"])
+
+    def test_what_was_not_measured_is_missing(self):
+        written = b"t [s],theta [rad]\n0,\n1,-0\n"
+        for quad_cell, quad in ((False, "text"), (True, "text"), (True, "mpmath"), (True, "double")):
+            theta = sample_table(written, quad_cell, quad)["theta"]
+            self.assertEqual(list(theta.isna()), [True, False])
+            self.assertEqual(float(theta.iloc[1]), 0)
+        self.assertEqual(bits(sample_table(written, False, "text")["theta"].iloc[1]), bits(-0.0))
 
     def test_rotations_and_vectors_are_those_of_the_final_state(self):
         results = results_of("pins")
