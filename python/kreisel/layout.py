@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 CM = 1 / 2.54  # in
 PANEL_WIDTH, PAGE_WIDTH, AXES_HEIGHT = 8.5, 17.0, 5.0
 _LEFT, _RIGHT, _TOP, _BELOW, _BOTTOM, _TITLE = 1.6, 0.4, 0.6, 1.25, 0.15, 0.5
-_ROW, _CHARACTER, _SAMPLE = 0.4, 0.15, 1.2
+_ROW, _RAISED, _CHARACTER, _SAMPLE = 0.4, 0.14, 0.15, 1.2
 
 
 def _panel_width(legends: Sequence[Sequence[str]], columns: int) -> float:
@@ -22,13 +22,18 @@ def _panel_width(legends: Sequence[Sequence[str]], columns: int) -> float:
     return max(width, _SAMPLE + _CHARACTER * widest + _RIGHT)
 
 
+def _legend_height(labels: Sequence[str]) -> float:
+    """Entries with something raised are higher."""
+    return sum(_ROW + (_RAISED if "^" in label else 0) for label in labels)
+
+
 def new_axes(legends: Sequence[Sequence[str]], columns: int = 1, title: str = "") -> list[Axes]:
     """Axes for one panel for each legend, on a new page that leaves space for these below."""
     import matplotlib.pyplot as plt
 
     columns = min(columns, len(legends))
     rows = [legends[at:at + columns] for at in range(0, len(legends), columns)]
-    heights = [_TOP + AXES_HEIGHT + _BELOW + _ROW * max(map(len, row)) + _BOTTOM for row in rows]
+    heights = [_TOP + AXES_HEIGHT + _BELOW + max(map(_legend_height, row)) + _BOTTOM for row in rows]
     width = _panel_width(legends, columns)
     heading = _TITLE * (title.count("\n") + 1) if title else 0
     page_width, page_height = columns * width, sum(heights) + heading

@@ -66,8 +66,10 @@ def plot_figure(results: Results, name: str | None = None) -> Figure:
     """A figure that the config asks for, the first one if no name is given: with the curves, fitted orders and legends
     of `kreisel plot`. Raises KeyError for another name, NotDrawn where the program draws no curves."""
     figures = read_figures(results)
+    if not figures:
+        raise NotDrawn(f"{results.name}: the config asks for no figure")
     if name is None:
-        name = next(iter(figures), "")
+        name = next(iter(figures))
     if name not in figures:
         raise KeyError(f"expected a figure of the experiment ({', '.join(figures)}), got {name!r}")
     data = figures[name]

@@ -36,7 +36,7 @@ PINS = {
             "bodies": [_ROD], "joints": [{**_PLANE, "type": "spherical"}]}},
         {"name": "multibody", "label": "plane", "parameters": {
             "bodies": [_ROD], "joints": [_PLANE], "forces": [_SPRING]}}],
-    "methods": ["rkmk/rk4"], "time": {"end": 0.5, "steps": 50}, "output": {"samples": 5},
+    "methods": ["rkmk/rk4"], "time": {"end": 0.5, "steps": 50}, "output": {"samples": 5}, "figure": [],
 }
 del PINS["problems"][0]["parameters"]["joints"][0]["axis"]
 

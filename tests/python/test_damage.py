@@ -127,6 +127,12 @@ class Damage(unittest.TestCase):
         self.assertEqual(list(results.cells.index), list(results_of("pins").cells.index[1:]))
         self.assertEqual(len(results.damage), 1)
 
+    def test_a_table_that_is_not_there_is_no_damage_but_said(self):
+        (self.folder / "results.csv").unlink()
+        with self.assertWarnsRegex(UserWarning, "results.csv: there is no such file: columns have no units"):
+            cells = kreisel.load(self.folder).cells
+        self.assertEqual(cells["final.t"].iloc[0], 0.5)
+
     def test_the_program_says_the_same(self):
         """All but samples, which the program reads at once."""
         folder = copy_of("orders", self.folder.parent)

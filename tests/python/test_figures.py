@@ -11,6 +11,7 @@ import numpy as np
 
 import kreisel
 from kreisel import style
+from kreisel.curves import Curve, FigureData, Panel
 from kreisel.labels import matplotlib_text
 from kreisel.plots import draw_figure
 from small import ROOT, copy_of, results_of
@@ -93,14 +94,20 @@ class Curves(unittest.TestCase):
                                  [matplotlib_text(curve.label) for curve in panel.curves])
 
     def test_legends_lie_on_the_page(self):
-        for name in ("errors", "defects"):
-            drawn = draw_figure(self.figures[name])
+        line = np.array([1.0, 2.0])
+        long = tuple(Curve(f"baumgarte alpha=5 beta=5, SO3xR3, {i}: ∝ t^{{0.03 ± 0.08}}", i, line, line)
+                     for i in range(1, 16))
+        raised = FigureData("raised", "", "", 2, False, (Panel("", "", "", True, True, False, long, (), ()),) * 3)
+        for data in (self.figures["errors"], self.figures["defects"], raised):
+            drawn = draw_figure(data)
             drawn.canvas.draw()
             for ax in drawn.axes:
                 box = ax.get_legend().get_window_extent()
                 self.assertGreaterEqual(box.x0, 0)
                 self.assertGreaterEqual(box.y0, 0)
                 self.assertLessEqual(box.x1, drawn.bbox.x1)
+                others = [other.get_window_extent() for other in drawn.axes]
+                self.assertFalse([other for other in others if box.overlaps(other)])
 
     @unittest.skipUnless(shutil.which("gnuplot"), "there is no gnuplot; tools/setup figures installs it")
     def test_the_curves_are_those_that_gnuplot_draws(self):
@@ -123,6 +130,8 @@ class Curves(unittest.TestCase):
             kreisel.plot_figure(self.results, "path")
         with self.assertRaisesRegex(KeyError, "expected a figure of the experiment .*, got 'none'"):
             kreisel.plot_figure(self.results, "none")
+        with self.assertRaisesRegex(kreisel.NotDrawn, "the config asks for no figure"):
+            kreisel.plot_figure(results_of("pins"))
 
 
 class OfCells(unittest.TestCase):
