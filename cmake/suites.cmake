@@ -181,6 +181,18 @@ if(TARGET kreisel)
   set_tests_properties(browser.report PROPERTIES LABELS browser SKIP_RETURN_CODE 77 TIMEOUT 600)
 endif()
 
+# The Python package, and its notebook. Skipped by name where a library is missing, unless KREISEL_REQUIRE has `python`.
+if(TARGET kreisel)
+  foreach(part "package:[!n]*" "notebook:notebook")
+    string(REPLACE ":" ";" part ${part})
+    list(GET part 0 name)
+    list(GET part 1 files)
+    add_test(NAME python.${name}
+             COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/python/run.py $<TARGET_FILE:kreisel> ${files})
+    set_tests_properties(python.${name} PROPERTIES LABELS python SKIP_RETURN_CODE 77 TIMEOUT 600)
+  endforeach()
+endif()
+
 # The table of controls that ./check writes at its end, which runs every check on every control.
 if(TARGET test_orders_binary64)
   add_test(NAME orders.controls COMMAND test_orders_binary64 "[list]")

@@ -56,6 +56,7 @@ TEST_CASE("each rule catches the tree that breaks it", "[architecture]") {
                                                          {"arrow_missing", "methods/euler.cpp:2: arrow"},
                                                          {"licence_none", "plots/path.gp:1: licence"},
                                                          {"licence_late", "tools/tidy:1: licence"},
+                                                         {"licence_python", "python/kreisel/results.py:1: licence"},
                                                          {"licence_gsl", "tests/oracle.cpp:1: licence"},
                                                          {"literal_tenth", "methods/ab.cpp:4: literal"},
                                                          {"literal_suffix", "lie/so3.cpp:2: literal"},

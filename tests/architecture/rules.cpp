@@ -72,6 +72,7 @@ bool includes_gsl(const Source& source) { return source.code.find("#include <gsl
 
 bool needs_licence(const Source& source) {
     if (source.is_cpp() || source.extension() == ".gp") { return true; }
+    if (source.extension() == ".py") { return !source.text.empty(); }  // an empty one marks a package
     return source.text.starts_with("#!");
 }
 

@@ -91,7 +91,7 @@ class Blanker {
 
 constexpr std::array folders = {"support",    "lie",     "mechanics", "problems", "methods",     "peers",
                                 "engine",     "records", "plots",     "driver",   "experiments", "tests",
-                                "benchmarks", "tools",   ".ci",       "paper"};
+                                "benchmarks", "tools",   ".ci",       "paper",    "python"};
 constexpr std::array root_files = {"CMakeLists.txt", "reproduce", "check"};
 
 bool left_out(const std::string& path) { return path.starts_with("tests/architecture/bad/"); }
