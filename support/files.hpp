@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace kreisel {
@@ -16,8 +17,11 @@ class Descriptor {
   public:
     explicit Descriptor(int number = -1) : number_(number) {}
     ~Descriptor();
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
     int number() const { return number_; }
     bool valid() const { return number_ >= 0; }
     /// Closes; true unless the system reports an error (a full disk may show only here).

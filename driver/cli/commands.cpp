@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <cstdlib>
-
 #include "driver/campaign/progress.hpp"
 #include "driver/config/composition/composed.hpp"
 #include "driver/config/composition/filter.hpp"
@@ -144,12 +142,6 @@ Exit run_command(const Paths& written, const ConfigChanges& changes, const std::
     for (std::size_t i = 0; i < all.size(); ++i) {
         const CampaignReport outcome = run_campaign(all[i].plan, engines, all[i].folder, settings, terminal.messages);
         const Exit one = report(outcome, all[i], to_go_on(all[i], configs[i], changes, settings), terminal.messages);
-        if (outcome.workers_left_behind) {
-            terminal.out.flush();
-            terminal.messages.flush();
-            // Unresponsive workers still run: an orderly exit would destroy objects they use.
-            std::_Exit(static_cast<int>(Exit::interrupted));
-        }
         if (one == Exit::interrupted) { return one; }
         result = one == Exit::ok ? result : one;
     }

@@ -4,9 +4,8 @@
 // misbehave.
 #pragma once
 
-#include <atomic>
-
 #include "engine/engine.hpp"
+#include "tests/driver/shared_count.hpp"
 
 namespace kreisel {
 
@@ -43,8 +42,8 @@ class FakeEngine final : public Engine {
                             const std::string& formulation) const override;
     std::string reference_digest() const override { return digest; }
 
-    mutable std::atomic<int> runs = 0, references = 0;
-    mutable std::vector<long> timed;  ///< the steps of the cells that were timed further, in their order
+    mutable SharedCount runs, references;
+    mutable SharedNumbers timed;  ///< the steps of the cells that were timed further, in their order
     std::string digest = "fake";
 };
 

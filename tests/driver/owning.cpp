@@ -145,7 +145,7 @@ TEST_CASE("parts that no journal line asks for are removed by the next run") {
     own.write("notes.4711.part", "half");
     CellRecord interrupted = line.record;
     interrupted.identity.cell = "00000000000000bb";
-    interrupted.outcome.status = interrupted_status;
+    interrupted.outcome.status = status::interrupted;
     std::ofstream(own.folder / "journal.jsonl", std::ios::app) << journal_line(interrupted, line.build) << "\n";
     REQUIRE(own.run({"--resume"}).code == 0);
     CHECK_FALSE(std::filesystem::exists(own.folder / "trajectories/00000000000000aa.csv.part"));
