@@ -5,7 +5,7 @@
 #pragma once
 
 #include "engine/engine.hpp"
-#include "tests/driver/shared_count.hpp"
+#include "tests/driver/workers/shared_count.hpp"
 
 namespace kreisel {
 
@@ -14,7 +14,7 @@ namespace kreisel {
 /// (one millisecond per step, checks stop requests, samples on the way), fake/deaf (ignores stop requests),
 /// fake/throws, fake/throws_int, fake/pair (has an estimate of its error, which is the tolerance), fake/own (chooses
 /// its steps itself), fake/tableau (options that are texts; one of them decides its order).
-class FakeEngine final : public Engine {
+class FakeEngine : public Engine {
   public:
     std::vector<ProblemDescription> problems() const override;
     std::vector<MethodDescription> methods() const override;

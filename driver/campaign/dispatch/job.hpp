@@ -25,7 +25,7 @@ struct Job {
 /// A worker answers a batch cell by cell. Answers are the letter and a text.
 enum class Answered : char {
     record = 'c',        ///< the line of the journal
-    no_memory = 'm',     ///< the same of a cell, or nothing of a reference: it met the worker's share
+    no_memory = 'm',     ///< memory was refused; the text: what else there is to say
     part = 'p',          ///< the cell was interrupted and has left samples: a line of the journal
     interrupted = 'i',   ///< the same without samples, or a reference
     seconds = 't',       ///< of a round; empty: none

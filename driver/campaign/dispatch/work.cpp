@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
+#include <new>
+
 #include "driver/campaign/cell_run.hpp"
 #include "driver/campaign/workers/limits.hpp"
 #include "driver/campaign/workers/message.hpp"
@@ -10,6 +13,15 @@
 #include "support/errors.hpp"
 
 namespace kreisel {
+
+namespace {
+
+// A method that has closed the socket has taken its worker from the run.
+void answer(const Descriptor& socket, const std::string& text) {
+    if (!send_message(socket, text)) { ::raise(SIGKILL); }
+}
+
+}  // namespace
 
 std::string with_printed(const std::string& detail, const std::string& printed) {
     if (printed.empty()) { return detail; }
@@ -20,16 +32,16 @@ void Work::serve(const Descriptor& socket, const Printed& printed, const std::st
     while (const auto text = receive_message(socket)) {
         const Job job = Job::read(*text);
         try {
-            if (job.kind == Job::Kind::reference) { send_message(socket, answer_reference(job.reference, stop)); }
+            if (job.kind == Job::Kind::reference) { answer(socket, answer_reference(job.reference, stop)); }
             for (const std::size_t index : job.cells) {
                 const PlannedCell& planned = plan_.cells[index];
                 const bool round = job.kind == Job::Kind::round;
-                send_message(socket, round ? answer_round(planned, stop) : answer_cell(planned, printed, stop));
+                answer(socket, round ? answer_round(planned, stop) : answer_cell(planned, printed, stop));
             }
         } catch (const FileError& error) {
-            send_message(socket, answer_text(Answered::file_error, error.what()));
+            answer(socket, answer_text(Answered::file_error, error.what()));
         } catch (const std::bad_alloc&) {  // what cannot be written down in the share
-            send_message(socket, answer_text(Answered::no_memory));
+            answer(socket, answer_text(Answered::no_memory));
         }
     }
 }
@@ -77,6 +89,10 @@ std::string Work::answer_cell(const PlannedCell& planned, const Printed& printed
 
 std::string Work::answer_outcome(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
                                  TrajectoryFile& samples) const {
+    if (outcome.status == status::out_of_memory) {
+        samples.discard();
+        return answer_text(Answered::no_memory, outcome.detail);
+    }
     CellRecord cell = record_of_run(planned, outcome, reference, samples.sum());
     std::string line;
     try {
@@ -86,8 +102,7 @@ std::string Work::answer_outcome(const PlannedCell& planned, const Outcome& outc
         line = journal_line(cell, build_);
     }
     cell.outcome.trajectory_sum.empty() ? samples.discard() : samples.keep();
-    const bool no_memory = outcome.status == status::out_of_memory;
-    return answer_text(no_memory ? Answered::no_memory : Answered::record, line);
+    return answer_text(Answered::record, line);
 }
 
 std::string Work::answer_part(const PlannedCell& planned, TrajectoryFile& samples) const {

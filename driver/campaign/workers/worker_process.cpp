@@ -26,6 +26,13 @@ void on_signal(int signal, void (*handler)(int)) {
     ::sigaction(signal, &action, nullptr);
 }
 
+// The program may catch what a worker has to die of.
+void catch_nothing() {
+    for (int signal = 1; signal < NSIG; ++signal) {
+        on_signal(signal, SIG_DFL);  // NOLINT(cppcoreguidelines-pro-type-cstyle-cast): the system's macro
+    }
+}
+
 void read_nothing() {
     const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
     if (nothing < 0) { return; }
@@ -57,7 +64,9 @@ void be_worker(pid_t parent, const Descriptor& socket, const Printed& printed, s
     die_with(parent);
     std::stop_source stop;
     stop_of_worker = &stop;
-    on_signal(SIGTERM, stop_worker);  // Ctrl-C meets all processes of a terminal: the program says when to stop
+    catch_nothing();
+    ignore_signals({SIGINT, SIGPIPE, SIGXFSZ});  // Ctrl-C meets all of a terminal: the program says when to stop
+    on_signal(SIGTERM, stop_worker);
     read_nothing();
     printed.divert();
     dump_no_core();
