@@ -62,4 +62,18 @@ class FolderLock {
     Descriptor folder_lock_, shard_lock_;
 };
 
+/// Keeps other processes, on this folder as well, from making the same thing at the same time: one byte of a file is
+/// locked. Whoever is killed leaves nothing behind, and the file stays, for removing it would part those who wait.
+class ThingLock {
+  public:
+    /// Waits for it until a signal arrives.
+    ThingLock(const std::filesystem::path& file, const std::string& thing);
+    /// False if a signal came first.
+    bool held() const { return held_; }
+
+  private:
+    Descriptor file_;
+    bool held_ = false;
+};
+
 }  // namespace kreisel

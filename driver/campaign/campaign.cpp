@@ -47,23 +47,36 @@ Resources resources_of(const Plan& plan, const RunSettings& settings) {
             settings.timeout, settings.grace};
 }
 
+void say_of_references(const Plan& plan, const ProgressState& progress, const FailedReferences& failed,
+                       CampaignReport& report) {
+    report.references = progress.references_done - failed.size();
+    for (const auto& [hash, end] : failed) {
+        const PlannedReference& planned = plan.references.at(hash);
+        report.reference_failures.push_back(
+            fmt::format("{}: reference of {} at t = {} s: {}", end.status, planned.problem, planned.t_end, end.detail));
+    }
+}
+
 void run_workers(const Plan& plan, const Forker& forker, Ledger& ledger, const ReferenceStore& store,
                  const RunSettings& settings, std::ostream& messages, CampaignReport& report) {
     Progress progress(messages, plan.config.name, settings.terminal);
     const auto start = std::chrono::steady_clock::now();
     Dispatcher dispatcher(plan, forker, ledger, resources_of(plan, settings), [&] { progress.show(ledger.progress); });
-    dispatcher.enqueue(wanted_references(plan, ledger, store), ledger.mine());
+    dispatcher.enqueue(wanted_references(plan, ledger, store),
+                       settings.references_only ? std::vector<std::size_t>() : ledger.mine());
     dispatcher.run();
-    if (plan.config.runs_alone()) { dispatcher.time_in_turn(); }
+    if (plan.config.runs_alone() && !settings.references_only) { dispatcher.time_in_turn(); }
     progress.clear();
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     report.notes = dispatcher.notes();
+    say_of_references(plan, ledger.progress, dispatcher.failed_references(), report);
+    report.interrupted = dispatcher.interrupted() && dispatcher.has_left_something();
 }
 
 // Shards have none: merge makes them.
 void close_results(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
-                   const std::string& shard, const Finished& finished) {
-    if (!shard.empty()) { return; }
+                   const RunSettings& settings, const Finished& finished) {
+    if (settings.shards > 1 || settings.references_only) { return; }
     write_results(plan, finished, table_units(plan, engines.binary64), folder);
     write_geometries(plan, engines.binary64, folder);
 }
@@ -139,8 +152,7 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
     run_workers(plan, forker, ledger, ReferenceStore(folder, settings.cache, engines.binary128.reference_digest()),
                 settings, messages, report);
     state.counts = report.counts = count_cells(plan, ledger.finished(), settings);
-    close_results(plan, engines, folder, shard, ledger.finished());
-    report.interrupted = InterruptGuard::requested() && report.counts.missing > 0;
+    close_results(plan, engines, folder, settings, ledger.finished());
     if (report.counts.missing == 0 && (!earlier.journals.foreign.empty() || earlier.damaged)) {
         prune_journal(journal_file(folder, shard), settings.build);
     }

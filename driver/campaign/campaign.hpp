@@ -19,6 +19,7 @@ struct RunSettings {
     unsigned workers = 1;
     bool resume = false;
     bool overwrite = false;
+    bool references_only = false;       ///< compute what cells are compared with, and no cell
     std::size_t shard = 1, shards = 1;  ///< run every cell whose index i has i mod shards = shard - 1
     std::string build;                  ///< identifies the code; results of another build are never reused
     std::filesystem::path cache;        ///< where references are kept for all results; empty: nowhere
@@ -31,6 +32,8 @@ struct RunSettings {
 struct CampaignReport {
     CellCounts counts;
     std::size_t reused = 0;
+    std::size_t references = 0;                   ///< that are there
+    std::vector<std::string> reference_failures;  ///< one line for each that could not be computed
     double seconds = 0;
     std::vector<std::pair<std::string, std::string>>
         failures;  ///< one line for each failed cell; the second: its status

@@ -47,7 +47,7 @@ Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Referen
     } catch (const FileError&) { throw; } catch (const std::bad_alloc&) {
         return ended(status::out_of_memory, "");
     } catch (const std::exception& error) { return ended(status::exception, error.what()); } catch (...) {
-        return ended(status::exception, "something other than a std::exception was thrown");
+        return ended(status::exception, not_an_exception);
     }
 }
 

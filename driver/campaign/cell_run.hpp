@@ -10,6 +10,9 @@
 
 namespace kreisel {
 
+/// What is said of one.
+inline constexpr const char* not_an_exception = "something other than a std::exception was thrown";
+
 /// The outcome of a cell that ended in none of its steps.
 Outcome ended(std::string status, std::string detail);
 

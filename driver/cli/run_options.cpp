@@ -47,6 +47,8 @@ void CommandLine::add_run() {
         run->add_flag("--resume", settings.resume, "Keep what an earlier run of this build has finished");
     run->add_flag("--overwrite", settings.overwrite, "Remove the results of an earlier run first")->excludes(resume);
     run->add_option("--shard", arguments_.shard, "I/N: run only the I-th of N parts; kreisel merge puts them together");
+    run->add_flag("--references-only", settings.references_only,
+                  "Compute the reference solutions that cells need, and no cell");
     add_limits(*run);
     add_changes(*run);
 }

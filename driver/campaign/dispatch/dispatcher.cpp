@@ -28,6 +28,7 @@ double seconds_since(std::chrono::steady_clock::time_point time) {
 void Dispatcher::enqueue(const std::vector<std::string>& references, const std::vector<std::size_t>& cells) {
     for (const std::string& hash : references) { schedule_.add_reference(hash); }
     ledger_.progress.references += references.size();
+    enqueued_ = ledger_.finished().size() + cells.size();
     for (const std::size_t index : cells) {
         const PlannedCell& planned = plan_.cells[index];
         if (planned.skip_reason.empty()) {
@@ -45,6 +46,11 @@ void Dispatcher::run() {
         wait();
         show_();
     }
+}
+
+bool Dispatcher::has_left_something() const {
+    const ProgressState& progress = ledger_.progress;
+    return progress.references_done < progress.references || ledger_.finished().size() < enqueued_;
 }
 
 void Dispatcher::time_in_turn() {

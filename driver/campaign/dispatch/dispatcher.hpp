@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,12 @@ struct Resources {
     double timeout = 0;        ///< s of CPU time of a cell, for messages; 0: any
     double grace = 1;          ///< s that interrupted workers get to finish before they are killed
 };
+
+/// How a reference failed.
+struct FailedReference {
+    std::string status, detail;
+};
+using FailedReferences = std::map<std::string, FailedReference>;  // by hash
 
 /// Cells that end badly are run again alone, with all memory, in a new worker, and that outcome counts: memory that
 /// other cells have taken, or left in disorder, decides nothing. CPU time is the cell's own, so that a cell that was
@@ -48,11 +55,12 @@ class Dispatcher {
     /// Takes further rounds of CPU times, all cells in each round, so that a busy moment of the machine meets all alike.
     void time_in_turn();
 
-    /// Hashes of references that failed, with their status and what there is to say.
-    const std::map<std::string, std::pair<std::string, std::string>>& failed_references() const { return failed_; }
+    const FailedReferences& failed_references() const { return failed_; }
     /// Something the user should know, one line each.
     const std::vector<std::string>& notes() const { return notes_; }
     bool interrupted() const { return stopped_.has_value(); }
+    /// Of what was enqueued.
+    bool has_left_something() const;
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -89,10 +97,11 @@ class Dispatcher {
     Schedule schedule_;
     std::function<void()> show_;
     Slots slots_;
-    std::map<std::string, std::pair<std::string, std::string>> failed_;
+    FailedReferences failed_;
     std::vector<std::string> notes_;
     std::optional<Clock::time_point> stopped_;
     bool given_up_ = false;
+    std::size_t enqueued_ = 0;  // cells that there are when all is done
 };
 
 }  // namespace kreisel

@@ -32,7 +32,7 @@ void Work::serve(const Descriptor& socket, const Printed& printed, const std::st
     while (const auto text = receive_message(socket)) {
         const Job job = Job::read(*text);
         try {
-            if (job.kind == Job::Kind::reference) { answer(socket, answer_reference(job.reference, stop)); }
+            if (job.kind == Job::Kind::reference) { answer(socket, answer_reference(job.reference, printed, stop)); }
             for (const std::size_t index : job.cells) {
                 const PlannedCell& planned = plan_.cells[index];
                 const bool round = job.kind == Job::Kind::round;
@@ -46,21 +46,31 @@ void Work::serve(const Descriptor& socket, const Printed& printed, const std::st
     }
 }
 
-std::string Work::answer_reference(const std::string& hash, const std::stop_token& stop) const {
+std::string Work::answer_reference(const std::string& hash, const Printed& printed, const std::stop_token& stop) const {
     const PlannedReference& planned = plan_.references.at(hash);
     auto stored = store_.find(planned);
     if (!stored) {
-        try {
-            const CpuLimit limit(timeout_);
-            const Reference reference =
-                engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end, planned.samples, stop);
-            if (reference.interrupted) { return answer_text(Answered::interrupted); }
-            stored = store_.make(planned, reference);
-        } catch (const std::bad_alloc&) { throw; } catch (const std::exception& error) {
-            return answer_text(Answered::no_reference, error.what());
-        }
+        const ThingLock lock = store_.lock(planned);
+        stored = store_.find(planned);  // by whoever had the lock before
+        if (!stored && !lock.held()) { return answer_text(Answered::interrupted); }
+        if (!stored) { return compute_reference(planned, printed, stop); }
     }
     return answer_text(Answered::reference, store_.keep(planned, *stored));
+}
+
+std::string Work::compute_reference(const PlannedReference& planned, const Printed& printed,
+                                    const std::stop_token& stop) const {
+    Reference reference;
+    try {
+        const CpuLimit limit(timeout_);
+        reference =
+            engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end, planned.samples, stop);
+    } catch (const std::bad_alloc&) { throw; } catch (const std::exception& error) {
+        return answer_text(Answered::no_reference, with_printed(error.what(), printed.take()));
+    } catch (...) { return answer_text(Answered::no_reference, with_printed(not_an_exception, printed.take())); }
+    printed.take();
+    if (reference.interrupted) { return answer_text(Answered::interrupted); }
+    return answer_text(Answered::reference, store_.keep(planned, store_.make(planned, reference)));
 }
 
 const Reference* Work::reference_of(const PlannedCell& planned) {

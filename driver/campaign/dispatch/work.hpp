@@ -34,7 +34,10 @@ class Work {
     void serve(const Descriptor& socket, const Printed& printed, const std::stop_token& stop);
 
   private:
-    std::string answer_reference(const std::string& hash, const std::stop_token& stop) const;
+    std::string answer_reference(const std::string& hash, const Printed& printed, const std::stop_token& stop) const;
+    /// While it is locked: computes it and writes it down.
+    std::string compute_reference(const PlannedReference& planned, const Printed& printed,
+                                  const std::stop_token& stop) const;
     std::string answer_cell(const PlannedCell& planned, const Printed& printed, const std::stop_token& stop);
     std::string answer_round(const PlannedCell& planned, const std::stop_token& stop) const;
     /// Of a cell that has run; the samples are put in their place or removed.
