@@ -12,7 +12,6 @@
 #include "driver/campaign/dispatch/work.hpp"
 #include "driver/campaign/earlier.hpp"
 #include "driver/campaign/geometry.hpp"
-#include "driver/campaign/interrupt.hpp"
 #include "driver/campaign/results.hpp"
 #include "driver/campaign/workers/limits.hpp"
 #include "records/folder/owned_files.hpp"
@@ -131,7 +130,6 @@ std::string shard_name(const RunSettings& settings) {
 
 CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
                             const RunSettings& settings, std::ostream& messages) {
-    const InterruptGuard guard;
     Work work(plan, engines, folder, settings);
     const Forker forker([&](const Descriptor& socket, const Printed& printed, const std::stop_token& stop) {
         work.serve(socket, printed, stop);

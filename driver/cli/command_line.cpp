@@ -32,7 +32,8 @@ constexpr const char* exit_codes =
     "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed, a figure could not be drawn, or "
     "results\n"
     "differ (verify, diff);\n"
-    "2 bad config or usage, nothing was run; 3 a file or folder could not be read or written, or is damaged;\n"
+    "2 bad config or usage, nothing was run; 3 a file or folder could not be read or written, or is damaged, no\n"
+    "process could be started, memory ran out, or cells are missing (merge);\n"
     "4 internal error; 130 interrupted.";
 
 }  // namespace

@@ -6,25 +6,18 @@
 
 #include <span>
 
+#include "driver/campaign/interrupt.hpp"
 #include "driver/campaign/progress.hpp"
 #include "driver/config/composition/composed.hpp"
 #include "driver/config/composition/filter.hpp"
 #include "driver/config/shipped.hpp"
 #include "driver/plan/text.hpp"
 #include "records/reference_store.hpp"
+#include "support/in_shell.hpp"
 
 namespace kreisel {
 
 namespace {
-
-// As one word of a POSIX shell.
-std::string in_shell(const std::string& text) {
-    constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
-    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) { return text; }
-    std::string quoted = "'";
-    for (const char c : text) { quoted += c == '\'' ? "'\\''" : std::string(1, c); }
-    return quoted + "'";
-}
 
 struct PlannedConfig {
     Plan plan;
@@ -153,6 +146,7 @@ Exit run_command(const Paths& written, const ConfigChanges& changes, const std::
     if (settings.cache.empty()) { settings.cache = default_cache_folder(); }
     const auto all = with_folders(read_all(configs, changes, engines, terminal.messages), output);
     for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, planned.plan, settings); }
+    const InterruptGuard guard;  // until the last word is said
     Exit result = Exit::ok;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const CampaignReport outcome = run_campaign(all[i].plan, engines, all[i].folder, settings, terminal.messages);
