@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <sstream>
 #include <thread>
 
@@ -25,6 +26,13 @@ void read_shard(const std::string& written, RunSettings& settings) {
     }
     settings.shard = shard;
     settings.shards = shards;
+}
+
+// Read as CLI11 has read it.
+std::string above_zero(const std::string& written) {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(written, value) && value > 0 && std::isfinite(value);
+    return good ? "" : fmt::format("expected a number above 0, got {}", in_quotes(written));
 }
 
 }  // namespace
@@ -60,11 +68,12 @@ void CommandLine::add_limits(CLI::App& run) {
         ->check(CLI::Range(1U, 4096U));
     run.add_option("--timeout", settings.timeout,
                    "Seconds of CPU time that a cell or a reference may take; by default as many as it needs")
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero);
     run.add_option("--max-memory", settings.max_memory,
                    "Memory of all cells together, such as 8GB (default: 80 % of what the machine or its cgroup\n"
                    "allows); a cell that meets its share is run again alone with all of it")
-        ->transform(CLI::AsSizeValue(false));
+        ->transform(CLI::AsSizeValue(false))
+        ->check(above_zero);
 }
 
 }  // namespace kreisel

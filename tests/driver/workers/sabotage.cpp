@@ -140,3 +140,16 @@ TEST_CASE("a cell whose worker is killed is run again") {
     CHECK(run(scratch, amid_good_cells("sabotage/kill"), "killed", {"-j", "2"}, engine).code == 0);
     CHECK(engine.killed >= 1);
 }
+
+TEST_CASE("limits that are none are refused") {
+    const ScratchFolder scratch;
+    for (const char* option : {"--timeout", "--max-memory"}) {
+        for (const char* value : {"0", "-1", "nan", "much"}) {
+            INFO(option << " " << value);
+            const auto result = run(scratch, amid_good_cells(""), "none", {option, value});
+            CHECK(result.code == 2);
+            CHECK_THAT(result.messages, Catch::Contains(option));
+        }
+    }
+    CHECK_FALSE(std::filesystem::exists(scratch / "none"));
+}
