@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "driver/campaign/workers/limits.hpp"
 #include "records/cell/line.hpp"
 #include "tests/driver/command_line.hpp"
 #include "tests/driver/workers/program_process.hpp"
@@ -107,4 +108,33 @@ TEST_CASE("a folder that cannot be written is named") {
     const auto result = run_program({"run", config, "-o", "/proc/self/out"});
     CHECK(result.code == 3);
     CHECK_THAT(result.messages, Catch::Contains("/proc/self/out"));
+}
+
+TEST_CASE("where no process can be started a run ends with 3 and says so") {
+    const ScratchFolder scratch;
+    std::filesystem::permissions(scratch / ".", std::filesystem::perms::all);
+    const auto ended = run_starved(scratch, "out", [] {
+        set_limit(RLIMIT_NPROC, 0);
+        if (::geteuid() == 0) { CHECK(::setuid(65534) == 0); }  // the limit is none for root
+    });
+    CHECK(ended.code == 3);
+    CHECK_THAT(ended.said, Catch::Contains("the process that starts workers cannot be made: Resource temporarily"));
+}
+
+TEST_CASE("a plan that does not fit into memory ends a run with 3") {
+    const ScratchFolder scratch;
+    std::string steps = "1";
+    for (int i = 2; i <= 20'000; ++i) { steps += "," + std::to_string(i); }
+    const FakeEngine engine;
+    const std::string said = (scratch / "said.txt").string(),
+                      config = scratch.file("large.json", R"({"name": "large", "kind": "drift", "methods": ["rkmk/*"],
+        "problems": ["heavy_top"], "time": {"end": 1, "steps": [)" +
+                                                              steps + "]}}");
+    ProgramProcess program({"run", config, "-o", (scratch / "out").string()}, engine, [&] {
+        std::freopen(said.c_str(), "w", stderr);
+        limit_memory(8U << 20U);
+    });
+    CHECK(program.wait() == 3);
+    CHECK_THAT(contents(said), Catch::Contains("memory"));
+    CHECK_FALSE(std::filesystem::exists(scratch / "out"));
 }
