@@ -38,7 +38,7 @@ void read_journal(const std::filesystem::path& file, const std::string& build, J
         const std::string line = text.substr(start, end - start);
         start = end + 1;
         auto cell = read_journal_line(line);
-        if (cell && cell->record.outcome.status == interrupted_status) {
+        if (cell && cell->record.outcome.status == status::interrupted) {
             contents.interrupted.insert(std::move(cell->record.identity.cell));
         } else if (cell && (build.empty() || cell->build == build)) {
             const std::string& name = cell->record.identity.cell;

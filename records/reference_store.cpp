@@ -56,6 +56,8 @@ Reference reference_of(const JsonValue& json) {
     return reference;
 }
 
+constexpr const char* lock_name = ".lock.references";
+
 /// A reference's file is one line.
 constexpr SumStyle sum_of_reference{compact_sum.before, "\"}\n"};
 
@@ -147,6 +149,16 @@ bool ReferenceStore::is_damaged(const PlannedReference& planned) const {
     std::error_code error;
     const auto file = in_results(planned);
     return std::filesystem::is_regular_file(file, error) && !is_whole_reference(read_text(file));
+}
+
+ThingLock ReferenceStore::lock(const PlannedReference& planned) const {
+    if (!cache_.empty()) {
+        try {
+            make_folder(cache_);
+            return ThingLock(cache_ / lock_name, planned.content + "\n" + digest_);
+        } catch (const FileError&) {}  // keep says so, and the cache is not used
+    }
+    return ThingLock(results_ / lock_name, planned.content);
 }
 
 std::string ReferenceStore::keep(const PlannedReference& planned, const StoredReference& stored) const {

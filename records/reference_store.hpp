@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "records/cell/planned.hpp"
+#include "support/files.hpp"
 
 namespace kreisel {
 
@@ -58,6 +59,9 @@ class ReferenceStore {
     StoredReference make(const PlannedReference& planned, const Reference& reference) const {
         return stored_reference(planned, reference, digest_);
     }
+    /// Held while a reference is computed, so that runs that share a cache, or shards that share a folder, do not all
+    /// compute it. Throws FileError.
+    ThingLock lock(const PlannedReference& planned) const;
     /// Writes it to both places, where it is not there yet. Throws FileError where the result folder cannot be written;
     /// for a cache that cannot be written the reason is returned, for a note.
     std::string keep(const PlannedReference& planned, const StoredReference& stored) const;

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "support/errors.hpp"
+#include "support/hash.hpp"
 
 namespace kreisel {
 
@@ -114,6 +115,18 @@ void FolderLock::acquire(Descriptor& descriptor, bool shared, const std::filesys
         throw FileError(fmt::format("{}: another run is writing to this folder", folder.string()));
     }
     fail(folder, "cannot be locked", errno);
+}
+
+ThingLock::ThingLock(const std::filesystem::path& file, const std::string& thing)
+    : file_(open_file(file, O_RDWR | O_CREAT)) {
+    if (!file_.valid()) { fail(file, "cannot be opened", errno); }
+    struct flock region = {};
+    region.l_type = F_WRLCK;
+    region.l_whence = SEEK_SET;
+    region.l_start = static_cast<off_t>(hash64(thing) >> 2U);  // two things that share a byte wait in vain, no more
+    region.l_len = 1;
+    held_ = ::fcntl(file_.number(), F_OFD_SETLKW, &region) == 0;
+    if (!held_ && errno != EINTR) { fail(file, "cannot be locked", errno); }
 }
 
 }  // namespace kreisel

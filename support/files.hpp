@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace kreisel {
@@ -16,8 +17,11 @@ class Descriptor {
   public:
     explicit Descriptor(int number = -1) : number_(number) {}
     ~Descriptor();
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
     int number() const { return number_; }
     bool valid() const { return number_ >= 0; }
     /// Closes; true unless the system reports an error (a full disk may show only here).
@@ -56,6 +60,20 @@ class FolderLock {
   private:
     void acquire(Descriptor& descriptor, bool shared, const std::filesystem::path& folder) const;
     Descriptor folder_lock_, shard_lock_;
+};
+
+/// Keeps other processes, on this folder as well, from making the same thing at the same time: one byte of a file is
+/// locked. Whoever is killed leaves nothing behind, and the file stays, for removing it would part those who wait.
+class ThingLock {
+  public:
+    /// Waits for it until a signal arrives.
+    ThingLock(const std::filesystem::path& file, const std::string& thing);
+    /// False if a signal came first.
+    bool held() const { return held_; }
+
+  private:
+    Descriptor file_;
+    bool held_ = false;
 };
 
 }  // namespace kreisel

@@ -5,15 +5,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <ostream>
-#include <thread>
+#include <set>
 
+#include "driver/campaign/dispatch/dispatcher.hpp"
+#include "driver/campaign/dispatch/work.hpp"
 #include "driver/campaign/earlier.hpp"
 #include "driver/campaign/geometry.hpp"
-#include "driver/campaign/interrupt.hpp"
 #include "driver/campaign/results.hpp"
-#include "driver/campaign/work.hpp"
+#include "driver/campaign/workers/limits.hpp"
 #include "records/folder/owned_files.hpp"
 #include "records/provenance.hpp"
 #include "records/remarks/lost_integrals.hpp"
@@ -24,33 +24,60 @@ namespace kreisel {
 
 namespace {
 
-// Starts the workers and waits; true if some did not stop in time.
-bool run_workers(const std::shared_ptr<Campaign>& campaign, unsigned workers, double grace, Progress& progress) {
-    std::vector<std::jthread> threads;
-    campaign->working = workers;
-    for (unsigned i = 0; i < workers; ++i) {
-        threads.emplace_back([campaign] {
-            try {
-                campaign->work(campaign->stop.get_token());
-            } catch (...) { campaign->fail(std::current_exception()); }
-            --campaign->working;
-        });
+// The references that cells of this run need, and those that are damaged, once each.
+std::vector<std::string> wanted_references(const Plan& plan, const Ledger& ledger, const ReferenceStore& store) {
+    std::set<std::string> known;
+    std::vector<std::string> wanted;
+    for (const std::size_t index : ledger.mine()) {
+        const std::string& hash = plan.cells[index].reference;
+        if (!hash.empty() && known.insert(hash).second) { wanted.push_back(hash); }
     }
-    const auto pause = std::chrono::milliseconds(20);
-    double waited = 0;
-    while (campaign->working > 0 && waited < grace) {
-        std::this_thread::sleep_for(pause);
-        progress.show(campaign->progress());
-        if (InterruptGuard::requested()) {
-            campaign->stop.request_stop();
-            waited += std::chrono::duration<double>(pause).count();
-        }
+    for (const auto& [hash, planned] : plan.references) {
+        if (store.is_damaged(planned) && known.insert(hash).second) { wanted.push_back(hash); }
     }
+    return wanted;
+}
+
+// Concurrent cells would measure each other's memory and share the caches: one worker takes their times in turn.
+Resources resources_of(const Plan& plan, const RunSettings& settings) {
+    constexpr double usual_share = 0.8;
+    const auto usual = static_cast<std::uint64_t>(usual_share * static_cast<double>(allowed_memory()));
+    return {plan.config.runs_alone() ? 1 : settings.workers, settings.max_memory > 0 ? settings.max_memory : usual,
+            settings.timeout, settings.grace};
+}
+
+void say_of_references(const Plan& plan, const ProgressState& progress, const FailedReferences& failed,
+                       CampaignReport& report) {
+    report.references = progress.references_done - failed.size();
+    for (const auto& [hash, end] : failed) {
+        const PlannedReference& planned = plan.references.at(hash);
+        report.reference_failures.push_back(
+            fmt::format("{}: reference of {} at t = {} s: {}", end.status, planned.problem, planned.t_end, end.detail));
+    }
+}
+
+void run_workers(const Plan& plan, const Forker& forker, Ledger& ledger, const ReferenceStore& store,
+                 const RunSettings& settings, std::ostream& messages, CampaignReport& report) {
+    Progress progress(messages, plan.config.name, settings.terminal);
+    const auto start = std::chrono::steady_clock::now();
+    Dispatcher dispatcher(plan, forker, ledger, resources_of(plan, settings), [&] { progress.show(ledger.progress); });
+    dispatcher.enqueue(wanted_references(plan, ledger, store),
+                       settings.references_only ? std::vector<std::size_t>() : ledger.mine());
+    dispatcher.run();
+    if (plan.config.runs_alone() && !settings.references_only) { dispatcher.time_in_turn(); }
     progress.clear();
-    campaign->close();
-    const bool left_behind = campaign->working > 0;
-    for (std::jthread& thread : threads) { left_behind ? thread.detach() : thread.join(); }
-    return left_behind;
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report.notes = dispatcher.notes();
+    say_of_references(plan, ledger.progress, dispatcher.failed_references(), report);
+    report.interrupted = dispatcher.interrupted() && dispatcher.has_left_something();
+}
+
+// Shards have none: merge makes them.
+void close_results(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
+                   const RunSettings& settings, const Finished& finished) {
+    if (settings.shards > 1 || settings.references_only) { return; }
+    write_results(plan, finished, table_units(plan, engines.binary64), folder);
+    write_geometries(plan, engines.binary64, folder);
 }
 
 void prepare(const std::filesystem::path& folder, const Plan& plan) {
@@ -72,6 +99,13 @@ std::vector<ResultRow> rows_of(const Finished& finished) {
     std::vector<ResultRow> rows;
     for (const auto& [hash, cell] : finished) { rows.push_back(result_row(cell)); }
     return rows;
+}
+
+void say_of_cells(const Plan& plan, const Finished& finished, CampaignReport& report) {
+    list_failures(plan, finished, report);
+    const std::vector<ResultRow> rows = rows_of(finished);
+    for (std::string& note : past_horizon_notes(rows)) { report.notes.push_back(std::move(note)); }
+    for (std::string& note : lost_integral_notes(rows)) { report.notes.push_back(std::move(note)); }
 }
 
 // What the manifest says of a run that begins. What an earlier one has written stays ours.
@@ -96,7 +130,10 @@ std::string shard_name(const RunSettings& settings) {
 
 CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
                             const RunSettings& settings, std::ostream& messages) {
-    const InterruptGuard guard;
+    Work work(plan, engines, folder, settings);
+    const Forker forker([&](const Descriptor& socket, const Printed& printed, const std::stop_token& stop) {
+        work.serve(socket, printed, stop);
+    });
     prepare(folder, plan);
     const std::string shard = shard_name(settings);
     const FolderLock lock(folder, shard);
@@ -105,39 +142,22 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
     const auto write_state = [&] { write_manifest(manifest_file(folder, shard), manifest_subject(plan), state); };
     write_state();  // before anything that it lists
     remove_leftovers(plan, folder, settings, earlier.journals);
-    const auto campaign = std::make_shared<Campaign>(plan, engines, folder, settings);
     CampaignReport report;
-    report.reused = campaign->reuse(earlier.journals, settings);
-    campaign->enqueue();
-    state.counts = count_cells(plan, campaign->finished(), settings);
+    Ledger ledger(plan, folder, settings);
+    report.reused = ledger.reuse(earlier.journals, settings);
+    state.counts = count_cells(plan, ledger.finished(), settings);
     if (report.reused > 0) { write_state(); }
-    Progress progress(messages, plan.config.name, settings.terminal);
-    const auto start = std::chrono::steady_clock::now();
-    // Concurrent cells would measure each other's memory and share the caches. One worker takes their times in turn.
-    const unsigned workers = plan.config.runs_alone() ? 1 : settings.workers;
-    report.workers_left_behind = run_workers(campaign, workers, settings.grace, progress);
-    if (const auto error = campaign->error()) { std::rethrow_exception(error); }
-    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (const std::string complaint = campaign->cache_complaint(); !complaint.empty()) {
-        messages << "note: references are kept in the results only: " << complaint << "\n";
-    }
-    const Finished finished = campaign->finished();
-    if (shard.empty()) {
-        write_results(plan, finished, table_units(plan, engines.binary64), folder);
-        write_geometries(plan, engines.binary64, folder);
-    }
-    state.counts = report.counts = count_cells(plan, finished, settings);
-    report.interrupted = InterruptGuard::requested() && report.counts.missing > 0;
+    run_workers(plan, forker, ledger, ReferenceStore(folder, settings.cache, engines.binary128.reference_digest()),
+                settings, messages, report);
+    state.counts = report.counts = count_cells(plan, ledger.finished(), settings);
+    close_results(plan, engines, folder, settings, ledger.finished());
     if (report.counts.missing == 0 && (!earlier.journals.foreign.empty() || earlier.damaged)) {
         prune_journal(journal_file(folder, shard), settings.build);
     }
     state.ended = utc_now();
     state.journal = std::filesystem::file_size(journal_file(folder, shard));
     write_state();
-    list_failures(plan, finished, report);
-    const std::vector<ResultRow> rows = rows_of(finished);
-    report.notes = past_horizon_notes(rows);
-    for (std::string& note : lost_integral_notes(rows)) { report.notes.push_back(std::move(note)); }
+    say_of_cells(plan, ledger.finished(), report);
     report.parts = trajectory_parts(folder);
     return report;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Runs the cells of a plan in parallel into an output folder.
+// Runs the cells of a plan in worker processes into an output folder.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <string>
@@ -18,23 +19,27 @@ struct RunSettings {
     unsigned workers = 1;
     bool resume = false;
     bool overwrite = false;
+    bool references_only = false;       ///< compute what cells are compared with, and no cell
     std::size_t shard = 1, shards = 1;  ///< run every cell whose index i has i mod shards = shard - 1
     std::string build;                  ///< identifies the code; results of another build are never reused
     std::filesystem::path cache;        ///< where references are kept for all results; empty: nowhere
     bool terminal = false;              ///< progress as one line that rewrites itself
-    double grace = 1.5;                 ///< s that interrupted workers get to finish before they are abandoned
+    double grace = 1;                   ///< s that interrupted workers get to finish before they are killed
+    double timeout = 0;                 ///< s of CPU time that a cell may take; 0: any
+    std::uint64_t max_memory = 0;       ///< bytes that all cells together may have; 0: 80 % of what there is
 };
 
 struct CampaignReport {
     CellCounts counts;
     std::size_t reused = 0;
+    std::size_t references = 0;                   ///< that are there
+    std::vector<std::string> reference_failures;  ///< one line for each that could not be computed
     double seconds = 0;
     std::vector<std::pair<std::string, std::string>>
         failures;  ///< one line for each failed cell; the second: its status
     bool interrupted = false;
-    bool workers_left_behind = false;          ///< the process must end without waiting for them
     std::vector<std::filesystem::path> parts;  ///< samples of cells that were interrupted, this time or before
-    std::vector<std::string> notes;            ///< notes on cells that are ok, one line each
+    std::vector<std::string> notes;            ///< on the run, and on cells that are ok, one line each
 };
 
 /// "", or "I-of-N".
@@ -45,7 +50,8 @@ std::string shard_name(const RunSettings& settings);
 void check_output_folder(const std::filesystem::path& folder, const Plan& plan, const RunSettings& settings);
 
 /// Runs the cells that have no result yet. Writes journal, manifest, results, trajectories and references. Throws
-/// FileError on input/output errors; what was journalled before stays valid.
+/// FileError on input/output errors; what was journalled before stays valid. No worker outlives it.
+/// The caller has an InterruptGuard.
 CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
                             const RunSettings& settings, std::ostream& messages);
 

@@ -1,34 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver/campaign/interrupt.hpp"
 
+#include <atomic>
+#include <ctime>
+
 namespace kreisel {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+constexpr long patience = 2000;  // ms
 
-extern "C" void note_interrupt(int) { interrupted = 1; }
+std::atomic<long> interrupted = 0;  // when, in ms; 0: not
+static_assert(std::atomic<long>::is_always_lock_free, "a handler may use no other");
+
+long milliseconds() {
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    return 1 + 1000 * now.tv_sec + now.tv_nsec / 1000000;
+}
+
+extern "C" void note_interrupt(int signal) {
+    const long now = milliseconds();
+    if (interrupted == 0) { interrupted = now; }
+    if (now - interrupted < patience) { return; }
+    std::signal(signal, SIG_DFL);  // NOLINT(cppcoreguidelines-pro-type-cstyle-cast): the system's macro
+    std::raise(signal);
+}
+
+void on_signal(int signal, void (*handler)(int), struct sigaction& old) {
+    struct sigaction action = {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    ::sigemptyset(&action.sa_mask);
+    ::sigaction(signal, &action, &old);
+}
 
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
     interrupted = 0;
-    struct sigaction action = {};
-    action.sa_handler = note_interrupt;
-    action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, &old_interrupt_);
-    sigaction(SIGTERM, &action, &old_terminate_);
-    struct sigaction ignore = {};
-    ignore.sa_handler = SIG_IGN;  // NOLINT(cppcoreguidelines-pro-type-cstyle-cast): the system's macro
-    sigemptyset(&ignore.sa_mask);
-    sigaction(SIGPIPE, &ignore, &old_pipe_);
+    on_signal(SIGINT, note_interrupt, old_interrupt_);
+    on_signal(SIGTERM, note_interrupt, old_terminate_);
+    on_signal(SIGPIPE, SIG_IGN, old_pipe_);  // NOLINT(cppcoreguidelines-pro-type-cstyle-cast): the system's macro
+    on_signal(SIGXFSZ, SIG_IGN, old_size_);  // NOLINT(cppcoreguidelines-pro-type-cstyle-cast)
 }
 
 InterruptGuard::~InterruptGuard() {
-    sigaction(SIGINT, &old_interrupt_, nullptr);
-    sigaction(SIGTERM, &old_terminate_, nullptr);
-    sigaction(SIGPIPE, &old_pipe_, nullptr);
+    if (requested()) { return; }
+    ::sigaction(SIGINT, &old_interrupt_, nullptr);
+    ::sigaction(SIGTERM, &old_terminate_, nullptr);
+    ::sigaction(SIGPIPE, &old_pipe_, nullptr);
+    ::sigaction(SIGXFSZ, &old_size_, nullptr);
 }
 
 bool InterruptGuard::requested() { return interrupted != 0; }

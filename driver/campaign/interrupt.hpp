@@ -7,8 +7,10 @@
 
 namespace kreisel {
 
-/// While it lives, SIGINT and SIGTERM only set the flag, and SIGPIPE is ignored, so that a closed terminal causes an
-/// error of writing. A second signal ends the program at once.
+/// While it lives, SIGINT and SIGTERM only set the flag, and SIGPIPE and SIGXFSZ are ignored, so that a closed terminal
+/// and a file that has become too large cause errors of writing. Signals are often sent twice (by a terminal to the
+/// group, then by a shell or a batch system): only one that comes 2 s after the first ends the program at once. After an
+/// interrupt that stays so, for the program is about to end.
 class InterruptGuard {
   public:
     InterruptGuard();
@@ -18,7 +20,7 @@ class InterruptGuard {
     static bool requested();
 
   private:
-    struct sigaction old_interrupt_ = {}, old_terminate_ = {}, old_pipe_ = {};
+    struct sigaction old_interrupt_ = {}, old_terminate_ = {}, old_pipe_ = {}, old_size_ = {};
 };
 
 }  // namespace kreisel

@@ -74,15 +74,19 @@ CellCounts count_cells(const Plan& plan, const std::map<std::string, CellRecord>
     return counts;
 }
 
-std::string failure_text(const PlannedCell& planned, const CellOutcome& outcome) {
+std::string cell_text(const PlannedCell& planned) {
     const Cell& cell = planned.cell;
     const auto with_options = [](const std::string& name, const OptionValues& options) {
         return options.empty() ? name : name + " " + options_text(options);
     };
-    return fmt::format("{} at t = {}: {} on {} {}, projection {}, {}, {}: {}", outcome.status,
-                       brief_text(outcome.t_reached), with_options(cell.method, cell.options), planned.label,
+    return fmt::format("{} on {} {}, projection {}, {}, {}", with_options(cell.method, cell.options), planned.label,
                        cell.formulation, with_options(cell.projection, cell.projection_options), planned.precision,
-                       stepping_text(cell), outcome.detail.empty() ? "no details" : outcome.detail);
+                       stepping_text(cell));
+}
+
+std::string failure_text(const PlannedCell& planned, const CellOutcome& outcome) {
+    return fmt::format("{} at t = {}: {}: {}", outcome.status, brief_text(outcome.t_reached), cell_text(planned),
+                       outcome.detail.empty() ? "no details" : outcome.detail);
 }
 
 }  // namespace kreisel

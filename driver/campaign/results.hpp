@@ -28,6 +28,9 @@ CellCounts count_cells(const Plan& plan, const std::map<std::string, CellRecord>
 /// What the manifest says of a plan.
 ManifestSubject manifest_subject(const Plan& plan);
 
+/// What a cell runs, on one line.
+std::string cell_text(const PlannedCell& planned);
+
 /// A failed cell, described on one line.
 std::string failure_text(const PlannedCell& planned, const CellOutcome& outcome);
 

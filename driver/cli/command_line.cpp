@@ -2,11 +2,8 @@
 #include "driver/cli/command_line.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <sstream>
-#include <thread>
 #include <vector>
 
 #include "driver/cli/catalogue.hpp"
@@ -31,30 +28,13 @@ constexpr const char* description =
     "An experiment is one JSON file that crosses problems, formulations, methods, projections and step sizes.\n"
     "Start with: kreisel list, then kreisel info heavy_top, then kreisel run orders_heavy_top";
 
-constexpr const char* config_help =
-    "JSON files, or names of configs that come with kreisel: NAME is NAME.json\n"
-    "in or below $KREISEL_EXPERIMENTS, by default experiments/ of the sources\n"
-    "kreisel was built from. A file of that path comes first.";
-
 constexpr const char* exit_codes =
     "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed, a figure could not be drawn, or "
     "results\n"
     "differ (verify, diff);\n"
-    "2 bad config or usage, nothing was run; 3 a file or folder could not be read or written, or is damaged;\n"
+    "2 bad config or usage, nothing was run; 3 a file or folder could not be read or written, or is damaged, no\n"
+    "process could be started, memory ran out, or cells are missing (merge);\n"
     "4 internal error; 130 interrupted.";
-
-// "I/N".
-void read_shard(const std::string& written, RunSettings& settings) {
-    std::size_t shard = 0, shards = 0;
-    char slash = 0, rest = 0;
-    std::istringstream text(written);
-    const bool good = text >> shard >> slash >> shards && slash == '/' && !(text >> rest);
-    if (!good || shard < 1 || shard > shards || written.find('-') != std::string::npos) {
-        throw UsageError(fmt::format("--shard: expected I/N with 1 <= I <= N, got {}", in_quotes(written)));
-    }
-    settings.shard = shard;
-    settings.shards = shards;
-}
 
 }  // namespace
 
@@ -140,30 +120,6 @@ void CommandLine::add_planning() {
     plan->add_option("config", arguments_.configs, config_help)->required()->expected(1);
     plan->add_flag("--json", arguments_.json, "Print JSON instead of a table");
     add_changes(*plan);
-}
-
-void CommandLine::add_run() {
-    CLI::App* run =
-        command("run", "Runs configs: one journal line per finished cell, then results.jsonl and results.csv", [this] {
-            read_shard(arguments_.shard, arguments_.settings);
-            arguments_.settings.build = build_id();
-            arguments_.settings.terminal = isatty(STDERR_FILENO) != 0;
-            return run_command(arguments_.configs, arguments_.changes, arguments_.output, arguments_.settings, engines_,
-                               terminal_);
-        });
-    RunSettings& settings = arguments_.settings;
-    settings.workers = std::max(1U, std::thread::hardware_concurrency());
-    run->add_option("config", arguments_.configs, config_help)->required();
-    run->add_option(
-        "-o,--output", arguments_.output,
-        "Folder for the results (default: results/<name>); with several configs, one folder in it for each");
-    run->add_option("-j,--jobs", settings.workers, "Cells computed at the same time (default: all processors)")
-        ->check(CLI::Range(1U, 4096U));
-    CLI::Option* resume =
-        run->add_flag("--resume", settings.resume, "Keep what an earlier run of this build has finished");
-    run->add_flag("--overwrite", settings.overwrite, "Remove the results of an earlier run first")->excludes(resume);
-    run->add_option("--shard", arguments_.shard, "I/N: run only the I-th of N parts; kreisel merge puts them together");
-    add_changes(*run);
 }
 
 void CommandLine::add_results() {

@@ -14,6 +14,12 @@
 
 namespace kreisel {
 
+/// What the help says of configs.
+inline constexpr const char* config_help =
+    "JSON files, or names of configs that come with kreisel: NAME is NAME.json\n"
+    "in or below $KREISEL_EXPERIMENTS, by default experiments/ of the sources\n"
+    "kreisel was built from. A file of that path comes first.";
+
 class CommandLine {
   public:
     /// Both outlive this object.
@@ -47,6 +53,7 @@ class CommandLine {
     void add_changes(CLI::App& sub);
     void add_planning();
     void add_run();
+    void add_limits(CLI::App& run);
     void add_results();
     void add_diff();
 

@@ -4,27 +4,20 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <cstdlib>
+#include <span>
 
+#include "driver/campaign/interrupt.hpp"
 #include "driver/campaign/progress.hpp"
 #include "driver/config/composition/composed.hpp"
 #include "driver/config/composition/filter.hpp"
 #include "driver/config/shipped.hpp"
 #include "driver/plan/text.hpp"
 #include "records/reference_store.hpp"
+#include "support/in_shell.hpp"
 
 namespace kreisel {
 
 namespace {
-
-// As one word of a POSIX shell.
-std::string in_shell(const std::string& text) {
-    constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
-    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) { return text; }
-    std::string quoted = "'";
-    for (const char c : text) { quoted += c == '\'' ? "'\\''" : std::string(1, c); }
-    return quoted + "'";
-}
 
 struct PlannedConfig {
     Plan plan;
@@ -84,34 +77,47 @@ std::vector<PlannedConfig> with_folders(std::vector<Plan> plans, const std::file
     return result;
 }
 
-// The command that goes on with an interrupted run.
-std::string to_go_on(const PlannedConfig& planned, const std::filesystem::path& config, const ConfigChanges& changes,
-                     const RunSettings& settings) {
-    std::string command =
-        fmt::format("kreisel run {} -o {}", in_shell(config.string()), in_shell(planned.folder.string()));
+// The command that goes on with interrupted runs: the first of those that are left, and all after it.
+std::string to_go_on(std::span<const PlannedConfig> left, std::span<const std::filesystem::path> configs,
+                     const ConfigChanges& changes, const std::filesystem::path& output, const RunSettings& settings) {
+    std::string command = "kreisel run";
+    for (const auto& config : configs) { command += " " + in_shell(config.string()); }
+    const std::filesystem::path folder = left.size() > 1 ? output : left.front().folder;  // several go to folders in it
+    if (!folder.empty()) { command += " -o " + in_shell(folder.string()); }
     for (const std::string& setting : changes.settings) { command += " --set " + in_shell(setting); }
     for (const std::string& filter : changes.filters) { command += " --filter " + in_shell(filter); }
     if (settings.shards > 1) { command += fmt::format(" --shard {}/{}", settings.shard, settings.shards); }
+    if (settings.timeout > 0) { command += fmt::format(" --timeout {}", settings.timeout); }
+    if (settings.max_memory > 0) { command += fmt::format(" --max-memory {}", settings.max_memory); }
+    if (settings.references_only) { command += " --references-only"; }
     return command + " --resume";
 }
 
-Exit report(const CampaignReport& report, const PlannedConfig& planned, const std::string& to_go_on,
-            std::ostream& messages) {
+std::string what_was_done(const CampaignReport& report, bool references_only) {
     const CellCounts& counts = report.counts;
-    for (const auto& [text, status] : report.failures) { fmt::print(messages, "failed: {}\n", text); }
-    for (const std::string& note : report.notes) { fmt::print(messages, "note: {}\n", note); }
-    std::string text = fmt::format("{}: {} ok, {} skipped, {} failed", planned.plan.config.name, counts.ok,
-                                   counts.skipped, counts.failed);
+    if (references_only) {
+        return fmt::format("{} references, {} failed", report.references, report.reference_failures.size());
+    }
+    std::string text = fmt::format("{} ok, {} skipped, {} failed", counts.ok, counts.skipped, counts.failed);
     if (report.reused > 0) { text += fmt::format(" ({} taken over from before)", report.reused); }
-    fmt::print(messages, "{} in {}; results in {}\n", text, duration_text(report.seconds), planned.folder.string());
+    return text;
+}
+
+Exit report(const CampaignReport& report, const PlannedConfig& planned, bool references_only,
+            const std::string& to_go_on, std::ostream& messages) {
+    for (const auto& [text, status] : report.failures) { fmt::print(messages, "failed: {}\n", text); }
+    for (const std::string& text : report.reference_failures) { fmt::print(messages, "failed: {}\n", text); }
+    for (const std::string& note : report.notes) { fmt::print(messages, "note: {}\n", note); }
+    fmt::print(messages, "{}: {} in {}; results in {}\n", planned.plan.config.name,
+               what_was_done(report, references_only), duration_text(report.seconds), planned.folder.string());
     if (report.interrupted) {
         for (const auto& part : report.parts) {
             fmt::print(messages, "samples of an unfinished cell: {}\n", part.string());
         }
-        fmt::print(messages, "interrupted with {} cells to go; continue with: {}\n", counts.missing, to_go_on);
+        fmt::print(messages, "interrupted with {} cells to go; continue with: {}\n", report.counts.missing, to_go_on);
         return Exit::interrupted;
     }
-    return counts.failed > 0 ? Exit::cells_failed : Exit::ok;
+    return report.counts.failed > 0 || !report.reference_failures.empty() ? Exit::cells_failed : Exit::ok;
 }
 
 }  // namespace
@@ -140,16 +146,13 @@ Exit run_command(const Paths& written, const ConfigChanges& changes, const std::
     if (settings.cache.empty()) { settings.cache = default_cache_folder(); }
     const auto all = with_folders(read_all(configs, changes, engines, terminal.messages), output);
     for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, planned.plan, settings); }
+    const InterruptGuard guard;  // until the last word is said
     Exit result = Exit::ok;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const CampaignReport outcome = run_campaign(all[i].plan, engines, all[i].folder, settings, terminal.messages);
-        const Exit one = report(outcome, all[i], to_go_on(all[i], configs[i], changes, settings), terminal.messages);
-        if (outcome.workers_left_behind) {
-            terminal.out.flush();
-            terminal.messages.flush();
-            // Unresponsive workers still run: an orderly exit would destroy objects they use.
-            std::_Exit(static_cast<int>(Exit::interrupted));
-        }
+        const std::string command =
+            to_go_on(std::span(all).subspan(i), std::span(configs).subspan(i), changes, output, given);
+        const Exit one = report(outcome, all[i], settings.references_only, command, terminal.messages);
         if (one == Exit::interrupted) { return one; }
         result = one == Exit::ok ? result : one;
     }

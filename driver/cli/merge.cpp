@@ -16,6 +16,7 @@
 #include "records/reference_store.hpp"
 #include "records/trajectory_file.hpp"
 #include "support/files.hpp"
+#include "support/in_shell.hpp"
 
 namespace kreisel {
 
@@ -130,6 +131,15 @@ class Merger {
     bool damaged_ = false;
 };
 
+void list_missing(const Plan& plan, const std::map<std::string, CellRecord>& finished,
+                  const std::filesystem::path& target, std::ostream& messages) {
+    for (const PlannedCell& planned : plan.cells) {
+        if (!finished.contains(planned.hash)) { fmt::print(messages, "missing: {}\n", cell_text(planned)); }
+    }
+    fmt::print(messages, "compute what is missing with: kreisel run {} -o {} --resume\n",
+               in_shell(manifest_file(target, "").string()), in_shell(target.string()));
+}
+
 }  // namespace
 
 Exit merge_command(const Paths& folders, const std::filesystem::path& output, const std::string& build, bool mixed,
@@ -156,8 +166,9 @@ Exit merge_command(const Paths& folders, const std::filesystem::path& output, co
     write_manifest(manifest_file(target, ""), manifest_subject(plan), state);
     fmt::print(terminal.messages, "{}: {} ok, {} skipped, {} failed, {} missing; results in {}\n", plan.config.name,
                counts.ok, counts.skipped, counts.failed, counts.missing, target.string());
-    if (merger.damaged()) { return Exit::io; }
-    return counts.failed + counts.missing > 0 ? Exit::cells_failed : Exit::ok;
+    if (counts.missing > 0) { list_missing(plan, merger.finished(), target, terminal.messages); }
+    if (merger.damaged() || counts.missing > 0) { return Exit::io; }
+    return counts.failed > 0 ? Exit::cells_failed : Exit::ok;
 }
 
 }  // namespace kreisel

@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "driver/campaign/work.hpp"
+#include "driver/campaign/cell_run.hpp"
 #include "records/cell/stepping.hpp"
 #include "records/folder/damage.hpp"
 #include "records/json/writer.hpp"
@@ -83,7 +83,7 @@ std::string recomputed(const PlannedCell& planned, const Plan& plan, const std::
     const Reference* known = reference ? &*reference : nullptr;
     TrajectorySum samples;
     const Outcome outcome = run_cell(planned, engines.of(planned.precision), known, {}, &samples);
-    return result_text(record_of(planned, outcome, known, outcome.status == "exception" ? "" : samples.sum()));
+    return result_text(record_of_run(planned, outcome, known, samples.sum()));
 }
 
 /// What is wrong with a reference: the first quantity that differs from the second route by more than its bound. Other

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/engine.hpp"
+#include "records/cell/statuses.hpp"
 #include "records/json/exact.hpp"
 
 namespace kreisel {
@@ -16,9 +17,6 @@ namespace kreisel {
 inline bool is_cell_name(const std::string& text) {
     return !text.empty() && text.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
 }
-
-/// Of a journal line that is no result: the cell was stopped, and its samples so far are kept in a part.
-inline constexpr const char* interrupted_status = "interrupted";
 
 /// Path of a cell's trajectory below the results folder.
 inline std::string trajectory_file(const std::string& hash) { return "trajectories/" + hash + ".csv"; }
@@ -67,7 +65,7 @@ struct CellOutcome {
     std::string trajectory, trajectory_sum;  ///< file below the results folder, check sum; empty where there is none
     std::vector<std::pair<std::string, Number>> counts;  ///< of the cost, "evaluations" and others
 
-    bool failed() const { return status != "ok" && status != "skipped"; }
+    bool failed() const { return status != kreisel::status::ok && status != kreisel::status::skipped; }
 };
 
 /// What differs from run to run; in journals only.

@@ -87,7 +87,7 @@ RecordedFolder read_recorded_folder(const std::filesystem::path& folder) {
                         folder.string()));
     }
     for (const auto& file : journals) { read_cells(file, true, result); }  // their lines have always had sums
-    std::erase_if(result.cells, [](const RecordedCell& cell) { return cell.status == interrupted_status; });
+    std::erase_if(result.cells, [](const RecordedCell& cell) { return cell.status == status::interrupted; });
     drop_older_lines(result.cells);
     note_damaged_samples(folder, result);
     return result;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -22,9 +23,15 @@ std::string json_map(const Values& values) {
     return object.text();
 }
 
+/// Whether nothing of a text is escaped or checked: most are names.
+bool is_plain(std::string_view text) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+}
+
 }  // namespace
 
 std::string json_text(std::string_view text) {
+    if (is_plain(text)) { return '"' + std::string(text) + '"'; }
     return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

@@ -202,14 +202,16 @@ Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std:
                         SampleSink* samples) const {
     ++runs;
     Outcome outcome;
-    outcome.cost.cpu_s = 1e-3 * runs;  // differs from run to run, as times do
+    outcome.cost.cpu_s = 1e-3 * static_cast<double>(runs);  // differs from run to run, as times do
     const long steps = cell.tolerance > 0 ? std::lround(10 * std::pow(cell.tolerance, -0.25)) : cell.steps;
     outcome.cost.evaluations = 4 * steps;
     outcome.cost.exponentials = 3 * steps;
     outcome.cost.brackets = steps;
     outcome.cost.accepted = steps;
     outcome.cost.rejected = cell.tolerance > 0 ? steps / 8 : 0;
-    if (cell.repeated) { outcome.cost.run_s = 1e-6 * static_cast<double>(steps) * (1 + 0.01 * runs); }
+    if (cell.repeated) {
+        outcome.cost.run_s = 1e-6 * static_cast<double>(steps) * (1 + 0.01 * static_cast<double>(runs));
+    }
     if (!work(cell, cell.method == "fake/slow" ? 1 : 0, stop, cell.timed ? nullptr : samples)) {
         outcome.status = "interrupted";
         return outcome;
@@ -219,7 +221,7 @@ Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std:
     outcome.t_reached = cell.t_end;
     outcome.bodies = 1;
     if (cell.timed) {
-        outcome.cost.step_s = 1e-6 * (1 + 0.01 * runs);
+        outcome.cost.step_s = 1e-6 * (1 + 0.01 * static_cast<double>(runs));
         outcome.cost.memory = 1000;
         return misbehave(cell, outcome);
     }
@@ -236,7 +238,7 @@ Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std:
 
 std::optional<double> FakeEngine::run_time(const Cell& cell, const std::stop_token&) const {
     timed.push_back(cell.steps);
-    return 1e-7 * static_cast<double>(cell.steps + std::ssize(timed));
+    return 1e-7 * static_cast<double>(cell.steps + static_cast<long>(timed.size()));
 }
 
 Reference FakeEngine::reference(const std::string& problem, const ParameterValues& parameters, double t_end,

@@ -4,9 +4,8 @@
 // misbehave.
 #pragma once
 
-#include <atomic>
-
 #include "engine/engine.hpp"
+#include "tests/driver/workers/shared_count.hpp"
 
 namespace kreisel {
 
@@ -15,7 +14,7 @@ namespace kreisel {
 /// (one millisecond per step, checks stop requests, samples on the way), fake/deaf (ignores stop requests),
 /// fake/throws, fake/throws_int, fake/pair (has an estimate of its error, which is the tolerance), fake/own (chooses
 /// its steps itself), fake/tableau (options that are texts; one of them decides its order).
-class FakeEngine final : public Engine {
+class FakeEngine : public Engine {
   public:
     std::vector<ProblemDescription> problems() const override;
     std::vector<MethodDescription> methods() const override;
@@ -43,8 +42,8 @@ class FakeEngine final : public Engine {
                             const std::string& formulation) const override;
     std::string reference_digest() const override { return digest; }
 
-    mutable std::atomic<int> runs = 0, references = 0;
-    mutable std::vector<long> timed;  ///< the steps of the cells that were timed further, in their order
+    mutable SharedCount runs, references;
+    mutable SharedNumbers timed;  ///< the steps of the cells that were timed further, in their order
     std::string digest = "fake";
 };
 

@@ -69,8 +69,21 @@ TEST_CASE("shards are merged with their references, and what did not run is coun
     CHECK_THAT(merged.messages, Catch::Contains("good: 12 ok, 0 skipped, 0 failed, 0 missing; results in "));
     CHECK(files_like(shards.scratch / "ab" / "references", "", ".json").size() == 1);
     const auto half = run_program({"merge", shards.a.string()});
-    CHECK(half.code == 1);
+    CHECK(half.code == 3);
     CHECK_THAT(half.messages, Catch::Contains("6 missing"));
+    const auto listed = [&] {
+        std::size_t count = 0;
+        for (auto at = half.messages.find("missing: rkmk/"); at != std::string::npos; ++count) {
+            at = half.messages.find("missing: rkmk/", at + 1);
+        }
+        return count;
+    };
+    CHECK(listed() == 6);
+    const std::string folder = shards.a.string(), manifest = folder + "/manifest.json";
+    CHECK_THAT(half.messages, Catch::Contains("compute what is missing with: kreisel run " + manifest + " -o " +
+                                              folder + " --resume"));
+    CHECK(run_program({"run", manifest, "-o", folder, "--resume"}).code == 0);
+    CHECK(contents(shards.a / "results.jsonl") == contents(shards.scratch / "ab" / "results.jsonl"));
 }
 
 TEST_CASE("merge takes only folders of one config and this build") {

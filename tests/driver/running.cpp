@@ -150,7 +150,7 @@ TEST_CASE("a reference that fails fails the cells that need it") {
     const ScratchFolder scratch;
     const auto result = run(scratch.file("c.json", one_method("rkmk/rk4", 2, "double_pendulum", 200)), scratch / "out");
     CHECK(result.code == 1);
-    CHECK(result.messages.find("reference_failed") != std::string::npos);
+    CHECK(result.messages.find("no_reference(exception)") != std::string::npos);
     CHECK(result.messages.find("do not agree") != std::string::npos);
 }
 

@@ -7,6 +7,7 @@
 
 #include "records/json/node.hpp"
 #include "records/json/strict.hpp"
+#include "records/manifest.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {
@@ -34,9 +35,19 @@ std::filesystem::path extended_by(const Document& document) {
     return file;
 }
 
+// The manifest of a results folder stands for the config that it holds.
+bool is_manifest(const json& value) {
+    return value.is_object() && value.contains("program") && value.contains("config") && value["config"].is_object();
+}
+
+Document document_in(const std::filesystem::path& file) {
+    Document document = read_document(file);
+    return is_manifest(document.value) ? read_manifest(file).config : document;
+}
+
 // A file and those it extends, the last first. Throws UsageError where they extend each other in a circle.
 std::vector<Document> chain_from(const std::filesystem::path& file) {
-    std::vector<Document> chain = {read_document(file)};
+    std::vector<Document> chain = {document_in(file)};
     std::vector<std::filesystem::path> seen = {std::filesystem::weakly_canonical(file)};
     for (std::filesystem::path next = extended_by(chain.back()); !next.empty(); next = extended_by(chain.back())) {
         const auto path = std::filesystem::weakly_canonical(next);
@@ -47,7 +58,7 @@ std::vector<Document> chain_from(const std::filesystem::path& file) {
                                             .got = in_quotes(next.string())}));
         }
         seen.push_back(path);
-        chain.push_back(read_document(next.lexically_normal()));
+        chain.push_back(document_in(next.lexically_normal()));
     }
     std::reverse(chain.begin(), chain.end());
     return chain;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a run knows of its cells, and the journal that says it. Internal to the campaign.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "driver/campaign/campaign.hpp"
+#include "driver/campaign/progress.hpp"
+#include "records/journal.hpp"
+#include "support/files.hpp"
+
+namespace kreisel {
+
+using Finished = std::map<std::string, CellRecord>;
+
+class Ledger {
+  public:
+    Ledger(const Plan& plan, std::filesystem::path folder, const RunSettings& settings);
+
+    /// Takes over the results of an earlier run, if complete; returns how many.
+    std::size_t reuse(const JournalContents& earlier, const RunSettings& settings);
+    /// The cells of this shard that are to be computed, by index.
+    const std::vector<std::size_t>& mine() const { return mine_; }
+
+    /// Writes down a cell that a worker has run: a line of the journal.
+    void record(std::size_t index, const std::string& line);
+    /// The same of one that no worker can tell of; its samples, if there are any, are removed.
+    void record(std::size_t index, const Outcome& outcome);
+    /// Writes down that an interrupted cell has left samples, so that they stay until it is done.
+    void record_part(const std::string& line) { journal_.append(line); }
+
+    /// The cells run now that have a CPU time.
+    std::vector<std::size_t> timed_cells();
+    /// A further round of such a cell. Nothing: it has none.
+    void note_seconds(std::size_t index, std::optional<double> run_s);
+    /// A second journal line of each timed cell, with the fastest of its rounds.
+    void record_times(const std::vector<std::size_t>& cells);
+
+    const Finished& finished() const { return finished_; }
+    ProgressState progress;
+
+  private:
+    void keep(std::size_t index, CellRecord cell, const std::string& line);
+    bool trajectory_is_whole(const CellRecord& cell) const;
+
+    const Plan& plan_;
+    const std::filesystem::path folder_;
+    const std::string build_;
+    LineAppender journal_;
+    std::vector<std::size_t> mine_;
+    Finished finished_;
+};
+
+}  // namespace kreisel

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/campaign/workers/forker.hpp"
+
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <set>
+
+#include "driver/campaign/workers/control.hpp"
+#include "driver/campaign/workers/limits.hpp"
+#include "driver/campaign/workers/worker_process.hpp"
+#include "support/errors.hpp"
+
+namespace kreisel {
+
+namespace {
+
+/// The process that forks.
+class Nursery {
+  public:
+    Nursery(const Descriptor& control, const WorkerMain& work) : control_(control), work_(work) {}
+
+    /// Until the program closes its end or is gone.
+    void serve() {
+        while (const auto request = receive_request(control_)) {
+            if (request->kind == Request::Kind::spawn) { spawn(request->memory); }
+            if (request->kind == Request::Kind::bury) { bury(request->process); }
+            if (request->kind == Request::Kind::interrupt) { signal_all(SIGTERM); }
+        }
+        signal_all(SIGKILL);
+        for (const pid_t worker : workers_) { ::waitpid(worker, nullptr, 0); }
+    }
+
+  private:
+    void spawn(std::uint64_t memory) {
+        int ends[2] = {-1, -1};
+        const bool connected = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) == 0;
+        const Descriptor ours(ends[0]);
+        Descriptor theirs(ends[1]);
+        const Printed printed = connected ? Printed::make() : Printed(Descriptor());
+        const pid_t nursery = ::getpid();
+        const pid_t worker = printed.valid() ? ::fork() : -1;
+        if (worker == 0) {
+            ::close(control_.number());
+            ::close(ours.number());
+            be_worker(nursery, theirs, printed, memory, work_);
+        }
+        if (worker < 0) { return send_answer(control_, {-1, errno}, {}); }
+        workers_.insert(worker);
+        send_answer(control_, {worker, 0}, {ours.number(), printed.number()});
+    }
+
+    void bury(pid_t worker) {
+        int status = 0;
+        ::kill(worker, SIGKILL);  // one that has ended keeps the status it ended with
+        while (::waitpid(worker, &status, 0) < 0 && errno == EINTR) {}
+        workers_.erase(worker);
+        send_answer(control_, {worker, status}, {});
+    }
+
+    void signal_all(int signal) const {
+        for (const pid_t worker : workers_) { ::kill(worker, signal); }  // none is reaped but by bury
+    }
+
+    const Descriptor& control_;
+    const WorkerMain& work_;
+    std::set<pid_t> workers_;
+};
+
+[[noreturn]] void be_nursery(pid_t program, const Descriptor& control, const WorkerMain& work) {
+    die_with(program);
+    ignore_signals({SIGINT, SIGTERM, SIGPIPE, SIGXFSZ});
+    Nursery(control, work).serve();
+    ::_exit(0);
+}
+
+[[noreturn]] void fail(int error) {
+    throw FileError(fmt::format("the process that starts workers cannot be made: {}", std::strerror(error)));
+}
+
+}  // namespace
+
+Forker::Forker(WorkerMain work) {
+    int ends[2] = {-1, -1};
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) { fail(errno); }
+    control_ = Descriptor(ends[0]);
+    const Descriptor theirs(ends[1]);
+    std::cout.flush();  // what is pending would be printed by every child as well
+    std::fflush(nullptr);
+    const pid_t program = ::getpid();
+    process_ = ::fork();
+    if (process_ < 0) { fail(errno); }
+    if (process_ > 0) { return; }
+    ::close(control_.number());
+    be_nursery(program, theirs, work);
+}
+
+Forker::~Forker() {
+    control_.close();
+    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {}
+}
+
+Worker Forker::spawn(std::uint64_t memory, std::string& reason) const {
+    send_request(control_, {Request::Kind::spawn, -1, memory});
+    ReceivedAnswer received = receive_answer(control_);
+    const bool whole = received.answer.process > 0 && received.descriptors.size() == 2;
+    Worker worker;
+    if (whole) {
+        worker.process = received.answer.process;
+        worker.socket = std::move(received.descriptors[0]);
+        worker.printed = Printed(std::move(received.descriptors[1]));
+    } else if (received.answer.process > 0) {  // it is there, but this process cannot have its descriptors
+        worker.process = received.answer.process;
+        bury(worker);
+        worker.process = -1;
+        reason = std::strerror(EMFILE);
+    } else {
+        reason = std::strerror(received.answer.status);
+    }
+    return worker;
+}
+
+int Forker::bury(const Worker& worker) const {
+    send_request(control_, {Request::Kind::bury, worker.process, 0});
+    return receive_answer(control_).answer.status;
+}
+
+void Forker::interrupt() const { send_request(control_, {Request::Kind::interrupt, -1, 0}); }
+
+}  // namespace kreisel

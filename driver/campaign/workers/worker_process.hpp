@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How a process becomes a worker. Internal to the workers.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <initializer_list>
+
+#include "driver/campaign/workers/forker.hpp"
+
+namespace kreisel {
+
+/// This process is killed when its parent ends, or at once if that was no longer `parent`.
+void die_with(pid_t parent);
+void ignore_signals(std::initializer_list<int> signals);
+
+/// Sets descriptors, signals and limits, works, and ends the process.
+[[noreturn]] void be_worker(pid_t parent, const Descriptor& socket, const Printed& printed, std::uint64_t memory,
+                            const WorkerMain& work);
+
+}  // namespace kreisel
