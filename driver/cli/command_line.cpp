@@ -10,7 +10,7 @@
 #include "driver/cli/merge.hpp"
 #include "driver/cli/planned_cells.hpp"
 #include "driver/cli/suggestions.hpp"
-#include "driver/cli/verify.hpp"
+#include "driver/cli/verify/verify.hpp"
 #include "driver/config/schema.hpp"
 #include "kreisel_build.hpp"
 #include "plots/plot.hpp"

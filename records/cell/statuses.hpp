@@ -24,17 +24,18 @@ struct Entry {
     const char* meaning;
     bool has_reason;   ///< written as name(reason)
     bool tried_again;  ///< by --resume: it may be due to limits or to the machine
+    bool of_limits;    ///< without the limits of its run it may never end: verify leaves it out
 };
 
 inline constexpr Entry table[] = {
-    {ok, "all steps were made", false, false},
-    {skipped, "the combination does not apply", false, false},
-    {interrupted, "the run was stopped", false, true},
-    {exception, "something was thrown", false, true},
-    {crashed, "the cell's process was ended by a signal, or ended itself", true, true},
-    {timeout, "the cell took more CPU time than --timeout", false, true},
-    {out_of_memory, "the cell asked for more memory than --max-memory", false, true},
-    {no_reference, "its reference solution could not be computed", true, true},
+    {ok, "all steps were made", false, false, false},
+    {skipped, "the combination does not apply", false, false, false},
+    {interrupted, "the run was stopped", false, true, false},
+    {exception, "something was thrown", false, true, false},
+    {crashed, "the cell's process was ended by a signal, or ended itself", true, true, false},
+    {timeout, "the cell took more CPU time than --timeout", false, true, true},
+    {out_of_memory, "the cell asked for more memory than --max-memory", false, true, true},
+    {no_reference, "its reference solution could not be computed", true, true, true},
 };
 
 /// "crashed(SIGSEGV)".
@@ -48,6 +49,11 @@ const Entry* find(std::string_view status);
 inline bool is_tried_again(std::string_view status) {
     const Entry* entry = find(status);
     return entry != nullptr && entry->tried_again;
+}
+
+inline bool is_of_limits(std::string_view status) {
+    const Entry* entry = find(status);
+    return entry != nullptr && entry->of_limits;
 }
 
 }  // namespace kreisel::status

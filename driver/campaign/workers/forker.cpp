@@ -88,7 +88,7 @@ class Nursery {
 
 }  // namespace
 
-Forker::Forker(WorkerMain work) {
+Forker::Forker(const WorkerMain& work) {
     int ends[2] = {-1, -1};
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) { fail(errno); }
     control_ = Descriptor(ends[0]);

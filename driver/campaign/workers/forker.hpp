@@ -32,7 +32,7 @@ using WorkerMain = std::function<void(const Descriptor& socket, const Printed&, 
 class Forker {
   public:
     /// Throws FileError if the process cannot be started.
-    explicit Forker(WorkerMain work);
+    explicit Forker(const WorkerMain& work);
     /// Kills the workers and waits for their end.
     ~Forker();
     Forker(const Forker&) = delete;

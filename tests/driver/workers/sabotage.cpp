@@ -153,3 +153,22 @@ TEST_CASE("limits that are none are refused") {
     }
     CHECK_FALSE(std::filesystem::exists(scratch / "none"));
 }
+
+TEST_CASE("verify computes cells that crash and print again, and leaves out those that met a limit") {
+    const ScratchFolder scratch;
+    const Saboteurs engine;
+    const auto verified = [&](const std::string& name, std::vector<std::string> limits) {
+        run(scratch, amid_good_cells("sabotage/" + name), name, std::move(limits), engine);
+        return run_program({"verify", (scratch / name).string(), "--cells", "102"}, engine);
+    };
+    for (const char* name : {"segfault", "print", "throw"}) {
+        INFO(name);
+        const auto result = verified(name, {});
+        CHECK(result.code == 0);
+        CHECK_THAT(result.out, Catch::Contains("102 of 200 cells computed again (seed 1), 0 differ or are missing"));
+    }
+    const auto result = verified("loop", {"--timeout", "0.2"});
+    CHECK(result.code == 0);
+    CHECK_THAT(result.out, Catch::Contains("2 cells that met a limit or have no reference are not computed again"));
+    CHECK_THAT(result.out, Catch::Contains("100 of 200 cells computed again"));
+}

@@ -132,7 +132,7 @@ TEST_CASE("a plan that does not fit into memory ends a run with 3") {
                                                               steps + "]}}");
     ProgramProcess program({"run", config, "-o", (scratch / "out").string()}, engine, [&] {
         std::freopen(said.c_str(), "w", stderr);
-        limit_memory(8U << 20U);
+        limit_memory(64U << 20U);
     });
     CHECK(program.wait() == 3);
     CHECK_THAT(contents(said), Catch::Contains("memory"));

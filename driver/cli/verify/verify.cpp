@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "driver/cli/verify.hpp"
+#include "driver/cli/verify/verify.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
 #include <algorithm>
 #include <random>
+#include <set>
 #include <sstream>
 
-#include "driver/campaign/cell_run.hpp"
+#include "driver/cli/verify/recomputer.hpp"
 #include "records/cell/stepping.hpp"
 #include "records/folder/damage.hpp"
 #include "records/json/writer.hpp"
 #include "records/metrics/catalogue.hpp"
 #include "records/reference_store.hpp"
 #include "records/sums/summed_text.hpp"
-#include "records/trajectory_file.hpp"
 #include "support/files.hpp"
 #include "support/number_text.hpp"
 
@@ -26,6 +26,7 @@ namespace {
 /// The result lines of a folder by cell, without their sums, and what is damaged.
 struct StoredLines {
     std::map<std::string, std::string> texts;
+    std::set<std::string> of_limits;  // which are not computed again
     std::vector<std::string> damage;
 };
 
@@ -35,6 +36,7 @@ void read_stored_line(const std::string& line, bool summed, const std::filesyste
     const std::string& cell = record.identity.cell;
     if (!is_cell_name(cell)) { throw std::invalid_argument("the cell's name is not a hash"); }
     stored.texts[cell] = sum_state(line) == SumState::holds ? std::string(before_sum(line)) + "}" : line;
+    if (status::is_of_limits(record.outcome.status)) { stored.of_limits.insert(cell); }
     if (record.outcome.trajectory_sum.empty()) { return; }
     std::string damage = trajectory_damage(folder, cell, record.outcome.trajectory_sum);
     if (!damage.empty()) { stored.damage.push_back(std::move(damage)); }
@@ -43,7 +45,7 @@ void read_stored_line(const std::string& line, bool summed, const std::filesyste
 StoredLines stored_lines(const std::filesystem::path& folder, const ManifestContents& manifest) {
     const auto file = folder / "results.jsonl";
     std::istringstream stream(read_text(file));
-    StoredLines stored{{}, folder_damage(folder)};
+    StoredLines stored{{}, {}, folder_damage(folder)};
     std::size_t number = 0;
     for (std::string line; std::getline(stream, line);) {
         ++number;
@@ -58,32 +60,17 @@ StoredLines stored_lines(const std::filesystem::path& folder, const ManifestCont
     return stored;
 }
 
-std::vector<std::size_t> chosen(const Plan& plan, std::size_t count, unsigned seed) {
+std::vector<std::size_t> chosen(const Plan& plan, const std::set<std::string>& left_out, std::size_t count,
+                                unsigned seed) {
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-        if (plan.cells[i].skip_reason.empty()) { indices.push_back(i); }
+        const PlannedCell& planned = plan.cells[i];
+        if (planned.skip_reason.empty() && !left_out.contains(planned.hash)) { indices.push_back(i); }
     }
     std::mt19937 random(seed);
     std::shuffle(indices.begin(), indices.end(), random);
     indices.resize(std::min(count, indices.size()));
     return indices;
-}
-
-std::string recomputed(const PlannedCell& planned, const Plan& plan, const std::filesystem::path& folder,
-                       const Engines& engines) {
-    std::optional<Reference> reference;
-    if (!planned.reference.empty()) {
-        const PlannedReference& wanted = plan.references.at(planned.reference);
-        const auto stored =
-            load_reference(reference_file(folder, planned.reference), wanted, engines.binary128.reference_digest());
-        reference =
-            stored ? stored->reference
-                   : engines.binary128.reference(wanted.problem, wanted.parameters, wanted.t_end, wanted.samples, {});
-    }
-    const Reference* known = reference ? &*reference : nullptr;
-    TrajectorySum samples;
-    const Outcome outcome = run_cell(planned, engines.of(planned.precision), known, {}, &samples);
-    return result_text(record_of_run(planned, outcome, known, samples.sum()));
 }
 
 /// What is wrong with a reference: the first quantity that differs from the second route by more than its bound. Other
@@ -178,16 +165,21 @@ Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsi
     }
     if (manifest.format < folder_format) { fmt::print(terminal.messages, "{}\n", format_warning(folder)); }
     const Plan plan = plan_of(manifest.config, engines);
-    const auto [lines, damage] = stored_lines(folder, manifest);
+    const auto [lines, of_limits, damage] = stored_lines(folder, manifest);
     for (const std::string& text : damage) { fmt::print(terminal.messages, "{}\n", text); }
     std::size_t different = 0;
-    const auto indices = chosen(plan, count, seed);
+    const auto indices = chosen(plan, of_limits, count, seed);
+    if (!of_limits.empty()) {
+        fmt::print(terminal.out, "{} cells that met a limit or have no reference are not computed again\n",
+                   of_limits.size());
+    }
+    Recomputer recomputer(plan, folder, engines);
     for (const std::size_t index : indices) {
         const PlannedCell& planned = plan.cells[index];
         const auto stored = lines.find(planned.hash);
-        const std::string what = stored == lines.end()                                          ? "missing"
-                                 : stored->second == recomputed(planned, plan, folder, engines) ? ""
-                                                                                                : "different";
+        const std::string what = stored == lines.end()                        ? "missing"
+                                 : stored->second == recomputer.result(index) ? ""
+                                                                              : "different";
         if (!what.empty()) {
             ++different;
             fmt::print(terminal.out, "{}: {} {} on {}, {}: {}\n", planned.hash, planned.cell.formulation,
