@@ -12,6 +12,7 @@
 #include "driver/campaign/dispatch/work.hpp"
 #include "driver/campaign/earlier.hpp"
 #include "driver/campaign/geometry.hpp"
+#include "driver/campaign/interrupt.hpp"
 #include "driver/campaign/results.hpp"
 #include "driver/campaign/workers/limits.hpp"
 #include "records/folder/owned_files.hpp"
@@ -72,6 +73,14 @@ void run_workers(const Plan& plan, const Forker& forker, Ledger& ledger, const R
     report.interrupted = dispatcher.interrupted() && dispatcher.has_left_something();
 }
 
+// Once everything is computed.
+void forget_what_is_damaged(const std::filesystem::path& journal, const Earlier& earlier, const CellCounts& counts,
+                            const RunSettings& settings) {
+    if (counts.missing == 0 && (!earlier.journals.foreign.empty() || earlier.damaged)) {
+        prune_journal(journal, settings.build);
+    }
+}
+
 // Shards have none: merge makes them.
 void close_results(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
                    const RunSettings& settings, const Finished& finished) {
@@ -130,6 +139,7 @@ std::string shard_name(const RunSettings& settings) {
 
 CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
                             const RunSettings& settings, std::ostream& messages) {
+    const InterruptGuard guard;
     Work work(plan, engines, folder, settings);
     const Forker forker([&](const Descriptor& socket, const Printed& printed, const std::stop_token& stop) {
         work.serve(socket, printed, stop);
@@ -151,9 +161,7 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
                 settings, messages, report);
     state.counts = report.counts = count_cells(plan, ledger.finished(), settings);
     close_results(plan, engines, folder, settings, ledger.finished());
-    if (report.counts.missing == 0 && (!earlier.journals.foreign.empty() || earlier.damaged)) {
-        prune_journal(journal_file(folder, shard), settings.build);
-    }
+    forget_what_is_damaged(journal_file(folder, shard), earlier, report.counts, settings);
     state.ended = utc_now();
     state.journal = std::filesystem::file_size(journal_file(folder, shard));
     write_state();

@@ -51,7 +51,7 @@ void check_output_folder(const std::filesystem::path& folder, const Plan& plan, 
 
 /// Runs the cells that have no result yet. Writes journal, manifest, results, trajectories and references. Throws
 /// FileError on input/output errors; what was journalled before stays valid. No worker outlives it.
-/// The caller has an InterruptGuard.
+/// While it runs, signals are those of an InterruptGuard.
 CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
                             const RunSettings& settings, std::ostream& messages);
 

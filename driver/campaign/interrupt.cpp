@@ -13,6 +13,8 @@ constexpr long patience = 2000;  // ms
 std::atomic<long> interrupted = 0;  // when, in ms; 0: not
 static_assert(std::atomic<long>::is_always_lock_free, "a handler may use no other");
 
+int guards = 0;  // that live
+
 long milliseconds() {
     timespec now{};
     ::clock_gettime(CLOCK_MONOTONIC, &now);
@@ -38,7 +40,7 @@ void on_signal(int signal, void (*handler)(int), struct sigaction& old) {
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
-    interrupted = 0;
+    if (guards++ == 0) { interrupted = 0; }
     on_signal(SIGINT, note_interrupt, old_interrupt_);
     on_signal(SIGTERM, note_interrupt, old_terminate_);
     on_signal(SIGPIPE, SIG_IGN, old_pipe_);  // NOLINT(cppcoreguidelines-pro-type-cstyle-cast): the system's macro
@@ -46,6 +48,7 @@ InterruptGuard::InterruptGuard() {
 }
 
 InterruptGuard::~InterruptGuard() {
+    --guards;
     if (requested()) { return; }
     ::sigaction(SIGINT, &old_interrupt_, nullptr);
     ::sigaction(SIGTERM, &old_terminate_, nullptr);
