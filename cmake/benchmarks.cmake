@@ -20,12 +20,11 @@ add_library(accuracy_engines OBJECT ${CMAKE_SOURCE_DIR}/benchmarks/accuracy/simb
 set_target_properties(accuracy_engines PROPERTIES CXX_STANDARD 17)  # Simbody's headers, cmake/simbody.cmake
 target_include_directories(accuracy_engines PRIVATE ${CMAKE_SOURCE_DIR})
 target_include_directories(accuracy_engines SYSTEM PRIVATE ${Simbody_INCLUDE_DIR})
-add_executable(bench_accuracy ${accuracy_sources})
+add_executable(bench_accuracy ${accuracy_sources} ${KREISEL_OBJECTS_binary64} $<TARGET_OBJECTS:kreisel_parts>)
 set_source_files_properties(${CMAKE_SOURCE_DIR}/benchmarks/accuracy/odeint.cpp PROPERTIES
                             COMPILE_OPTIONS -Wno-uninitialized)
 target_include_directories(bench_accuracy PRIVATE ${CMAKE_SOURCE_DIR})
-target_link_libraries(bench_accuracy PRIVATE accuracy_kreisel accuracy_engines ${KREISEL_OBJECTS_binary64}
-                      $<TARGET_OBJECTS:kreisel_parts> Eigen3::Eigen Boost::headers GSL::gsl
+target_link_libraries(bench_accuracy PRIVATE accuracy_kreisel accuracy_engines Eigen3::Eigen Boost::headers GSL::gsl
                       SUNDIALS::ida_shared SUNDIALS::nvecserial_shared SUNDIALS::sunmatrixdense_shared
                       SUNDIALS::sunlinsoldense_shared SimTKsimbody SimTKmath SimTKcommon)
 if(KREISEL_MUJOCO_INCLUDE AND KREISEL_MUJOCO_LIBRARY)
