@@ -33,8 +33,8 @@ constexpr const char* description =
 
 constexpr const char* config_help =
     "JSON files, or names of configs that come with kreisel: NAME is NAME.json\n"
-    "in or below $KREISEL_EXPERIMENTS, by default experiments/ of the sources\n"
-    "kreisel was built from. A file of that path comes first.";
+    "in or below $KREISEL_EXPERIMENTS, by default where kreisel is installed,\n"
+    "or in the sources it was built from. A file of that path comes first.";
 
 constexpr const char* exit_codes =
     "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed, a figure could not be drawn, or "
