@@ -1,0 +1,12 @@
+# The guide in docs/: its links, and its commands, which are run as they stand there. Blocks that need packages beyond
+# those of the tests are left out by name where these are missing, unless KREISEL_REQUIRE has their purpose.
+set(docs_tests ${CMAKE_SOURCE_DIR}/tests/docs)
+add_test(NAME docs.links COMMAND /usr/bin/python3 ${docs_tests}/check_links.py)
+add_test(NAME docs.controls COMMAND /usr/bin/python3 ${docs_tests}/controls.py)
+set_tests_properties(docs.links docs.controls PROPERTIES LABELS docs)
+if(TARGET kreisel)
+  get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+  add_test(NAME docs.blocks COMMAND /usr/bin/python3 ${docs_tests}/run_blocks.py $<TARGET_FILE:kreisel>
+                                    -I ${CMAKE_BINARY_DIR}/generated -I ${eigen})
+  set_tests_properties(docs.blocks PROPERTIES LABELS docs TIMEOUT 600 ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
+endif()
