@@ -10,6 +10,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 import check_links
+import check_site
 import run_blocks
 
 FAULTS = {
@@ -21,7 +22,7 @@ FAULTS = {
     "expected 'first'": "```sh\nprintf 'second\\nfirst\\nsecond\\n'\n```\n\n```text\nsecond\nsecond\nfirst\n```\n",
     "which is no file": "<!-- run by tools/none -->\n```sh\nfalse\n```\n",
     "which does not run apt-get": "<!-- run by check -->\n```sh\napt-get update\n```\n",
-    "differs from methods/rkmk/ralston3.cpp": "The file `methods/rkmk/ralston3.cpp`:\n\n```cpp\n.order = 4\n```\n",
+    "differs from methods/rkmk/rk4.cpp": "The file `methods/rkmk/rk4.cpp`:\n\n```cpp\n.order = 5\n```\n",
     "does not compile": "The file `methods/rkmk/own.cpp`:\n\n```cpp\nint x = \"\";\n```\n",
     "files of the reader": "The file `python/own.py`:\n\n```python\nx = 1\n```\n",
     "does not end in the name of a file": "Some numbers.\n\n```json\n{}\n```\n",
@@ -29,8 +30,13 @@ FAULTS = {
 }
 SOUND = ("Save `own.json`:\n\n```json\n{}\n```\n\n```sh\ncat own.json; echo 1.5 s, done; echo more\n```\n\n"
          "```text\n{}\n... s, done\n```\n\n<!-- run by check -->\n```sh\ntools/setup none\n```\n")
-LINKS = {"[a](none.md)": 1, "[a](page.md#none)": 1, "[a](#none)": 1, "[a](../outside.md)": 1, '<img src="none.png">': 1,
+LINKS = {"[a](none.md)": 1, "[a](page.md#none)": 1, "[a](#none)": 1, "[a](../outside.md)": 1,
+         '<img src="none.png">': 1,
          "[a](page.md#a-heading-of-c)": 0, "`[a](none.md)`": 0, "```\n[a](none.md)\n```": 0, "[a](https://b.example)": 0}
+SITE = {'<a href="none.html">': "no such page", '<a href="page.html#none">': "no such heading",
+        '<script src="https://a.example/x.js">': "loads https://a.example/x.js",
+        '<img src="//a.example/x.png">': "loads", '<link rel="stylesheet" href="http://a.example/x.css">': "loads", "@import 'https://a.example/x.css'": "loads", "a { background: url(https://a.example/x.png) }": "loads", '<a href="https://a.example">': "",
+        '<a href="page.html#here">': "", '<img src="page.png">': "", "a { background: url(data:image/png;base64,AA) }": ""}
 
 
 class Controls(unittest.TestCase):
@@ -64,6 +70,16 @@ class Controls(unittest.TestCase):
         for text, count in LINKS.items():
             with self.subTest(text):
                 self.assertEqual(len(list(check_links.broken_links(self.page(text), self.root))), count)
+
+    def test_faults_of_sites_are_found(self):
+        for text, expected in SITE.items():
+            check_site.read.cache_clear()
+            (self.root / "page.html").write_text('<p id="here">' + (text if text[0] == "<" else ""))
+            (self.root / "page.css").write_text("" if text[0] == "<" else text)
+            found = list(check_site.findings(self.root))
+            with self.subTest(text):
+                self.assertEqual(len(found), bool(expected))
+                self.assertIn(expected, "".join(found))
 
 
 if __name__ == "__main__":

@@ -46,7 +46,8 @@ def write_file(block, folder, include, findings):
             findings.about(block, f"differs from {block.name}")
     elif block.name.endswith(".cpp"):
         options = COMPILE + [word for path in include for word in ("-I", path)]
-        compiled = subprocess.run([os.environ.get("CXX", "g++"), *options, "-x", "c++", "-"], input=block.text, text=True, capture_output=True)
+        compiled = subprocess.run([os.environ.get("CXX", "g++"), *options, "-x", "c++", "-"], input=block.text,
+                                  text=True, capture_output=True)
         if compiled.returncode != 0:
             findings.about(block, f"{block.name} does not compile:\n{compiled.stderr}")
     elif "/" in block.name:
