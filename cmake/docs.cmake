@@ -13,3 +13,10 @@ if(TARGET kreisel)
   add_test(NAME docs.site COMMAND /usr/bin/python3 ${docs_tests}/check_site.py $<TARGET_FILE:kreisel>)
   set_tests_properties(docs.site PROPERTIES LABELS docs SKIP_RETURN_CODE 77 TIMEOUT 300)
 endif()
+
+# The program as it is installed: what it finds beside itself, man page, completions. What needs a shell or a library
+# that is missing is skipped by name.
+if(TARGET kreisel)
+  add_test(NAME installed COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/installed/run.py ${CMAKE_BINARY_DIR})
+  set_tests_properties(installed PROPERTIES LABELS installed TIMEOUT 300)
+endif()
