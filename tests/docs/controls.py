@@ -18,6 +18,7 @@ FAULTS = {
     "fails with exit code 4": "```sh\n(exit 4)\ntrue\n```\n\n```sh\ntrue\n```\n",
     "fails with exit code 0": "```sh\nexit 0\n```\n\n```sh\ntrue\n```\n",
     "fails with exit code 1": "```sh\nfalse | cat\n```\n",
+    "fails with exit code 127": "```sh\n./reproduce\n```\n",
     "expected 'two'": "```sh\necho one\n```\n\n```text\ntwo\n```\n",
     "expected 'first'": "```sh\nprintf 'second\\nfirst\\nsecond\\n'\n```\n\n```text\nsecond\nsecond\nfirst\n```\n",
     "which is no file": "<!-- run by tools/none -->\n```sh\nfalse\n```\n",
@@ -31,12 +32,19 @@ FAULTS = {
 SOUND = ("Save `own.json`:\n\n```json\n{}\n```\n\n```sh\ncat own.json; echo 1.5 s, done; echo more\n```\n\n"
          "```text\n{}\n... s, done\n```\n\n<!-- run by check -->\n```sh\ntools/setup none\n```\n")
 LINKS = {"[a](none.md)": 1, "[a](page.md#none)": 1, "[a](#none)": 1, "[a](../outside.md)": 1,
-         '<img src="none.png">': 1,
-         "[a](page.md#a-heading-of-c)": 0, "`[a](none.md)`": 0, "```\n[a](none.md)\n```": 0, "[a](https://b.example)": 0}
-SITE = {'<a href="none.html">': "no such page", '<a href="page.html#none">': "no such heading",
+         '<img src="none.png">': 1, "[a](page.md#a-heading-of-c)": 0, "`[a](none.md)`": 0,
+         "```\n[a](none.md)\n```": 0, "[a](https://b.example)": 0}
+SITE = {'<a href="none.html">': "no such page",
+        '<a href="page.html#none">': "no such heading",
         '<script src="https://a.example/x.js">': "loads https://a.example/x.js",
-        '<img src="//a.example/x.png">': "loads", '<link rel="stylesheet" href="http://a.example/x.css">': "loads", "@import 'https://a.example/x.css'": "loads", "a { background: url(https://a.example/x.png) }": "loads", '<a href="https://a.example">': "",
-        '<a href="page.html#here">': "", '<img src="page.png">': "", "a { background: url(data:image/png;base64,AA) }": ""}
+        '<img src="//a.example/x.png">': "loads",
+        '<link rel="stylesheet" href="http://a.example/x.css">': "loads",
+        "@import 'https://a.example/x.css'": "loads",
+        "a { background: url(https://a.example/x.png) }": "loads",
+        '<a href="https://a.example">': "",
+        '<a href="page.html#here">': "",
+        '<img src="page.png">': "",
+        "a { background: url(data:image/png;base64,AA) }": ""}
 
 
 class Controls(unittest.TestCase):
