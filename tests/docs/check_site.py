@@ -6,6 +6,7 @@ Every link leads to a page and a heading, nothing is loaded from elsewhere, and 
 name that the program lists. Skipped by name without mkdocs and Doxygen, unless KREISEL_REQUIRE has `docs`.
 """
 import functools
+import hashlib
 import html.parser
 import os
 import pathlib
@@ -92,6 +93,14 @@ def missing_sections(site, program):
                 yield f"reference: there is no section on {name}"
 
 
+def write_sheet(folder, program, method):
+    """A data sheet as `tools/docs -s` would have made it."""
+    digest = hashlib.sha256(pathlib.Path(program).read_bytes()).hexdigest()[:16]
+    sheet = pathlib.Path(folder) / "sheets" / digest / (method.replace("/", "-") + ".md")
+    sheet.parent.mkdir(parents=True)
+    sheet.write_text(f"# {method}\n\nThe sheet.\n")
+
+
 def skip_unless_installed():
     if subprocess.run([pages.ROOT / "tools/setup", "-n", "docs"], capture_output=True).returncode != 0:
         print("docs: skipped: there is no mkdocs or Doxygen; tools/setup docs installs them")
@@ -109,9 +118,13 @@ def main(program, site=None):
         report(list(findings(pathlib.Path(site).resolve())), pathlib.Path(site))
     skip_unless_installed()
     with tempfile.TemporaryDirectory() as folder:
+        write_sheet(folder, program, "rkmk/rk4")
         subprocess.run([pages.ROOT / "tools/docs", "-k", program, "-o", folder], check=True)
         site = pathlib.Path(folder).resolve() / "site"
-        report(list(findings(site)) + list(missing_sections(site, program)), site)
+        found = list(findings(site)) + list(missing_sections(site, program))
+        if "sheets/rkmk-rk4.html" not in read(site / "reference/methods-rkmk.html").links:
+            found.append("reference: the data sheet of rkmk/rk4 is not shown")
+        report(found, site)
 
 
 if __name__ == "__main__":
