@@ -193,6 +193,8 @@ if(TARGET kreisel)
   endforeach()
 endif()
 
+include(cmake/docs.cmake)
+
 # The table of controls that ./check writes at its end, which runs every check on every control.
 if(TARGET test_orders_binary64)
   add_test(NAME orders.controls COMMAND test_orders_binary64 "[list]")

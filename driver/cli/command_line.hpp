@@ -17,8 +17,8 @@ namespace kreisel {
 /// What the help says of configs.
 inline constexpr const char* config_help =
     "JSON files, or names of configs that come with kreisel: NAME is NAME.json\n"
-    "in or below $KREISEL_EXPERIMENTS, by default experiments/ of the sources\n"
-    "kreisel was built from. A file of that path comes first.";
+    "in or below $KREISEL_EXPERIMENTS, by default where kreisel is installed,\n"
+    "or in the sources it was built from. A file of that path comes first.";
 
 class CommandLine {
   public:

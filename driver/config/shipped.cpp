@@ -38,11 +38,11 @@ bool is_path(const fs::path& written) { return written.has_parent_path() || writ
 fs::path shipped_folder() {
     if (const char* chosen = std::getenv("KREISEL_EXPERIMENTS")) { return chosen; }  // NOLINT(concurrency-mt-unsafe)
     std::error_code none;
-    const fs::path sources = fs::path(build::source_dir) / "experiments";
-    if (fs::is_directory(sources, none)) { return sources; }
     const auto program = fs::read_symlink("/proc/self/exe", none);
     const auto installed = program.parent_path().parent_path() / "share" / "kreisel" / "experiments";
-    return fs::is_directory(installed, none) ? installed : fs::path();
+    if (fs::is_directory(installed, none)) { return installed; }
+    const fs::path sources = fs::path(build::source_dir) / "experiments";
+    return fs::is_directory(sources, none) ? sources : fs::path();
 }
 
 std::map<std::string, fs::path> configs_below(const fs::path& folder) {

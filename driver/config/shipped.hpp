@@ -9,8 +9,8 @@
 
 namespace kreisel {
 
-/// The folder of these configs: the environment variable KREISEL_EXPERIMENTS, else experiments/ of the sources this
-/// program was built from, else ../share/kreisel/experiments beside the program. Empty where none exists.
+/// The folder of these configs: the environment variable KREISEL_EXPERIMENTS, else ../share/kreisel/experiments beside
+/// this program, else experiments/ of the sources it was built from. Empty where none exists.
 std::filesystem::path shipped_folder();
 
 /// The files NAME.json in `folder` and the folders below it, by NAME. Throws UsageError where two have the same name.

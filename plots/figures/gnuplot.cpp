@@ -60,16 +60,16 @@ std::filesystem::path plot_scripts() {
     if (const char* chosen = std::getenv("KREISEL_PLOTS")) {
         candidates.emplace_back(chosen);
     } else {
-        candidates.emplace_back(std::string(build::source_dir) + "/plots/gnuplot");
         std::error_code none;
         const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
         candidates.push_back(program.parent_path().parent_path() / "share" / "kreisel" / "plots");
+        candidates.emplace_back(std::string(build::source_dir) + "/plots/gnuplot");
     }
     for (const auto& folder : candidates) {
         if (std::filesystem::exists(folder / "style.gp")) { return std::filesystem::absolute(folder); }
     }
     throw FileError(fmt::format("{}: no gnuplot scripts there (style.gp is missing); set KREISEL_PLOTS to their folder",
-                                candidates.front().string()));
+                                candidates.back().string()));
 }
 
 std::string run_gnuplot(const std::filesystem::path& folder, const std::filesystem::path& scripts,

@@ -8,8 +8,8 @@
 
 namespace kreisel {
 
-/// The folder of the gnuplot scripts: the environment variable KREISEL_PLOTS, else plots/gnuplot/ of the sources this
-/// program was built from, else ../share/kreisel/plots beside the program. Throws FileError where none exists.
+/// The folder of the gnuplot scripts: the environment variable KREISEL_PLOTS, else ../share/kreisel/plots beside this
+/// program, else plots/gnuplot/ of the sources it was built from. Throws FileError where none exists.
 std::filesystem::path plot_scripts();
 
 /// Runs `gnuplot -d -c scripts/<script>.gp plotdata/<name>.gp figures/<name> scripts` in `folder`. Returns what it
