@@ -1,10 +1,11 @@
 # The guide in docs/: its links, its commands, which are run as they stand there, and the site that tools/docs makes of
-# it. What needs packages beyond those of the tests is left out by name where these are missing, unless KREISEL_REQUIRE
+# it; the index of reports. What needs packages beyond those of the tests is left out by name where these are missing, unless KREISEL_REQUIRE
 # has their purpose.
 set(docs_tests ${CMAKE_SOURCE_DIR}/tests/docs)
 add_test(NAME docs.links COMMAND /usr/bin/python3 ${docs_tests}/check_links.py)
 add_test(NAME docs.controls COMMAND /usr/bin/python3 ${docs_tests}/controls.py)
-set_tests_properties(docs.links docs.controls PROPERTIES LABELS docs)
+add_test(NAME docs.index COMMAND /usr/bin/python3 ${docs_tests}/report_index.py)
+set_tests_properties(docs.links docs.controls docs.index PROPERTIES LABELS docs)
 if(TARGET kreisel)
   get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
   add_test(NAME docs.blocks COMMAND /usr/bin/python3 ${docs_tests}/run_blocks.py $<TARGET_FILE:kreisel>
