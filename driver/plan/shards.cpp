@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/plan/shards.hpp"
+
+#include <fmt/format.h>
+
+#include "support/hash.hpp"
+
+namespace kreisel {
+
+namespace {
+
+// The part of each cell, from 1.
+std::vector<std::size_t> deal(const Plan& plan, std::size_t shards) {
+    std::vector<std::size_t> parts(plan.cells.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) { parts[i] = i % shards + 1; }
+    return parts;
+}
+
+}  // namespace
+
+std::vector<std::size_t> cells_of_shard(const Plan& plan, std::size_t shard, std::size_t shards) {
+    const std::vector<std::size_t> parts = deal(plan, shards);
+    std::vector<std::size_t> cells;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i] == shard) { cells.push_back(i); }
+    }
+    return cells;
+}
+
+std::string plan_digest(const Plan& plan, std::size_t shards) {
+    const std::vector<std::size_t> parts = deal(plan, shards);
+    std::uint64_t hash = hash64(fmt::format("{}\n", shards));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        hash = hash64(fmt::format("{} {}\n", plan.cells[i].hash, parts[i]), hash);
+    }
+    return hash_text(hash);
+}
+
+}  // namespace kreisel
