@@ -3,20 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "driver/plan/deal.hpp"
 #include "support/hash.hpp"
 
 namespace kreisel {
-
-namespace {
-
-// The part of each cell, from 1.
-std::vector<std::size_t> deal(const Plan& plan, std::size_t shards) {
-    std::vector<std::size_t> parts(plan.cells.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) { parts[i] = i % shards + 1; }
-    return parts;
-}
-
-}  // namespace
 
 std::vector<std::size_t> cells_of_shard(const Plan& plan, std::size_t shard, std::size_t shards) {
     const std::vector<std::size_t> parts = deal(plan, shards);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the cells of a plan are dealt to the parts of a run. The deal follows from the plan alone, so that machines that
-// know nothing of each other agree on it.
+// How the cells of a plan are dealt to the parts of a run. The deal follows from the plan and the estimated cost of its
+// cells (cost.hpp) alone, so that machines that know nothing of each other agree on it.
 #pragma once
 
 #include <cstddef>

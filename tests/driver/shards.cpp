@@ -49,6 +49,22 @@ std::set<std::string> cells_dealt(const Plan& plan, std::size_t shard, std::size
     return cells;
 }
 
+/// With the references that their cells need.
+std::vector<double> costs_of_parts(const Plan& plan, std::size_t shards) {
+    std::vector<double> costs;
+    for (std::size_t shard = 1; shard <= shards; ++shard) {
+        std::set<std::string> references;
+        double cost = 0;
+        for (const std::size_t i : cells_of_shard(plan, shard, shards)) {
+            const PlannedCell& planned = plan.cells[i];
+            cost += planned.weight;
+            if (references.insert(planned.reference).second) { cost += plan.references.at(planned.reference).weight; }
+        }
+        costs.push_back(cost);
+    }
+    return costs;
+}
+
 /// Runs a config as a part.
 ProgramResult run_part(const std::string& config, const std::filesystem::path& folder, const std::string& shard,
                        std::vector<std::string> words = {}) {
@@ -74,6 +90,56 @@ TEST_CASE("every cell is in one part, whatever their number") {
         std::iota(each.begin(), each.end(), std::size_t{0});
         CHECK(all == each);
     }
+}
+
+TEST_CASE("parts cost alike, the more so the less references cost") {
+    Plan plan = plan_read(uneven);
+    const auto slowest_over_mean = [&](std::size_t shards) {
+        const std::vector<double> costs = costs_of_parts(plan, shards);
+        const double mean = std::accumulate(costs.begin(), costs.end(), 0.0) / static_cast<double>(shards);
+        return *std::max_element(costs.begin(), costs.end()) / mean;
+    };
+    for (std::size_t shards = 2; shards <= 5; ++shards) { CHECK(slowest_over_mean(shards) <= 1.5); }
+    for (auto& [hash, reference] : plan.references) { reference.weight = 0; }
+    for (std::size_t shards = 2; shards <= 5; ++shards) { CHECK(slowest_over_mean(shards) <= 1.15); }
+}
+
+TEST_CASE("cells of equal cost go round in the order of the plan") {
+    Plan plan = plan_read(R"({"name": "n", "kind": "drift", "problems": ["heavy_top"], "methods": ["rkmk/rk4"],
+        "time": {"end": 1, "steps": {"from": 1, "levels": 12}}})");
+    for (PlannedCell& planned : plan.cells) { planned.weight = 0.125; }
+    for (std::size_t shard = 1; shard <= 5; ++shard) {
+        const auto cells = cells_of_shard(plan, shard, 5);
+        CHECK(cells.size() >= 2);
+        for (const std::size_t i : cells) { CHECK(i % 5 + 1 == shard); }
+    }
+}
+
+TEST_CASE("a dear reference is computed in as few parts as keep them even") {
+    Plan plan = plan_read(uneven);
+    REQUIRE(plan.references.size() == 2);
+    for (auto& [hash, reference] : plan.references) { reference.weight = 1000 * plan.cells.back().weight; }
+    for (const std::size_t shard : {1U, 2U}) {
+        const auto cells = cells_of_shard(plan, shard, 2);
+        CHECK(cells.size() == plan.cells.size() / 2);
+        for (const std::size_t i : cells) { CHECK(plan.cells[i].reference == plan.cells[cells.front()].reference); }
+    }
+}
+
+TEST_CASE("a cell costs more in quad, with more steps, to a smaller tolerance, and next to nothing if skipped") {
+    const auto cost = [](const std::string& rest) {
+        const Plan plan = plan_read(R"({"name": "n", "kind": "drift", )" + rest + "}");
+        REQUIRE(plan.cells.size() == 1);
+        return plan.cells.front().weight;
+    };
+    const std::string top = R"("problems": ["heavy_top"], "methods": ["fake/pair"], )";
+    const double plain = cost(top + R"("time": {"end": 1, "steps": 1000})");
+    CHECK(cost(top + R"("time": {"end": 1, "steps": 4000})") > 3.5 * plain);
+    CHECK(cost(top + R"("precision": "quad", "time": {"end": 1, "steps": 1000})") > 50 * plain);
+    const double loose = cost(top + R"("time": {"end": 1, "tolerance": 1e-4})");
+    const double tight = cost(top + R"("time": {"end": 1, "tolerance": 1e-8})");
+    CHECK(tight - 2e-4 == Approx(10 * (loose - 2e-4)).epsilon(0.15));  // order 4
+    CHECK(cost(R"("problems": ["heavy_top"], "methods": ["fake/own"], "time": {"end": 1, "steps": 1000})") < plain);
 }
 
 TEST_CASE("parts of any number, run in any order by any number of workers, make the results of one run") {
