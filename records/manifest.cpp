@@ -116,6 +116,7 @@ ManifestState state_of(const nlohmann::json& manifest) {
     if (manifest.contains(bytes) && manifest[bytes].is_number_unsigned()) { state.journal = manifest[bytes]; }
     state.files = listed_files(manifest);
     state.earlier = earlier_runs(manifest);
+    state.plan = text_of(manifest, "plan");
     return state;
 }
 
@@ -139,6 +140,7 @@ void write_manifest(const std::filesystem::path& file, const ManifestSubject& su
     object.member("ended", state.ended.empty() ? "null" : json_text(state.ended));
     object.member("cells", counts_text(state.counts)).member("program", program_text(state.build));
     object.member("machine", machine_text());
+    if (!state.plan.empty()) { object.member("plan", json_text(state.plan)); }
     if (!state.earlier.empty()) { object.member("earlier", json_list(state.earlier, std::identity())); }
     if (state.journal) { object.member("journal", journal_text(state)); }
     object.member("warnings", json_value(subject.warnings)).member("units", units_text(subject.units));

@@ -42,6 +42,7 @@ struct ManifestState {
     std::optional<std::uintmax_t> journal;  ///< bytes of its journal when it ended
     std::vector<std::string> files;         ///< that it writes, below the folder
     std::vector<std::string> earlier;       ///< runs whose results it has taken over, as JSON
+    std::string plan = "";                  ///< of a part: the digest of the plan it is dealt from
 };
 
 /// Throws FileError.

@@ -15,6 +15,7 @@
 #include "driver/campaign/interrupt.hpp"
 #include "driver/campaign/results.hpp"
 #include "driver/campaign/workers/limits.hpp"
+#include "driver/plan/shards.hpp"
 #include "records/folder/owned_files.hpp"
 #include "records/provenance.hpp"
 #include "records/remarks/lost_integrals.hpp"
@@ -123,7 +124,8 @@ ManifestState begun(const Plan& plan, const RunSettings& settings, const Earlier
                         .started = utc_now(),
                         .counts = count_cells(plan, {}, settings),
                         .files = files_of_run(shard_name(settings), plan.config.samples > 0, !plan.references.empty()),
-                        .earlier = earlier.runs};
+                        .earlier = earlier.runs,
+                        .plan = settings.shards > 1 ? plan_digest(plan, settings.shards) : ""};
     for (const std::string& file : earlier.files) {
         const bool known = std::find(state.files.begin(), state.files.end(), file) != state.files.end();
         if (!known) { state.files.push_back(file); }

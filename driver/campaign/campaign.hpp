@@ -20,7 +20,7 @@ struct RunSettings {
     bool resume = false;
     bool overwrite = false;
     bool references_only = false;       ///< compute what cells are compared with, and no cell
-    std::size_t shard = 1, shards = 1;  ///< run every cell whose index i has i mod shards = shard - 1
+    std::size_t shard = 1, shards = 1;  ///< run the cells that are dealt to this part (plan/shards.hpp)
     std::string build;                  ///< identifies the code; results of another build are never reused
     std::filesystem::path cache;        ///< where references are kept for all results; empty: nowhere
     bool terminal = false;              ///< progress as one line that rewrites itself
@@ -45,8 +45,9 @@ struct CampaignReport {
 /// "", or "I-of-N".
 std::string shard_name(const RunSettings& settings);
 
-/// Throws UsageError if the folder holds results and the settings neither resume nor overwrite, and if it holds a file,
-/// at a name that the run would write, that no manifest in it lists; FileError if a manifest is damaged.
+/// Throws UsageError if the folder holds results and the settings neither resume nor overwrite, if it holds a part of
+/// another plan than the one to be written, and if it holds a file, at a name that the run would write, that no
+/// manifest in it lists; FileError if a manifest is damaged.
 void check_output_folder(const std::filesystem::path& folder, const Plan& plan, const RunSettings& settings);
 
 /// Runs the cells that have no result yet. Writes journal, manifest, results, trajectories and references. Throws

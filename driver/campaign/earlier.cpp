@@ -6,6 +6,8 @@
 #include <ostream>
 #include <set>
 
+#include "driver/campaign/parts.hpp"
+#include "driver/plan/shards.hpp"
 #include "records/folder/damage.hpp"
 #include "records/folder/owned_files.hpp"
 #include "records/manifest.hpp"
@@ -18,7 +20,7 @@ namespace {
 
 std::size_t foreign_cells(const Plan& plan, const JournalContents& earlier, const RunSettings& settings) {
     std::size_t count = 0;
-    for (std::size_t i = settings.shard - 1; i < plan.cells.size(); i += settings.shards) {
+    for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
         count += earlier.foreign.count(plan.cells[i].hash);
     }
     return count;
@@ -27,8 +29,8 @@ std::size_t foreign_cells(const Plan& plan, const JournalContents& earlier, cons
 // The files that a run would write.
 std::vector<std::string> would_write(const Plan& plan, const RunSettings& settings) {
     std::vector<std::string> paths = files_of_run(shard_name(settings), false, false);
-    for (std::size_t i = settings.shard - 1; i < plan.cells.size() && plan.config.samples > 0; i += settings.shards) {
-        paths.push_back(trajectory_file(plan.cells[i].hash));
+    for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
+        if (plan.config.samples > 0) { paths.push_back(trajectory_file(plan.cells[i].hash)); }
     }
     for (const auto& [hash, planned] : plan.references) { paths.push_back(reference_file("", hash).string()); }
     return paths;
@@ -70,7 +72,7 @@ void add_earlier_manifest(const std::filesystem::path& manifest, Earlier& earlie
 void remove_leftovers(const Plan& plan, const std::filesystem::path& folder, const RunSettings& settings,
                       const JournalContents& journals) {
     std::set<std::string> mine;
-    for (std::size_t i = settings.shard - 1; i < plan.cells.size(); i += settings.shards) {
+    for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
         mine.insert(plan.cells[i].hash);
     }
     remove_parts(folder, [&](const std::string& cell) {
@@ -83,6 +85,9 @@ Earlier earlier_results(const Plan& plan, const std::filesystem::path& folder, c
                         std::ostream& messages) {
     const std::string shard = shard_name(settings);
     check_output_folder(folder, plan, settings);
+    if (const std::string warning = check_parts(folder, plan, settings); !warning.empty()) {
+        messages << warning << "\n";
+    }
     if (!shard_files(folder, "manifest", ".json").empty() && format_of(folder) < folder_format) {
         adopt_derived_files(folder);
     }
@@ -110,6 +115,7 @@ void check_output_folder(const std::filesystem::path& folder, const Plan& plan, 
     if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error)) {
         throw UsageError(fmt::format("{}: expected a folder for the results, got a file", folder.string()));
     }
+    check_parts(folder, plan, settings);
     if (settings.resume && is_unlisted(folder)) { return; }
     const OwnedFiles owned(folder);
     const bool used = settings.shards == 1 ? !owned.empty() && holds_results(folder)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "driver/config/resolved.hpp"
+#include "driver/plan/shards.hpp"
 #include "driver/plan/text.hpp"
 #include "records/cell/stepping.hpp"
 #include "records/cell/table.hpp"
@@ -60,7 +61,7 @@ TableUnits table_units(const Plan& plan, const Engine& engine) {
 CellCounts count_cells(const Plan& plan, const std::map<std::string, CellRecord>& finished,
                        const RunSettings& settings) {
     CellCounts counts;
-    for (std::size_t i = settings.shard - 1; i < plan.cells.size(); i += settings.shards) {
+    for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
         const auto found = finished.find(plan.cells[i].hash);
         ++counts.total;
         if (found == finished.end()) {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "driver/campaign/geometry.hpp"
+#include "driver/campaign/parts.hpp"
 #include "driver/campaign/results.hpp"
 #include "records/folder/damage.hpp"
 #include "records/folder/owned_files.hpp"
@@ -25,6 +26,7 @@ namespace {
 // What the folders agree on, and how their runs went.
 struct MergedManifests {
     std::optional<Document> config;
+    PlanOfParts plan;
     std::vector<std::string> runs;
 };
 
@@ -34,6 +36,7 @@ void add_manifest(const std::filesystem::path& file, const std::string& build, M
         throw UsageError(fmt::format("{}: expected results of this build ({}), got build {}; --mixed takes both",
                                      file.string(), build, manifest.state.build));
     }
+    merged.plan.add(file, manifest.state.plan);
     if (merged.config && merged.config->value != manifest.config.value) {
         throw UsageError(fmt::format("{}: expected the same config in all folders, got another one", file.string()));
     }
@@ -146,6 +149,7 @@ Exit merge_command(const Paths& folders, const std::filesystem::path& output, co
                    const Engines& engines, const Terminal& terminal) {
     const std::string taken = mixed ? "" : build;
     MergedManifests manifests = read_manifests(folders, taken);
+    if (!manifests.plan.warning().empty()) { fmt::print(terminal.messages, "{}\n", manifests.plan.warning()); }
     const Plan plan = plan_of(*manifests.config, engines);
     const std::filesystem::path target = output.empty() ? folders.front() : output;
     make_folder(target);

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "driver/plan/cost.hpp"
 #include "driver/plan/identify.hpp"
 #include "driver/plan/metric_names.hpp"
 #include "records/json/diagnostics.hpp"
@@ -16,7 +17,7 @@ namespace kreisel {
 namespace {
 
 // A reference that knows samples is another one than that which does not.
-void name_reference(PlannedCell& planned, Plan& plan) {
+void name_reference(PlannedCell& planned, const SystemSummary& system, Plan& plan) {
     const Cell& cell = planned.cell;
     const long samples = asks_for_largest_errors(cell.metrics) ? cell.samples : 0;
     if (samples == 0 && !asks_for_errors(cell.metrics)) { return; }
@@ -27,7 +28,9 @@ void name_reference(PlannedCell& planned, Plan& plan) {
     if (samples > 0) { object.member("samples", fmt::format("{}", samples)); }
     const std::string content = object.text();
     planned.reference = hash_text(content);
-    plan.references.insert({planned.reference, {cell.problem, cell.parameters, cell.t_end, samples, content}});
+    PlannedReference reference{cell.problem, cell.parameters, cell.t_end, samples, content};
+    reference.weight = cost_of(reference, system);
+    plan.references.insert({planned.reference, std::move(reference)});
 }
 
 // Constant steps, or a tolerance.
@@ -102,18 +105,18 @@ class Crossing {
                 planned.precision = precision;
                 planned.skip_reason = stepping.skip_reason;
                 identify(planned, described.order);
-                add(std::move(planned), problem, method, projection);
+                add(std::move(planned), described, problem, method, projection);
             }
         }
     }
 
-    void add(PlannedCell planned, const ProblemEntry& problem, const OptionedEntry& method,
-             const OptionedEntry& projection) {
+    void add(PlannedCell planned, const MethodDescription& described, const ProblemEntry& problem,
+             const OptionedEntry& method, const OptionedEntry& projection) {
         const SystemSummary& system = plan_.systems.at({problem.label, planned.cell.formulation});
         if (!system.skip_reason.empty()) { planned.skip_reason = system.skip_reason; }
         if (planned.skip_reason.empty()) { planned.skip_reason = ask(planned, problem, method, projection); }
-        planned.weight = weight_of(planned, system.bodies);
-        if (planned.skip_reason.empty()) { name_reference(planned, plan_); }
+        planned.weight = cost_of(planned, described, system);
+        if (planned.skip_reason.empty()) { name_reference(planned, system, plan_); }
         plan_.cells.push_back(std::move(planned));
     }
 

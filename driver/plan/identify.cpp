@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "records/json/writer.hpp"
 #include "support/hash.hpp"
@@ -12,8 +11,6 @@
 namespace kreisel {
 
 namespace {
-
-constexpr double quad_cost = 40;  // relative to double, roughly: used only to order the work
 
 // Everything that determines the numbers, with keys and lists in a fixed order; not the label.
 std::string content_of(const PlannedCell& planned) {
@@ -68,15 +65,6 @@ CellIdentity identity_of(const PlannedCell& planned, const Order& order) {
 void identify(PlannedCell& planned, const Order& order) {
     planned.hash = hash_text(content_of(planned));
     planned.identity = identity_of(planned, order);
-}
-
-double weight_of(const PlannedCell& planned, int bodies) {
-    constexpr double guessed_steps = 100;
-    const Cell& cell = planned.cell;
-    const int order = planned.identity.order ? std::max(1, planned.identity.order->configuration) : 1;
-    const double steps = cell.tolerance > 0 ? guessed_steps * cell.t_end * std::pow(cell.tolerance, -1.0 / order)
-                                            : static_cast<double>(cell.steps);
-    return steps * std::max(1, bodies) * (planned.quad() ? quad_cost : 1);
 }
 
 }  // namespace kreisel

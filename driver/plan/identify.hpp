@@ -10,7 +10,4 @@ namespace kreisel {
 /// Sets hash and identity of a cell whose other members are known. Labels do not count in the hash.
 void identify(PlannedCell& planned, const Order& order);
 
-/// The relative cost of an identified cell. Steps to a tolerance are guessed.
-double weight_of(const PlannedCell& planned, int bodies);
-
 }  // namespace kreisel

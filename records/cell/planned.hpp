@@ -19,7 +19,7 @@ struct PlannedCell {
     CellIdentity identity;    ///< what its result says of it
     std::string skip_reason;  ///< not empty: the cell does not apply, and why
     std::string reference;    ///< name of the reference solution it is compared with; empty: none
-    double weight = 0;        ///< relative cost, to start long cells first
+    double weight = 0;        ///< estimated CPU time, s: long cells start first, parts of a run cost alike
     bool quad() const { return precision == "quad"; }
 };
 
@@ -30,6 +30,7 @@ struct PlannedReference {
     double t_end = 0;
     long samples = 0;     ///< at which errors are wanted too
     std::string content;  ///< all that determines its numbers, as JSON
+    double weight = 0;    ///< estimated CPU time, s
 };
 
 }  // namespace kreisel

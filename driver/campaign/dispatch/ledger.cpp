@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver/campaign/dispatch/ledger.hpp"
 
+#include "driver/plan/shards.hpp"
 #include "records/cell/line.hpp"
 #include "records/trajectory_file.hpp"
 #include "support/errors.hpp"
@@ -32,7 +33,7 @@ bool Ledger::trajectory_is_whole(const CellRecord& cell) const {
 }
 
 std::size_t Ledger::reuse(const JournalContents& earlier, const RunSettings& settings) {
-    for (std::size_t i = settings.shard - 1; i < plan_.cells.size(); i += settings.shards) {
+    for (const std::size_t i : cells_of_shard(plan_, settings.shard, settings.shards)) {
         const auto found = earlier.cells.find(plan_.cells[i].hash);
         const bool whole = found != earlier.cells.end() && !status::is_tried_again(found->second.outcome.status) &&
                            trajectory_is_whole(found->second);

@@ -83,7 +83,9 @@ const std::string family = "sabotage/";
 
 std::vector<MethodDescription> Saboteurs::methods() const {
     std::vector<MethodDescription> all = FakeEngine::methods();
-    for (const auto& [name, deed] : deeds()) { all.push_back({.name = family + name, .order = 1, .summary = "evil"}); }
+    for (const auto& [name, deed] : deeds()) {  // as many stages as rkmk/rk4, so that they start as early
+        all.push_back({.name = family + name, .order = 1, .summary = "evil", .stages = 4});
+    }
     return all;
 }
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/plan/cost.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kreisel {
+
+namespace {
+
+// Fitted to "cpu_s" in the journals of the shipped orders_heavy_top, exp_vs_cayley, adaptive_pendulum, mechanisms,
+// certification and certification_quad, run with -j 1 by a release build. A solve takes 0.15 us with n = 6 unknowns
+// (velocities and rows), 0.2 to 0.4 at 18, 1.1 at 28, 2.7 at 56 (a chain), 8 at 60 (Bricard's mechanism); in quad 90 to
+// 150 times as long. A stage of rkmk/gauss2 and its kin takes as long as six solves. Steps to a tolerance are between 1
+// and 30 per second and power of the tolerance. References: --references-only of the same configs, without a cache.
+constexpr double solve_s = 1e-7, entry_s = 1e-9;  // of a solve, and times n^2
+constexpr double dense = 60;                      // unknowns from which on systems are sparse: time grows as n
+constexpr double start_s = 2e-4;                  // of a cell: system, method, journal
+constexpr double quad = 100;                      // to double
+constexpr double newton = 5;                      // solves that an implicit stage takes as long as
+constexpr double steps_to_tolerance = 10;         // per second, times tolerance^(-1/order)
+constexpr double timed_s = 0.25;                  // least time of a cell whose time is taken
+constexpr double reference_s = 0.04;              // per unknown and second
+
+double unknowns(const SystemSummary& system) { return std::max(1, system.velocities + system.constraints.rows); }
+
+// x^(1/p) for x >= 1, to some percent, of correctly rounded operations only: the last bits of std::pow differ between
+// processors, and all machines must come to the same deal.
+double root(double x, int p) {
+    int exponent = 0;
+    const double fraction = std::frexp(x, &exponent);
+    const double logarithm = (exponent - 1 + (2 * fraction - 1)) / p;  // of base 2, linear within an octave
+    const double whole = std::floor(logarithm);
+    return std::ldexp(1 + (logarithm - whole), static_cast<int>(whole));
+}
+
+double steps_of(const PlannedCell& planned) {
+    const Cell& cell = planned.cell;
+    if (cell.tolerance <= 0) { return static_cast<double>(cell.steps); }
+    const int order = planned.identity.order ? std::max(1, planned.identity.order->configuration) : 1;
+    return steps_to_tolerance * cell.t_end * root(std::max(1.0, 1 / cell.tolerance), order);
+}
+
+// Measuring and projecting a step cost about as much as a stage.
+double solves_per_step(const Cell& cell, const MethodDescription& method) {
+    const double stages = std::max(1, method.stages) * (method.is_implicit() ? newton : 1);
+    return stages + (cell.metrics.empty() ? 0 : 1) + (cell.projection == "none" ? 0 : 1);
+}
+
+}  // namespace
+
+double cost_of(const PlannedCell& planned, const MethodDescription& method, const SystemSummary& system) {
+    if (!planned.skip_reason.empty()) { return start_s; }
+    const double n = unknowns(system);
+    const double solve = (solve_s + entry_s * n * std::min(n, dense)) * (planned.quad() ? quad : 1);
+    const double run = steps_of(planned) * solves_per_step(planned.cell, method) * solve;
+    const bool is_timed = planned.cell.timed || planned.cell.repeated;
+    return start_s + run + (is_timed ? std::max(timed_s, (timing_rounds - 1) * run) : 0);
+}
+
+double cost_of(const PlannedReference& planned, const SystemSummary& system) {
+    return reference_s * planned.t_end * unknowns(system);
+}
+
+}  // namespace kreisel

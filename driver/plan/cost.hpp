@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What cells and references cost, estimated from the plan alone: no clock and no machine decides what follows from it.
+#pragma once
+
+#include "records/cell/planned.hpp"
+
+namespace kreisel {
+
+/// CPU seconds of an identified cell, by order of magnitude; of cells within a config, to a small factor. The numbers of
+/// steps to a tolerance and of Newton iterations are guessed.
+double cost_of(const PlannedCell& planned, const MethodDescription& method, const SystemSummary& system);
+
+/// The same of a reference of that system.
+double cost_of(const PlannedReference& planned, const SystemSummary& system);
+
+}  // namespace kreisel
