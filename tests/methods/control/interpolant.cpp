@@ -93,6 +93,7 @@ TEST_CASE("dense output of a method's own has its order on the group", "[control
         if (order == 0) continue;
         for (const std::string formulation : {"SO3xR3", "SE3", "SO3"})
             for (const std::string coordinates : {"exp", "cayley", "second_kind"}) {
+                if (KREISEL_QUAD && coordinates != "exp") continue;  // slow
                 const auto system = make_system(models::standard("forced_heavy_top"), formulation);
                 const auto [q, v] = observed_own(entry, {{"coordinates", coordinates}}, *system, formulation);
                 INFO(entry.description.name << ", " << formulation << ", " << coordinates << ": " << q << ", " << v);
@@ -100,7 +101,7 @@ TEST_CASE("dense output of a method's own has its order on the group", "[control
                 ++met;
             }
     }
-    CHECK(met >= 18);
+    CHECK(met >= (KREISEL_QUAD ? 6 : 18));
 }
 
 TEST_CASE("dense output has local errors O(h^6) in q and O(h^5) in v", "[control]") {
