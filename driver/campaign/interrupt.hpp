@@ -9,8 +9,8 @@ namespace kreisel {
 
 /// While it lives, SIGINT and SIGTERM only set the flag, and SIGPIPE and SIGXFSZ are ignored, so that a closed terminal
 /// and a file that has become too large cause errors of writing. Signals are often sent twice (by a terminal to the
-/// group, then by a shell or a batch system): only one that comes 2 s after the first ends the program at once. After an
-/// interrupt that stays so, for the program is about to end. A guard within another one changes nothing.
+/// group, then by a shell or a batch system): only one that comes 2 s after the first ends the program at once. After
+/// an interrupt that stays so, for the program is about to end. A guard within another one changes nothing.
 class InterruptGuard {
   public:
     InterruptGuard();

@@ -7,8 +7,8 @@
 
 namespace kreisel {
 
-/// CPU seconds of an identified cell, by order of magnitude; of cells within a config, to a small factor. The numbers of
-/// steps to a tolerance and of Newton iterations are guessed.
+/// CPU seconds of an identified cell, by order of magnitude; of cells within a config, to a small factor. The numbers
+/// of steps to a tolerance and of Newton iterations are guessed.
 double cost_of(const PlannedCell& planned, const MethodDescription& method, const SystemSummary& system);
 
 /// The same of a reference of that system.

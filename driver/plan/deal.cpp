@@ -108,8 +108,8 @@ std::vector<std::size_t> parts_of_cells(const std::vector<Group>& groups, const 
 
 }  // namespace
 
-// At first the cells of each reference stay together. Then they are split, the dearest first, for as long as parts might
-// become cheaper; what makes the dearest part cheapest is kept, and of such the one with the cheapest next part.
+// At first the cells of each reference stay together. Then they are split, the dearest first, for as long as parts
+// might become cheaper; what makes the dearest part cheapest is kept, and of such the one with the cheapest next part.
 std::vector<std::size_t> deal(const Plan& plan, std::size_t asked) {
     const std::size_t parts = std::max<std::size_t>(1, std::min(asked, plan.cells.size()));  // the others stay empty
     std::vector<Group> groups = groups_of(plan);

@@ -24,8 +24,8 @@ TableauOrders tableau_orders(const NumericTableau<Rational>& tableau, const Rati
 TableauOrders tableau_orders(const NumericTableau<Float100>& tableau, const Float100& slack);
 TableauOrders tableau_orders(const Tableau& tableau);
 
-/// The largest order up to which sum_i b_i(theta) g_i(t) = theta^n/gamma(t) holds for all theta, n the nodes of the tree
-/// t: coefficient by coefficient. 0 where there is no dense output, or b(1) is not b.
+/// The largest order up to which sum_i b_i(theta) g_i(t) = theta^n/gamma(t) holds for all theta, n the nodes of the
+/// tree t: coefficient by coefficient. 0 where there is no dense output, or b(1) is not b.
 int dense_order(const Tableau& tableau);
 
 /// The order of b up to most_order; in 100 digits where `slack` is not zero.

@@ -67,8 +67,8 @@ struct MethodDescription {
     /// r, where an attempt at a step estimates its error by some e = O(h^r) (Integrator::attempt): p with local
     /// extrapolation, which advances the more accurate of two solutions, else p + 1. 0: there is no estimate.
     int estimate = 0;
-    /// The order of its own dense output (Integrator::interpolate) in steps to a tolerance. 0: there is none, and states
-    /// within steps are interpolated from their ends (methods/control/interpolant.hpp).
+    /// The order of its own dense output (Integrator::interpolate) in steps to a tolerance. 0: there is none, and
+    /// states within steps are interpolated from their ends (methods/control/interpolant.hpp).
     int dense = 0;
     /// Chooses its steps by a control of its own (Factory::stepper), to a tolerance only; constant steps do not apply.
     bool own_control = false;

@@ -36,8 +36,8 @@ class Integrator {
     /// projection, so that slopes computed there are not those of the state.
     virtual void accept(bool /*moved*/) {}
 
-    /// Of methods that declare dense output of their own (MethodDescription::dense): y = y(t + theta h), 0 <= theta <= 1,
-    /// within the last attempt, which has been accepted; from y0 = y(t) and what the method remembers of its stages.
+    /// Of methods that declare dense output of their own (MethodDescription::dense): y = y(t + theta h), 0 <= theta <=
+    /// 1, within the last attempt, which has been accepted; from y0 = y(t) and what the method remembers of its stages.
     virtual void interpolate(const Real& /*theta*/, const Real& /*h*/, const Real* /*y0*/, Real* /*y*/) {
         throw std::logic_error("dense output of a method that has none of its own");
     }

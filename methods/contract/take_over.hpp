@@ -10,8 +10,8 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// y <- next, if all of next is finite; else y stays and the answer is `non_finite`. A sum shows it: no entry that is not
-/// finite can be cancelled.
+/// y <- next, if all of next is finite; else y stays and the answer is `non_finite`. The sum shows it: what is not
+/// finite cannot be cancelled.
 inline Status take_over(const std::vector<Real>& next, Real* y) {
     Real sum = 0;
     for (const Real& entry : next) sum += entry;

@@ -52,7 +52,8 @@ class Dispatcher {
     void enqueue(const std::vector<std::string>& references, const std::vector<std::size_t>& cells);
     /// Does what was enqueued; ends early, with cells left, after an interrupt. Throws FileError.
     void run();
-    /// Takes further rounds of CPU times, all cells in each round, so that a busy moment of the machine meets all alike.
+    /// Takes further rounds of CPU times, all cells in each round, so that a busy moment of the machine meets all
+    /// alike.
     void time_in_turn();
 
     const FailedReferences& failed_references() const { return failed_; }

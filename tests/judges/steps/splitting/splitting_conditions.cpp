@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/judges/steps/splitting_conditions.hpp"
+#include "tests/judges/steps/splitting/splitting_conditions.hpp"
 
 #include "tests/judges/steps/recorded_steps.hpp"
 

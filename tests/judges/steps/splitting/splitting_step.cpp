@@ -6,7 +6,7 @@
 
 #include "mechanics/free_body/free_rotation.hpp"
 #include "tests/judges/steps/recorded_steps.hpp"
-#include "tests/judges/steps/splitting_conditions.hpp"
+#include "tests/judges/steps/splitting/splitting_conditions.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
 namespace kreisel {
