@@ -67,6 +67,7 @@ void run_workers(const Plan& plan, const Forker& forker, Ledger& ledger, const R
                        settings.references_only ? std::vector<std::size_t>() : ledger.mine());
     dispatcher.run();
     if (plan.config.runs_alone() && !settings.references_only) { dispatcher.time_in_turn(); }
+    dispatcher.dismiss_idle();
     progress.clear();
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     report.notes = dispatcher.notes();

@@ -153,8 +153,9 @@ def clock(browser):
 
 
 def check_motion(browser):
-    drawn, at_start = pixels(browser)
-    assert drawn > 3000, f"the picture is blank: {drawn} pixels"
+    # It is first painted when the page is laid out, which may be after its script has come to its end.
+    wait_until(lambda: pixels(browser)[0] > 3000, "the picture is blank")
+    at_start = pixels(browser)[1]
     put(browser, "#motion input[type=range]", "1.5")
     assert abs(clock(browser) - 1.5) < 1e-3
     later = pixels(browser)[1]

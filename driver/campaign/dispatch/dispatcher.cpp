@@ -112,8 +112,15 @@ Dispatcher::Slot* Dispatcher::idle_slot(const Job& job) {
 }
 
 void Dispatcher::dismiss(Slots::iterator slot) {
-    forker_.bury(slot->worker);
+    forker_.release(slot->worker);
     slots_.erase(slot);
+}
+
+void Dispatcher::dismiss_idle() {
+    for (auto slot = slots_.begin(); slot != slots_.end();) {
+        const auto here = slot++;
+        if (!here->job) { dismiss(here); }
+    }
 }
 
 void Dispatcher::watch_interrupt() {

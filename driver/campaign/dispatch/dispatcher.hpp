@@ -56,6 +56,9 @@ class Dispatcher {
     /// alike.
     void time_in_turn();
 
+    /// Lets the workers go; those at work after an interrupt are left to the forker.
+    void dismiss_idle();
+
     const FailedReferences& failed_references() const { return failed_; }
     /// Something the user should know, one line each.
     const std::vector<std::string>& notes() const { return notes_; }

@@ -14,12 +14,12 @@
 namespace kreisel {
 
 struct Request {
-    enum class Kind { spawn, bury, interrupt } kind = Kind::spawn;
+    enum class Kind { spawn, release, bury, interrupt } kind = Kind::spawn;
     pid_t process = -1;
     std::uint64_t memory = 0;
 };
 
-/// Of a spawn the process, or -1 and errno; of a burial how it ended.
+/// Of a spawn the process, or -1 and errno; of a release or a burial how it ended.
 struct Answer {
     pid_t process = -1;
     int status = 0;

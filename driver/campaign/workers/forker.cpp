@@ -2,8 +2,10 @@
 #include "driver/campaign/workers/forker.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,6 +25,8 @@ namespace kreisel {
 
 namespace {
 
+constexpr int longest_farewell = 1000;  // ms
+
 /// The process that forks.
 class Nursery {
   public:
@@ -32,6 +36,7 @@ class Nursery {
     void serve() {
         while (const auto request = receive_request(control_)) {
             if (request->kind == Request::Kind::spawn) { spawn(request->memory); }
+            if (request->kind == Request::Kind::release) { release(request->process); }
             if (request->kind == Request::Kind::bury) { bury(request->process); }
             if (request->kind == Request::Kind::interrupt) { signal_all(SIGTERM); }
         }
@@ -56,6 +61,14 @@ class Nursery {
         if (worker < 0) { return send_answer(control_, {-1, errno}, {}); }
         workers_.insert(worker);
         send_answer(control_, {worker, 0}, {ours.number(), printed.number()});
+    }
+
+    // The worker has seen that its socket is closed, and what watches it (a profiler, counts of coverage) has work to do.
+    void release(pid_t worker) {
+        const Descriptor process(static_cast<int>(::syscall(SYS_pidfd_open, worker, 0)));
+        pollfd end{process.number(), POLLIN, 0};
+        ::poll(&end, 1, longest_farewell);  // of no descriptor: the time passes
+        bury(worker);
     }
 
     void bury(pid_t worker) {
@@ -126,6 +139,12 @@ Worker Forker::spawn(std::uint64_t memory, std::string& reason) const {
         reason = std::strerror(received.answer.status);
     }
     return worker;
+}
+
+void Forker::release(Worker& worker) const {
+    worker.socket.close();
+    send_request(control_, {Request::Kind::release, worker.process, 0});
+    receive_answer(control_);
 }
 
 int Forker::bury(const Worker& worker) const {

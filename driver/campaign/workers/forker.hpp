@@ -40,6 +40,8 @@ class Forker {
 
     /// A new worker that may have so many bytes of data. None if the system refuses it: `reason` says why.
     Worker spawn(std::uint64_t memory, std::string& reason) const;
+    /// Lets a worker that waits for work come to its own end. One that takes longer than a second is killed.
+    void release(Worker& worker) const;
     /// Kills a worker if it lives; returns how it ended, as waitpid tells it.
     int bury(const Worker& worker) const;
     /// Asks all workers to stop.

@@ -10,6 +10,10 @@
 
 #include "driver/campaign/workers/limits.hpp"
 
+#ifdef KREISEL_COVERAGE
+extern "C" void __gcov_dump();  // NOLINT(bugprone-reserved-identifier): the compiler's
+#endif
+
 namespace kreisel {
 
 namespace {
@@ -72,6 +76,9 @@ void be_worker(pid_t parent, const Descriptor& socket, const Printed& printed, s
     dump_no_core();
     limit_memory(memory);
     work(socket, printed, stop.get_token());
+#ifdef KREISEL_COVERAGE
+    __gcov_dump();
+#endif
     ::_exit(0);
 }
 
