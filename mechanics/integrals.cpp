@@ -84,10 +84,11 @@ FirstIntegral integral(std::string name, const char* unit, std::string reason, F
 }
 
 std::string energy_reason(const Model& model) {
-    const bool springs = has_forces(model);  // what stores energy
-    const std::string forces = springs ? "gravity is constant, the springs have no damping" : "gravity is constant";
-    if (model.joints.empty()) return springs ? forces : "no force but constant gravity acts";
-    return forces + (springs ? ", the joints do no work" : " and the joints do no work");
+    const bool others = has_forces(model);
+    const std::string forces =
+        others ? "gravity is constant, all other forces have a potential" : "gravity is constant";
+    if (model.joints.empty()) return others ? forces : "no force but constant gravity acts";
+    return forces + (others ? ", the joints do no work" : " and the joints do no work");
 }
 
 void add_energy(const Shared& model, std::vector<FirstIntegral>& integrals) {

@@ -2,6 +2,7 @@
 #include "mechanics/start.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 
 #include "lie/so3.hpp"
 #include "mechanics/formulation.hpp"
@@ -79,6 +80,58 @@ StartCorrection project_start(Model& model) {
     require_velocities(start);
     for (std::size_t i = 0; i < states.size(); ++i) model.bodies[i].start = states[i];
     return moved;
+}
+
+namespace {
+
+/// Both rigid and point bodies have six columns.
+std::vector<bool> unknown_columns(const GivenVelocities& given) {
+    std::vector<bool> unknown;
+    for (std::size_t i = 0; i < given.v.size(); ++i) {
+        unknown.insert(unknown.end(), 3, !given.v[i]);
+        unknown.insert(unknown.end(), 3, !given.omega[i]);
+    }
+    return unknown;
+}
+
+/// Says which velocities nothing determines, unless all is at rest.
+void warn_of_freedom(Model& model, const LeastCorrection& last, const Real& speed) {
+    if (last.free == 0 || speed == 0) return;
+    std::string bodies;
+    for (std::size_t i = 0; i < model.bodies.size(); ++i)
+        if (last.freedom.segment<6>(6 * static_cast<Eigen::Index>(i)).maxCoeff() > sqrt(epsilon))
+            bodies += (bodies.empty() ? "\"" : ", \"") + model.bodies[i].name + "\"";
+    model.warnings.push_back("what is given and the joints leave " + std::to_string(last.free) +
+                             " directions free in the velocities of " + bodies +
+                             ": those of least kinetic energy are taken");
+}
+
+}  // namespace
+
+void complete_velocities(Model& model, const GivenVelocities& given) {
+    if (std::find(given.omega.begin(), given.omega.end(), false) == given.omega.end())
+        return complete_velocities(model, given.v);
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+        if (!given.v[i]) model.bodies[i].start.v.setZero();
+        if (!given.omega[i]) model.bodies[i].start.omega.setZero();
+    }
+    if (model.joints.empty()) return;
+    StartState start(model);
+    const std::vector<bool> unknown = unknown_columns(given);
+    LeastCorrection last;
+    for (int i = 0; i < 2; ++i) {
+        last = least_correction(start, start.rows(), start.velocity_residual(), unknown);
+        start.velocities() += last.change;
+    }
+    stop_noise(start, start.speed());
+    std::vector<BodyState> states(model.bodies.size());
+    start.system().read(start.q(), states.data());
+    const Real speed = start.speed();
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        if (!given.v[i]) model.bodies[i].start.v = states[i].v;
+        if (!given.omega[i]) model.bodies[i].start.omega = states[i].omega;
+    }
+    warn_of_freedom(model, last, speed);
 }
 
 void complete_velocities(Model& model, const std::vector<bool>& given) {

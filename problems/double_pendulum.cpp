@@ -30,14 +30,17 @@ Model double_pendulum(const Parameters& p) {
 }
 
 std::vector<BodyData> links() {
-    return {
-        {.name = "upper", .mass = 1, .inertia = diagonal(0.01, 0.09, 0.085), .x = {0.5, 0, 0}, .omega = {0.5, 1, -0.3}},
-        {.name = "lower",
-         .mass = 0.6,
-         .inertia = diagonal(0.006, 0.04, 0.035),
-         .x = {1, 0.4, 0},
-         .R = {0, -1, 0, 1, 0, 0, 0, 0, 1},
-         .omega = {-1, 0.2, 0.8}}};
+    return {{.name = "upper",
+             .mass = 1,
+             .inertia = diagonal(0.01, 0.09, 0.085),
+             .x = {0.5, 0, 0},
+             .omega = Vector3{0.5, 1, -0.3}},
+            {.name = "lower",
+             .mass = 0.6,
+             .inertia = diagonal(0.006, 0.04, 0.035),
+             .x = {1, 0.4, 0},
+             .R = {0, -1, 0, 1, 0, 0, 0, 0, 1},
+             .omega = Vector3{-1, 0.2, 0.8}}};
 }
 
 }  // namespace

@@ -40,14 +40,17 @@ Model multibody(const Parameters& p) {
 }
 
 std::vector<BodyData> crank_and_rod() {
-    return {
-        {.name = "crank", .mass = 1.2, .inertia = diagonal(0.004, 0.03, 0.032), .x = {0.3, 0, 0}, .omega = {0, 2, 0}},
-        {.name = "rod",
-         .mass = 0.8,
-         .inertia = diagonal(0.003, 0.05, 0.051),
-         .x = {0.6, 0.4, 0},
-         .R = {0, -1, 0, 1, 0, 0, 0, 0, 1},
-         .omega = {1, 0.5, -0.7}}};
+    return {{.name = "crank",
+             .mass = 1.2,
+             .inertia = diagonal(0.004, 0.03, 0.032),
+             .x = {0.3, 0, 0},
+             .omega = Vector3{0, 2, 0}},
+            {.name = "rod",
+             .mass = 0.8,
+             .inertia = diagonal(0.003, 0.05, 0.051),
+             .x = {0.6, 0.4, 0},
+             .R = {0, -1, 0, 1, 0, 0, 0, 0, 1},
+             .omega = Vector3{1, 0.5, -0.7}}};
 }
 
 std::vector<JointData> pivot_and_ball() {

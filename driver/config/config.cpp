@@ -108,6 +108,7 @@ Config read_config(const Document& document, const Catalogue& catalogue) {
     if (const auto time = root.require("time", time_expectation)) { read_time(*time, config); }
     read_measurements(root, config);
     sink.raise();
+    config.warnings = sink.warnings();
     return config;
 }
 

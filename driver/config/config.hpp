@@ -49,6 +49,7 @@ struct Config {
     std::vector<std::string> metrics;
     bool metrics_given = false;  ///< false: the defaults of the kind apply
     std::string figure;          ///< as written, JSON; empty if absent
+    std::vector<std::string> warnings;
     /// True if cells measure the time and memory of their steps, and nothing else.
     bool is_timed() const;
     /// True if cells are run again for the time of their steps.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -77,7 +78,7 @@ void read_vectors(const Node& entry, const std::string& one, const std::string& 
 }
 
 // R of a quaternion, which is normalised first.
-std::optional<Matrix3> read_quaternion(const Node& node) {
+std::optional<Matrix3> read_quaternion(const Node& node, const PrintedNumbers& printed) {
     const std::string expected = expectation(ValueKind::quaternion);
     if (!node.is_array() || node.json().size() != 4) {
         node.mismatch(expected);
@@ -92,18 +93,15 @@ std::optional<Matrix3> read_quaternion(const Node& node) {
         q[i] = number.value_or(0);
     }
     if (!good) { return std::nullopt; }
-    const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-    if (!(std::abs(norm - 1) <= 1e-9)) {
-        node.error("a unit quaternion (norm 1 within 1e-9)", fmt::format("norm {}", norm));
-        return std::nullopt;
-    }
-    const double w = q[0] / norm, x = q[1] / norm, y = q[2] / norm, z = q[3] / norm;
+    const auto unit = printed.quaternion(node, q);
+    if (!unit) { return std::nullopt; }
+    const auto [w, x, y, z] = *unit;
     return Matrix3{1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
                    2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
                    2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
 }
 
-BodyData read_body(const Node& node, const ElementType& type) {
+BodyData read_body(const Node& node, const ElementType& type, const PrintedNumbers& printed) {
     BodyData body;
     body.point = type.name == "point";
     assign(body.name, name_at(node, "name"));
@@ -111,14 +109,14 @@ BodyData read_body(const Node& node, const ElementType& type) {
     assign(body.x, vector_at(node, "x"));
     body.v = vector_at(node, "v");
     if (body.point) { return body; }
-    if (const auto inertia = node.find("inertia")) { assign(body.inertia, read_inertia(*inertia)); }
-    if (const auto R = node.find("R")) { assign(body.R, read_matrix(*R, expectation(ValueKind::matrix))); }
-    if (const auto quaternion = node.find("quaternion")) { assign(body.R, read_quaternion(*quaternion)); }
-    assign(body.omega, vector_at(node, "omega"));
+    if (const auto inertia = node.find("inertia")) { assign(body.inertia, read_inertia(*inertia, printed)); }
+    if (const auto R = node.find("R")) { assign(body.R, read_rotation(*R, printed)); }
+    if (const auto quaternion = node.find("quaternion")) { assign(body.R, read_quaternion(*quaternion, printed)); }
+    body.omega = vector_at(node, "omega");
     return body;
 }
 
-JointData read_joint(const Node& node, const ElementType& type) {
+JointData read_joint(const Node& node, const ElementType& type, const PrintedNumbers& /*printed*/) {
     JointData joint;
     joint.type = type.name;
     if (const auto name = node.find("name")) {
@@ -133,23 +131,65 @@ JointData read_joint(const Node& node, const ElementType& type) {
     return joint;
 }
 
-ForceData read_force(const Node& node, const ElementType& type) {
+std::optional<Vector3> not_negatives_at(const Node& entry, const std::string& key) {
+    const auto node = entry.find(key);
+    if (!node) { return std::nullopt; }
+    const std::string expected = expectation(ValueKind::not_negatives);
+    const auto values = read_vector(*node, expected);
+    if (values && std::any_of(values->begin(), values->end(), [](double value) { return !(value >= 0); })) {
+        node->mismatch(expected);
+        return std::nullopt;
+    }
+    return values;
+}
+
+void read_bushing(const Node& node, const PrintedNumbers& printed, ForceData& force) {
+    if (const auto axes = node.find("axes")) { assign(force.axes, read_rotation(*axes, printed)); }
+    assign(force.stiffnesses[0], not_negatives_at(node, "stiffness"));
+    assign(force.stiffnesses[1], not_negatives_at(node, "torsional_stiffness"));
+    assign(force.dampings[0], not_negatives_at(node, "damping"));
+    assign(force.dampings[1], not_negatives_at(node, "torsional_damping"));
+}
+
+std::vector<double> read_coefficients(const Node& node) {
+    std::vector<double> coefficients;
+    const auto list = node.find("coefficients");
+    if (!list) { return coefficients; }
+    if (!list->is_array() || list->json().empty()) {
+        list->mismatch(expectation(ValueKind::numbers));
+        return coefficients;
+    }
+    for (const Node& one : list->elements_or_self()) { coefficients.push_back(one.number().value_or(0)); }
+    return coefficients;
+}
+
+ForceData read_force(const Node& node, const ElementType& type, const PrintedNumbers& printed) {
     ForceData force;
     force.type = type.name;
     if (type.has("body")) {
         assign(force.between[1], name_at(node, "body"));
         assign(force.value, vector_at(node, "value"));
-        force.point = vector_at(node, "point");
+        force.point = vector_at(node, type.has("centre") ? "centre" : "point");
         if (const auto frame = node.find("frame")) {
             force.body_axes = frame->name(expectation(ValueKind::frame), {"space", "body"}) == "body";
         }
     } else {
         read_between(node, force.between);
-        if (type.has("points")) { read_vectors(node, "point", "points", force.points); }
+        if (type.has("points")) {
+            read_vectors(node, "point", "points", force.points);
+        } else {
+            force.point = vector_at(node, "point");
+        }
     }
     assign(force.axis, vector_at(node, "axis"));
-    assign(force.stiffness, not_negative_at(node, "stiffness"));
-    assign(force.damping, not_negative_at(node, "damping"));
+    if (type.has("torsional_stiffness")) {
+        read_bushing(node, printed, force);
+    } else {
+        assign(force.stiffness, not_negative_at(node, "stiffness"));
+        assign(force.damping, not_negative_at(node, "damping"));
+    }
+    force.coefficients = read_coefficients(node);
+    assign(force.attraction, not_negative_at(node, type.has("mu") ? "mu" : "constant"));
     force.rest = type.has("angle") ? number_at(node, "angle") : not_negative_at(node, "length");
     if (const auto turns = node.find("turns")) {
         assign(force.turns, turns->count(-largest_whole, largest_whole, expectation(ValueKind::whole)));
@@ -189,7 +229,8 @@ const ElementType* read_type(const Node& node, const ElementList& list) {
 
 template <class Data>
 std::optional<ParameterValue> read_list(const Node& node, ParameterKind kind, std::size_t least,
-                                        Data (*read)(const Node&, const ElementType&)) {
+                                        const PrintedNumbers& printed,
+                                        Data (*read)(const Node&, const ElementType&, const PrintedNumbers&)) {
     const ElementList& list = elements_of(kind);
     if (!node.is_array() || node.json().size() < least) {
         node.mismatch(expectation(kind));
@@ -202,7 +243,7 @@ std::optional<ParameterValue> read_list(const Node& node, ParameterKind kind, st
         const ElementType* type = read_type(entry, list);
         if (!type) { continue; }
         check_keys(entry, list, *type);
-        all.back() = read(entry, *type);
+        all.back() = read(entry, *type, printed);
     }
     return all;
 }
@@ -220,20 +261,20 @@ void check_names(const Node& node, const std::vector<Data>& named, const std::st
 
 }  // namespace
 
-std::optional<ParameterValue> parse_bodies(const Node& node) {
-    auto bodies = read_list(node, ParameterKind::bodies, 1, read_body);
+std::optional<ParameterValue> parse_bodies(const Node& node, const PrintedNumbers& printed) {
+    auto bodies = read_list(node, ParameterKind::bodies, 1, printed, read_body);
     if (bodies) { check_names(node, std::get<std::vector<BodyData>>(*bodies), "bodies"); }
     return bodies;
 }
 
 std::optional<ParameterValue> parse_joints(const Node& node) {
-    auto joints = read_list(node, ParameterKind::joints, 0, read_joint);
+    auto joints = read_list(node, ParameterKind::joints, 0, PrintedNumbers(), read_joint);
     if (joints) { check_names(node, std::get<std::vector<JointData>>(*joints), "joints"); }
     return joints;
 }
 
-std::optional<ParameterValue> parse_forces(const Node& node) {
-    return read_list(node, ParameterKind::forces, 0, read_force);
+std::optional<ParameterValue> parse_forces(const Node& node, const PrintedNumbers& printed) {
+    return read_list(node, ParameterKind::forces, 0, printed, read_force);
 }
 
 }  // namespace kreisel

@@ -14,12 +14,14 @@ namespace kreisel {
 
 namespace {
 
+constexpr std::size_t longest_label = 60;  // of a value in the label of a series
+
 std::optional<ParameterValue> read_count(const Node& node) {
     const auto count = node.count(1, largest_parameter_count, "parts");
     return count ? std::optional<ParameterValue>(static_cast<double>(*count)) : std::nullopt;
 }
 
-std::optional<ParameterValue> read_value(const Node& node, ParameterKind kind) {
+std::optional<ParameterValue> read_value(const Node& node, ParameterKind kind, const PrintedNumbers& printed) {
     const auto widened = [](auto value) { return value ? std::optional<ParameterValue>(*value) : std::nullopt; };
     switch (kind) {
         case ParameterKind::scalar:
@@ -31,15 +33,15 @@ std::optional<ParameterValue> read_value(const Node& node, ParameterKind kind) {
         case ParameterKind::vector:
             return widened(read_vector(node, expectation(kind)));
         case ParameterKind::inertia:
-            return widened(read_inertia(node));
+            return widened(read_inertia(node, printed));
         case ParameterKind::rotation:
-            return widened(read_matrix(node, expectation(kind)));
+            return widened(read_rotation(node, printed));
         case ParameterKind::bodies:
-            return parse_bodies(node);
+            return parse_bodies(node, printed);
         case ParameterKind::joints:
             return parse_joints(node);
         case ParameterKind::forces:
-            return parse_forces(node);
+            return parse_forces(node, printed);
         case ParameterKind::flag:
             return widened(node.flag());
     }
@@ -50,51 +52,144 @@ bool is_number(ParameterKind kind) {
     return kind == ParameterKind::scalar || kind == ParameterKind::positive || kind == ParameterKind::count;
 }
 
-std::vector<double> read_list(const Node& list, ParameterKind kind) {
-    std::vector<double> values;
-    for (const Node& entry :
-         list.elements(expectation(kind) + ", or a list of such numbers").value_or(std::vector<Node>())) {
-        const auto value = read_value(entry, kind);
+/// A parameter of which cells take one value after the other.
+struct Axis {
+    std::string name;
+    std::vector<ParameterValue> values;
+    std::string zip = {};  ///< axes of one name vary together
+    Node node;
+};
+using Axes = std::vector<Axis>;
+
+bool has(const std::vector<ParameterValue>& values, const ParameterValue& value) {
+    return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+std::vector<ParameterValue> read_list(const Node& list, ParameterKind kind, const std::string& expected, bool each_once,
+                                      const PrintedNumbers& printed) {
+    std::vector<ParameterValue> values;
+    for (const Node& entry : list.elements(expected).value_or(std::vector<Node>())) {
+        const auto value = read_value(entry, kind, printed);
         if (!value) { continue; }
-        const double number = std::get<double>(*value);
-        if (std::find(values.begin(), values.end(), number) != values.end()) {
-            entry.error("each value once", json_number(number) + " again");
+        if (each_once && has(values, *value)) {
+            entry.error("each value once", json_value(*value) + " again");
         } else {
-            values.push_back(number);
+            values.push_back(*value);
         }
     }
     return values;
 }
 
-std::vector<ParameterPoint> crossed(const std::vector<ParameterPoint>& points, const std::string& name,
-                                    const std::vector<double>& values) {
+/// {"axis": [...], "zip": "name"}.
+Axis read_axis(const Node& node, const ParameterDescription& parameter, const PrintedNumbers& printed) {
+    Axis axis{.name = parameter.name, .node = node};
+    node.only_keys({"axis", "zip"}, " of an axis");
+    if (const auto zip = node.find("zip")) {
+        axis.zip = zip->text("a name that axes share which vary together", 64).value_or("");
+    }
+    const std::string expected = "a list of values: " + expectation(parameter.kind) + " each";
+    if (const auto list = node.require("axis", expected)) {
+        axis.values = read_list(*list, parameter.kind, expected, axis.zip.empty(), printed);
+    }
+    return axis;
+}
+
+/// Of a number a list is enough.
+Axis read_numbers(const Node& node, const ParameterDescription& parameter) {
+    const std::string expected = expectation(parameter.kind) + ", or a list of such numbers";
+    return {.name = parameter.name,
+            .values = read_list(node, parameter.kind, expected, true, PrintedNumbers()),
+            .node = node};
+}
+
+/// Whether all axes of a zip have as many values as the first, and no combination comes twice.
+bool fit_together(const Axes& axes) {
+    const std::size_t count = axes.front().values.size();
+    for (const Axis& axis : axes) {
+        if (axis.values.size() == count) { continue; }
+        axis.node.error(fmt::format("{} values, as many as {} has, with which it varies", count, axes.front().name),
+                        std::to_string(axis.values.size()));
+        return false;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            const auto same = [&](const Axis& axis) { return axis.values[i] == axis.values[k]; };
+            if (!std::all_of(axes.begin(), axes.end(), same)) { continue; }
+            axes.front().node.error("each combination once", fmt::format("those at {} and {} are the same", k, i));
+            return false;
+        }
+    }
+    return true;
+}
+
+std::vector<ParameterPoint> crossed(const std::vector<ParameterPoint>& points, const Axes& axes) {
+    if (!fit_together(axes)) { return points; }
+    const std::size_t count = axes.front().values.size();
     std::vector<ParameterPoint> all;
     for (const ParameterPoint& point : points) {
-        for (const double value : values) {
+        for (std::size_t i = 0; i < count; ++i) {
             all.push_back(point);
-            all.back().values[name] = value;
-            if (values.size() > 1) { all.back().listed += ", " + name + " = " + json_number(value); }
+            for (const Axis& axis : axes) { all.back().values[axis.name] = axis.values[i]; }
         }
     }
     return all;
 }
 
+/// The values that a parameter takes, in the order of their first points.
+std::vector<ParameterValue> values_of(const std::vector<ParameterPoint>& points, const std::string& name) {
+    std::vector<ParameterValue> values;
+    for (const ParameterPoint& point : points) {
+        if (!has(values, point.values.at(name))) { values.push_back(point.values.at(name)); }
+    }
+    return values;
+}
+
+/// Names the values of parameters that vary: numbers and vectors as they are, of what is longer which it is, from 1.
+void label(std::vector<ParameterPoint>& points, const ProblemDescription& problem) {
+    if (points.size() == 1) { return; }
+    for (const ParameterDescription& parameter : problem.parameters) {
+        const std::vector<ParameterValue> values = values_of(points, parameter.name);
+        if (values.size() == 1) { continue; }
+        for (ParameterPoint& point : points) {
+            const ParameterValue& value = point.values.at(parameter.name);
+            const auto which = std::find(values.begin(), values.end(), value) - values.begin() + 1;
+            const std::string text = json_value(value);
+            point.listed += fmt::format(", {} = {}", parameter.name,
+                                        text.size() <= longest_label ? text : fmt::format("#{}", which));
+        }
+    }
+}
+
 }  // namespace
 
-std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDescription& problem) {
+std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDescription& problem,
+                                            const PrintedNumbers& printed) {
     std::vector<ParameterPoint> points = {{default_parameters(problem), ""}};
     if (!written.require_object("an object of parameters")) { return points; }
     written.only_keys(names_of(problem.parameters));
+    std::vector<Axes> axes;  // in the order of the first parameter of each
+    const auto add = [&](Axis axis) {
+        const auto zipped = std::find_if(axes.begin(), axes.end(), [&](const Axes& some) {
+            return !axis.zip.empty() && some.front().zip == axis.zip;
+        });
+        zipped == axes.end() ? axes.push_back({std::move(axis)}) : zipped->push_back(std::move(axis));
+    };
     for (const ParameterDescription& parameter : problem.parameters) {
         const auto node = parameter.required ? written.require(parameter.name, expectation(parameter.kind))
                                              : written.find(parameter.name);
         if (!node) { continue; }
-        if (is_number(parameter.kind) && node->is_array()) {
-            points = crossed(points, parameter.name, read_list(*node, parameter.kind));
-        } else if (const auto value = read_value(*node, parameter.kind)) {
-            for (ParameterPoint& point : points) { point.values[parameter.name] = *value; }
+        if (node->is_object()) {
+            add(read_axis(*node, parameter, printed));
+        } else if (is_number(parameter.kind) && node->is_array()) {
+            add(read_numbers(*node, parameter));
+        } else if (const auto value = read_value(*node, parameter.kind, printed)) {
+            points.front().values[parameter.name] = *value;
         }
     }
+    for (const Axes& some : axes) {
+        if (!some.front().values.empty()) { points = crossed(points, some); }
+    }
+    label(points, problem);
     return points;
 }
 

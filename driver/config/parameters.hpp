@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "driver/config/config.hpp"
+#include "driver/config/reading/printed.hpp"
 #include "records/json/node.hpp"
 
 namespace kreisel {
@@ -17,8 +18,10 @@ struct ParameterPoint {
     std::string listed;      ///< ", links = 8": the values of the parameters that vary
 };
 
-/// Fills in the values of `written` (an object); others keep their defaults. A number given as a list is an
-/// axis: all combinations, the last parameter of the description varying fastest.
-std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDescription& problem);
+/// Fills in the values of `written` (an object); others keep their defaults. {"axis": [...]} is an axis, and so is a
+/// list of numbers where one is expected: all combinations, the last parameter of the description varying fastest.
+/// Axes with a common "zip" vary together, as the first of them.
+std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDescription& problem,
+                                            const PrintedNumbers& printed);
 
 }  // namespace kreisel

@@ -18,23 +18,46 @@ std::string list_text(const Entries& entries, const Write& write) {
     return "[" + text + "]";
 }
 
-// The values that a number takes among entries, in order of first appearance: one, or those of a list.
-std::string number_text(const std::vector<ProblemEntry>& entries, const std::string& name) {
-    std::vector<double> values;
+// The values that a parameter takes among entries, in order of first appearance.
+std::vector<ParameterValue> values_of(const std::vector<ProblemEntry>& entries, const std::string& name) {
+    std::vector<ParameterValue> values;
     for (const ProblemEntry& entry : entries) {
-        const double value = std::get<double>(entry.parameters.at(name));
+        const ParameterValue& value = entry.parameters.at(name);
         if (std::find(values.begin(), values.end(), value) == values.end()) { values.push_back(value); }
     }
-    return values.size() == 1 ? json_number(values.front()) : list_text(values, json_number);
+    return values;
+}
+
+std::string value_text(const ParameterValue& value) { return json_value(value); }
+
+// Whether lists of numbers make these entries, all of them crossed.
+bool are_crossed_numbers(const std::vector<ProblemEntry>& entries) {
+    std::size_t count = 1;
+    for (const auto& [name, value] : entries.front().parameters) {
+        const std::size_t values = values_of(entries, name).size();
+        if (values > 1 && !std::holds_alternative<double>(value)) { return false; }
+        count *= values;
+    }
+    return count == entries.size();
+}
+
+// The value of a parameter, a list of numbers, or an axis that varies with all others.
+std::string parameter_text(const std::vector<ProblemEntry>& entries, const std::string& name, bool crossed) {
+    const std::vector<ParameterValue> values = values_of(entries, name);
+    if (values.size() == 1) { return json_value(values.front()); }
+    if (crossed) { return list_text(values, value_text); }
+    const std::string axis =
+        list_text(entries, [&](const ProblemEntry& entry) { return json_value(entry.parameters.at(name)); });
+    return ObjectWriter().member("axis", axis).member("zip", json_text("all")).text();
 }
 
 // Entries that came from one, as one again.
 std::string problem_text(const std::vector<ProblemEntry>& entries) {
     const ProblemEntry& first = entries.front();
+    const bool crossed = are_crossed_numbers(entries);
     ObjectWriter parameters;
-    for (const auto& [name, value] : first.parameters) {
-        const bool number = std::holds_alternative<double>(value);
-        parameters.member(name, number ? number_text(entries, name) : json_value(value));
+    for (const auto& entry : first.parameters) {
+        parameters.member(entry.first, parameter_text(entries, entry.first, crossed));
     }
     return ObjectWriter()
         .member("name", json_text(first.name))

@@ -65,20 +65,22 @@ std::optional<Matrix3> read_matrix(const Node& node, const std::string& expected
     return good ? std::optional(matrix) : std::nullopt;
 }
 
-std::optional<Matrix3> read_inertia(const Node& node) {
+std::optional<Matrix3> read_rotation(const Node& node, const PrintedNumbers& printed) {
+    const auto matrix = read_matrix(node, expectation(ValueKind::matrix));
+    return matrix ? std::optional(printed.rotation(node, *matrix)) : std::nullopt;
+}
+
+std::optional<Matrix3> read_inertia(const Node& node, const PrintedNumbers& printed) {
     const std::string expected = expectation(ValueKind::inertia);
     const bool diagonal = node.is_array() && !node.json().empty() && !node.json().front().is_array();
+    std::optional<Matrix3> matrix;
     if (diagonal) {
         const auto moments = read_vector(node, expected);
-        return moments ? std::optional(Matrix3{(*moments)[0], 0, 0, 0, (*moments)[1], 0, 0, 0, (*moments)[2]})
-                       : std::nullopt;
+        if (moments) { matrix = Matrix3{(*moments)[0], 0, 0, 0, (*moments)[1], 0, 0, 0, (*moments)[2]}; }
+    } else {
+        matrix = read_matrix(node, expected);
     }
-    auto matrix = read_matrix(node, expected);
-    if (matrix && ((*matrix)[1] != (*matrix)[3] || (*matrix)[2] != (*matrix)[6] || (*matrix)[5] != (*matrix)[7])) {
-        node.error(expected, "a matrix that is not symmetric");
-        return std::nullopt;
-    }
-    return matrix;
+    return matrix ? printed.inertia(node, *matrix) : std::nullopt;
 }
 
 }  // namespace kreisel

@@ -49,6 +49,7 @@ void summarise(const Config& config, const Engines& engines, Diagnostics& sink, 
 }
 
 void warn(Plan& plan) {
+    plan.warnings.insert(plan.warnings.begin(), plan.config.warnings.begin(), plan.config.warnings.end());
     if (plan.skipped() == plan.cells.size()) {
         plan.warnings.emplace_back("every cell of this config is skipped: nothing will be computed");
     }

@@ -36,11 +36,14 @@ Geometry to_geometry(const Model& model) {
     const std::vector<std::string> names = model.joint_names();
     for (std::size_t i = 0; i < model.joints.size(); ++i)
         geometry.links.push_back(geometry_of_joint(model.joints[i], names[i], model));
-    for (const Spring& spring : model.springs)
-        geometry.links.push_back({"spring",
+    const auto add = [&](const std::string& name, const auto& force) {
+        geometry.links.push_back({name,
                                   "spring",
-                                  {model.name_of(spring.first), model.name_of(spring.second)},
-                                  {rounded(spring.r_first), rounded(spring.r_second)}});
+                                  {model.name_of(force.first), model.name_of(force.second)},
+                                  {rounded(force.r_first), rounded(force.r_second)}});
+    };
+    for (const Spring& spring : model.springs) add("spring", spring);
+    for (const PolynomialSpring& spring : model.polynomial_springs) add("polynomial_spring", spring);
     return geometry;
 }
 

@@ -4,8 +4,10 @@
 // its keys are in mechanics/parts/forces/.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mechanics/model/motion.hpp"
 #include "support/registered.hpp"
@@ -22,10 +24,15 @@ struct ForceEntry {
     int first = ground, second = ground;                                 ///< "between"; "body" is the second
     Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();                ///< "points"
     Real distance = 0;                                                   ///< of the points at the start (m)
-    Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();  ///< "axis": their third
+    Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();  ///< "axis": their third; "axes"
     Real stiffness = 0, damping = 0;
     std::optional<Real> rest = {};  ///< "length" or "angle"
     long turns = 0;
+    std::vector<Real> coefficients = {};
+    /// Along axes and about them.
+    std::array<Vec3, 2> stiffnesses = {Vec3::Zero(), Vec3::Zero()}, dampings = {Vec3::Zero(), Vec3::Zero()};
+    Real attraction = 0;                   ///< "constant" or "mu"
+    Real mass_first = 0, mass_second = 0;  ///< kg; of the ground 0
     Vec3 value = Vec3::Zero();
     Vec3 point = Vec3::Zero();  ///< on the body
     bool body_axes = false;     ///< "frame"

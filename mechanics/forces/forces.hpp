@@ -20,8 +20,13 @@
 // tests/mechanics/force_types.cpp holds every force to this, tests/engine/jointed_routes.cpp to its series.
 #pragma once
 
+#include "mechanics/forces/attraction.hpp"
+#include "mechanics/forces/bushing.hpp"
+#include "mechanics/forces/damper.hpp"
 #include "mechanics/forces/force_lists.hpp"
 #include "mechanics/forces/load.hpp"
+#include "mechanics/forces/polynomial_spring.hpp"
+#include "mechanics/forces/rotational_damper.hpp"
 #include "mechanics/forces/spring.hpp"
 #include "mechanics/forces/torsion_spring.hpp"
 
@@ -29,7 +34,9 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 /// All of them; they act in this order.
-struct Forces : ForceLists<Loads, Springs, TorsionSprings> {};
+struct Forces
+    : ForceLists<Loads, Springs, TorsionSprings, PolynomialSprings, Dampers, RotationalDampers, Bushings, Attractions> {
+};
 
 /// Calls push(body, wrench) for everything that a force exerts on a moving body; angle(i, turn) is the angle of the
 /// i-th force of a list, of those that count turns.

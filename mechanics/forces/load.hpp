@@ -29,7 +29,7 @@ struct Load {
         return wrench;
     }
 
-    // As mechanics/forces/forces.hpp asks of every force. No load, not even a constant one, counts as conservative.
+    // As mechanics/forces/forces.hpp asks of every force.
     template <class MotionOf, class AngleOf, class Push>
     void act(const Real& t, const MotionOf& motion, const AngleOf& /*angle*/, const Push& push) const {
         push(body, in_body_axes(t, motion(body).R));
@@ -37,11 +37,13 @@ struct Load {
     template <class MotionOf, class Push>
     void damp(const MotionOf& /*motion*/, const Push& /*push*/) const {}
     bool is_damped() const { return false; }
+    /// -force . (x + R point) (J), 0 at the origin, of a dead load.
     template <class MotionOf, class AngleOf>
-    Real energy(const MotionOf& /*motion*/, const AngleOf& /*angle*/) const {
-        return 0;
+    Real energy(const MotionOf& motion, const AngleOf& /*angle*/) const {
+        return is_conservative() ? Real(-force.dot(motion(body).point(point))) : Real(0);
     }
-    bool is_conservative() const { return false; }
+    /// A dead load: a constant force in space. The work of a torque depends on the way.
+    bool is_conservative() const { return axes == Axes::space && amplitude == 0 && torque.isZero(0); }
     bool is_internal() const { return false; }
     bool touches(int other) const { return other == body; }
     bool may_push(int other) const { return touches(other) && !force.isZero(0); }

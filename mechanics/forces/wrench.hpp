@@ -24,6 +24,11 @@ inline Wrench force_at(const Motion& body, const Vec3& force, const Vec3& r) {
     return {mine, r.cross(mine)};
 }
 
+/// Of a force in space axes that acts at a point in space.
+inline Wrench force_through(const Motion& body, const Vec3& force, const Vec3& point) {
+    return force_at(body, force, body.R.transpose() * (point - body.x));
+}
+
 /// Calls push(body, wrench) for each of the two bodies of a force that moves.
 template <class Force, class Push>
 void push_pair(const Force& force, const WrenchPair& pair, Push&& push) {

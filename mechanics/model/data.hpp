@@ -20,7 +20,7 @@ using Matrix3 = std::array<double, 9>;  ///< row by row
 inline constexpr Matrix3 identity3 = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 /// A rigid body: inertia about its mass centre in body axes (kg m^2), x and v in space axes (m, m/s), R body to
-/// space, omega in body axes (rad/s). Without v, the velocity follows from the joints. A point mass has no inertia;
+/// space, omega in body axes (rad/s). A velocity that is not given follows from the joints. A point mass has no inertia;
 /// its R and omega have no meaning.
 struct BodyData {
     std::string name;
@@ -28,8 +28,7 @@ struct BodyData {
     Matrix3 inertia = identity3;
     Vector3 x = {0, 0, 0};
     Matrix3 R = identity3;
-    std::optional<Vector3> v = {};
-    Vector3 omega = {0, 0, 0};
+    std::optional<Vector3> v = {}, omega = {};
     bool point = false;
     bool operator==(const BodyData&) const = default;
 };
@@ -61,8 +60,12 @@ struct ForceData {
     double stiffness = 0, damping = 0;
     std::optional<double> rest = {};  ///< free length or angle
     long turns = 0;
+    std::vector<double> coefficients = {};  ///< of a polynomial law, from the linear one on
+    Matrix3 axes = identity3;               ///< of a bushing: columns, space coordinates of the initial configuration
+    std::array<Vector3, 2> stiffnesses = {}, dampings = {};  ///< along these axes and about them
+    double attraction = 0;  ///< gravitational constant, m^3/(kg s^2), or that times the mass at a centre, m^3/s^2
     Vector3 value = {0, 0, 0};
-    std::optional<Vector3> point = {};  ///< where a force acts
+    std::optional<Vector3> point = {};  ///< where a force acts, or the centre of a field
     bool body_axes = false;             ///< whether the value turns with the body
     double amplitude = 0, frequency = 0;
     bool operator==(const ForceData&) const = default;

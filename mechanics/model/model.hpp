@@ -107,9 +107,17 @@ const std::string& to_name(const std::string& name, const std::string& path);
 /// Checks that a mass is positive. Throws ParameterError at `path`.
 Real to_mass(double mass, const std::string& path);
 
-/// Velocities of the bodies not marked in `given`, from the joints: least norm among those that satisfy them
-/// (mechanics/start.cpp).
-void complete_velocities(Model& model, const std::vector<bool>& given);
+/// Which bodies have their own v, and their own omega.
+struct GivenVelocities {
+    std::vector<bool> v, omega;
+};
+
+/// Velocities that are not given, from the joints: among those with C v + b = 0, the ones of least kinetic energy.
+/// Where only v are asked for, of least norm, which is the same where they are unique. A warning says what was free in a
+/// motion that is not rest. What is given may contradict the joints: check_start tells.
+void complete_velocities(Model& model, const GivenVelocities& given);
+/// With all omega given.
+void complete_velocities(Model& model, const std::vector<bool>& given_v);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

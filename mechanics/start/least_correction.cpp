@@ -33,7 +33,10 @@ Eigen::Index geometric_rank(const Model& model, MatX C) {
         if (lengths[i] > 0) C.middleCols(6 * static_cast<Eigen::Index>(i) + 3, 3) /= lengths[i];
     Eigen::ColPivHouseholderQR<MatX> qr;
     qr.setThreshold(Real(1) / 1000000);
-    qr.compute(MatX(C.transpose()).colwise().normalized());
+    MatX rows = C.transpose();
+    for (Eigen::Index i = 0; i < rows.cols(); ++i)
+        if (const Real norm = rows.col(i).norm(); norm > 0) rows.col(i) /= norm;
+    qr.compute(rows);
     return qr.rank();
 }
 
@@ -46,20 +49,57 @@ Real threshold_of(Eigen::Index rank, const MatX& A) {
     return (pivot(rank - 1) + pivot(rank)) / (2 * qr.maxPivot());
 }
 
+/// The rows in the metric M and each by its scale: A = W C L^{-T}.
+struct WeightedRows {
+    VecX weights;
+    MatX C, root, A;
+    Eigen::Index rank;
+
+    WeightedRows(StartState& start, Eigen::Index rows, const std::vector<bool>* coordinates)
+        : weights(start.scale().head(rows).cwiseInverse()),
+          C(weights.asDiagonal() * start.jacobian().topRows(rows)),
+          root(mass_root(start)) {
+        for (Eigen::Index k = 0; coordinates && k < C.cols(); ++k)
+            if (!(*coordinates)[static_cast<std::size_t>(k)]) C.col(k).setZero();
+        A = root.triangularView<Eigen::Lower>().solve(MatX(C.transpose())).transpose();
+        rank = geometric_rank(start.model(), C);
+    }
+    VecX change(const VecX& residual) const {
+        if (rank == 0) return VecX::Zero(C.cols());
+        Eigen::CompleteOrthogonalDecomposition<MatX> solver;
+        solver.setThreshold(threshold_of(rank, A));
+        solver.compute(A);
+        return root.transpose().triangularView<Eigen::Upper>().solve(
+            VecX(solver.solve(VecX(-weights.cwiseProduct(residual.head(C.rows()))))));
+    }
+    /// Of each weighted coordinate, the square of its part in what the rows determine.
+    VecX determined() const {
+        if (rank == 0) return VecX::Zero(C.cols());
+        const Eigen::ColPivHouseholderQR<MatX> qr(A.transpose());
+        const MatX Q = qr.householderQ() * MatX::Identity(C.cols(), rank);
+        return Q.rowwise().squaredNorm();
+    }
+};
+
 }  // namespace
 
 VecX least_correction(StartState& start, Eigen::Index rows, const VecX& residual) {
-    const VecX weights = start.scale().head(rows).cwiseInverse();
-    const MatX C = weights.asDiagonal() * start.jacobian().topRows(rows), root = mass_root(start);
-    const auto L = root.triangularView<Eigen::Lower>();
-    const MatX A = L.solve(MatX(C.transpose())).transpose();
-    const Eigen::Index rank = geometric_rank(start.model(), C);
-    if (rank == 0) return VecX::Zero(start.velocity_coordinates());
-    Eigen::CompleteOrthogonalDecomposition<MatX> solver;
-    solver.setThreshold(threshold_of(rank, A));
-    solver.compute(A);
-    return root.transpose().triangularView<Eigen::Upper>().solve(
-        VecX(solver.solve(VecX(-weights.cwiseProduct(residual.head(rows))))));
+    return WeightedRows(start, rows, nullptr).change(residual);
+}
+
+/// Masses keep v and omega of each body apart, so that the metric does not mix given coordinates with others.
+LeastCorrection least_correction(StartState& start, Eigen::Index rows, const VecX& residual,
+                                 const std::vector<bool>& coordinates) {
+    const WeightedRows weighted(start, rows, &coordinates);
+    LeastCorrection result{weighted.change(residual), -weighted.rank,
+                           VecX::Ones(weighted.C.cols()) - weighted.determined()};
+    for (Eigen::Index k = 0; k < result.freedom.size(); ++k) {
+        if (coordinates[static_cast<std::size_t>(k)])
+            ++result.free;
+        else
+            result.freedom[k] = 0;
+    }
+    return result;
 }
 
 }  // namespace KREISEL_PRECISION

@@ -12,5 +12,14 @@ inline namespace KREISEL_PRECISION {
 /// Least squares where the rows contradict each other; their rank is that of C, whatever the masses and units.
 VecX least_correction(StartState& start, Eigen::Index rows, const VecX& residual);
 
+/// The same for a part of the coordinates.
+struct LeastCorrection {
+    VecX change;            ///< 0 in the others
+    Eigen::Index free = 0;  ///< directions in which these coordinates may change without a residual
+    VecX freedom;           ///< of each coordinate, in [0, 1]: 0 where no free direction has a part of it
+};
+LeastCorrection least_correction(StartState& start, Eigen::Index rows, const VecX& residual,
+                                 const std::vector<bool>& coordinates);
+
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -18,7 +18,7 @@ Body read_body(const BodyData& data, const std::string& path, std::vector<std::s
     if (data.point) return body;
     body.J = to_inertia(data.inertia, path + "/inertia", TriangleInequality::required, warnings);
     body.start.R = to_rotation(data.R, path + "/R");
-    body.start.omega = to_vec3(data.omega);
+    if (data.omega) body.start.omega = to_vec3(*data.omega);
     return body;
 }
 
@@ -36,10 +36,12 @@ void read_bodies(Model& model, const std::vector<BodyData>& bodies) {
     }
 }
 
-std::vector<bool> given_velocities(const std::vector<BodyData>& bodies) {
-    std::vector<bool> given;
-    given.reserve(bodies.size());
-    for (const BodyData& body : bodies) given.push_back(body.v.has_value());
+GivenVelocities given_velocities(const std::vector<BodyData>& bodies) {
+    GivenVelocities given;
+    for (const BodyData& body : bodies) {
+        given.v.push_back(body.v.has_value());
+        given.omega.push_back(body.point || body.omega.has_value());
+    }
     return given;
 }
 

@@ -14,8 +14,8 @@ inline namespace KREISEL_PRECISION {
 /// Adds bodies with different names: masses, inertias that a body can have, rotations. A body without v starts with
 /// v = 0.
 void read_bodies(Model& model, const std::vector<BodyData>& bodies);
-/// Whether each body has its own v; the argument of complete_velocities.
-std::vector<bool> given_velocities(const std::vector<BodyData>& bodies);
+/// What each body has of its own; the argument of complete_velocities.
+GivenVelocities given_velocities(const std::vector<BodyData>& bodies);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -32,8 +32,10 @@ class EntryReader {
         kind.has("body") ? read_body() : read_between();
         if (kind.rigid_only) require_rigid(kind);
         if (kind.has("points")) read_points();
-        if (kind.has("point") && data_.point) entry_.point = point_on(entry_.second, *data_.point, "point");
+        if (kind.has("point") && data_.point) read_point(kind);
+        if (kind.has("constant") || kind.has("mu")) read_masses();
         if (kind.has("axis")) read_axis();
+        if (kind.has("axes")) read_axes();
         read_numbers(kind);
         return std::move(entry_);
     }
@@ -67,6 +69,24 @@ class EntryReader {
         entry_.r_second = point_on(entry_.second, data_.points[1], "points/1");
         entry_.distance = (to_vec3(data_.points[0]) - to_vec3(data_.points[1])).norm();
     }
+    void read_point(const ForceKind& kind) {
+        entry_.point = entry_.r_second = point_on(entry_.second, *data_.point, "point");
+        if (kind.has("axes")) entry_.r_first = point_on(entry_.first, *data_.point, "point");
+    }
+    void read_masses() {
+        const Vec3 centre = to_vec3(data_.point.value_or(Vector3{}));
+        const auto place = [&](int body) { return body == ground ? centre : at(body).start.x; };
+        const auto mass = [&](int body) { return body == ground ? Real(0) : at(body).mass; };
+        if (entry_.first == ground) entry_.r_first = centre;
+        entry_.distance = (place(entry_.second) - place(entry_.first)).norm();
+        entry_.mass_first = mass(entry_.first), entry_.mass_second = mass(entry_.second);
+    }
+    const Body& at(int body) const { return model_.bodies[static_cast<std::size_t>(body)]; }
+    void read_axes() {
+        const Mat3 axes = to_rotation(data_.axes, entry_.path + "/axes");
+        entry_.axes_first = model_.axes_of(entry_.first, axes);
+        entry_.axes_second = model_.axes_of(entry_.second, axes);
+    }
     void read_axis() {
         const Mat3 axes = axes_about(reading::axis(data_.axis, entry_.path + "/axis", entry_.who));
         entry_.axes_first = model_.axes_of(entry_.first, axes);
@@ -79,6 +99,11 @@ class EntryReader {
             entry_.rest = kind.has("length") ? not_negative(*data_.rest, entry_.path + "/length", "free length")
                                              : decimal(*data_.rest);
         entry_.turns = data_.turns;
+        for (const double coefficient : data_.coefficients) entry_.coefficients.push_back(decimal(coefficient));
+        for (std::size_t i = 0; i < 2; ++i)
+            entry_.stiffnesses[i] = to_vec3(data_.stiffnesses[i]), entry_.dampings[i] = to_vec3(data_.dampings[i]);
+        entry_.attraction = not_negative(data_.attraction, entry_.path + (kind.has("mu") ? "/mu" : "/constant"),
+                                         "constant of gravitation");
         entry_.value = to_vec3(data_.value), entry_.body_axes = data_.body_axes;
         entry_.amplitude = decimal(data_.amplitude), entry_.frequency = decimal(data_.frequency);
     }

@@ -67,6 +67,11 @@ class Diagnostics {
     void add_sentence(const std::string& pointer, const std::string& sentence) {
         issues_.push_back({.pointer = pointer, .sentence = sentence});
     }
+    /// Something the user should know that is no error.
+    void warn(const std::string& pointer, const std::string& sentence) {
+        warnings_.push_back(pointer + ": " + sentence);
+    }
+    const std::vector<std::string>& warnings() const { return warnings_; }
     bool empty() const { return issues_.empty(); }
     const std::vector<Issue>& issues() const { return issues_; }
     /// Throws UsageError with all messages in the order of the text; does nothing if there are none.
@@ -75,6 +80,7 @@ class Diagnostics {
   private:
     const Document& document_;
     std::vector<Issue> issues_;
+    std::vector<std::string> warnings_;
 };
 
 }  // namespace kreisel

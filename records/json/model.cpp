@@ -22,7 +22,7 @@ std::string json_element(const BodyData& body) {
     object.member("x", json_vector(body.x));
     if (!body.point) { object.member("R", json_rows(body.R, json_number)); }
     if (body.v) { object.member("v", json_vector(*body.v)); }
-    if (!body.point) { object.member("omega", json_vector(body.omega)); }
+    if (!body.point && body.omega) { object.member("omega", json_vector(*body.omega)); }
     return object.text();
 }
 
@@ -52,11 +52,25 @@ std::string json_element(const ForceData& force) {
     write("between", json_list(force.between, json_text));
     write("value", json_vector(force.value));
     write("frame", json_text(force.body_axes ? "body" : "space"));
-    if (force.point) { write("point", json_vector(*force.point)); }
+    if (force.point) {
+        write("point", json_vector(*force.point));
+        write("centre", json_vector(*force.point));
+    }
     write("points", json_list(force.points, json_vector));
     write("axis", json_vector(force.axis));
-    write("stiffness", json_number(force.stiffness));
-    write("damping", json_number(force.damping));
+    if (type.has("torsional_stiffness")) {
+        write("axes", json_rows(force.axes, json_number));
+        write("stiffness", json_vector(force.stiffnesses[0]));
+        write("torsional_stiffness", json_vector(force.stiffnesses[1]));
+        write("damping", json_vector(force.dampings[0]));
+        write("torsional_damping", json_vector(force.dampings[1]));
+    } else {
+        write("stiffness", json_number(force.stiffness));
+        write("damping", json_number(force.damping));
+    }
+    write("coefficients", json_list(force.coefficients, json_number));
+    write("constant", json_number(force.attraction));
+    write("mu", json_number(force.attraction));
     if (force.rest) { write(type.has("angle") ? "angle" : "length", json_number(*force.rest)); }
     write("turns", std::to_string(force.turns));
     write("amplitude", json_number(force.amplitude));

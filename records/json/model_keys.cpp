@@ -73,21 +73,28 @@ std::string meaning_of_key(const std::string& key) {
         {"x", "initial mass centre, space axes, m"},
         {"R", "initial rotation, body to space (default: none)"},
         {"quaternion", "[w, x, y, z] of norm 1, in place of R"},
-        {"v", "initial velocity, space axes, m/s (default: from the joints)"},
-        {"omega", "initial angular velocity, body axes, rad/s (default: 0)"},
+        {"v", "initial velocity, space axes, m/s (default: from the joints and what is given)"},
+        {"omega", "initial angular velocity, body axes, rad/s (default: from the joints and what is given)"},
         {"between", "the names of two bodies, or \"ground\" and one"},
         {"point", "space coordinates of the initial configuration, m; of a force by default the mass centre"},
         {"points", "one for each body, where they differ or the start is to be projected"},
         {"axis", "direction in space coordinates of the initial configuration; of a planar joint the normal"},
-        {"axes", "one for each body"},
+        {"axes",
+         "one for each body; of a bushing the matrix whose columns are its axes at the start (default: space axes)"},
         {"length", "m (default: the initial one)"},
         {"radius", "m"},
         {"angle", "at which the spring is free, rad: any number, since full turns count (default: 0)"},
+        {"coefficients", "c_1, c_2, ... in N/m, N/m^2, ..."},
+        {"constant", "of gravitation, m^3/(kg s^2)"},
+        {"mu", "constant of gravitation times the mass at the centre, m^3/s^2"},
+        {"centre", "space axes, m (default: the origin)"},
+        {"torsional_stiffness", "about the axes of the bushing, N m/rad"},
+        {"torsional_damping", "about the axes of the bushing, N m s/rad (default: 0)"},
         {"turns", "full turns that the spring has made at the start, a whole number (default: 0)"},
         {"amplitude", "default: 0"},
         {"frequency", "rad/s (default: 0)"},
-        {"stiffness", "N/m, of a torsion spring N m/rad"},
-        {"damping", "N s/m, of a torsion spring N m s/rad (default: 0)"},
+        {"stiffness", "N/m, of a torsion spring N m/rad; of a bushing three numbers, along its axes"},
+        {"damping", "N s/m, about axes N m s/rad; of a bushing three numbers (default: 0)"},
         {"body", "the name of a body"},
         {"value", "three components, N or N m"},
         {"frame", "axes of the value: \"space\" (default) or \"body\", which turn with the body"}};
@@ -110,8 +117,12 @@ std::string expectation(ValueKind kind) {
             return "a number greater than 0";
         case Kind::not_negative:
             return "a number of at least 0";
+        case Kind::numbers:
+            return "a list of numbers, at least one";
         case Kind::vector:
             return "three numbers";
+        case Kind::not_negatives:
+            return "three numbers of at least 0";
         case Kind::vectors:
             return "a list of two, one for each body: three numbers each";
         case Kind::matrix:

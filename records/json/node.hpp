@@ -58,6 +58,9 @@ class Node {
         sink_->add({pointer_, expected, got, suggestion});
     }
 
+    /// A remark that is no error.
+    void warn(const std::string& sentence) const { sink_->warn(pointer_, sentence); }
+
   private:
     const nlohmann::json* value_;
     std::string pointer_;

@@ -121,7 +121,7 @@ const std::vector<Room>& rooms() {
         {"driver/config",
          {"plots/figures/spec.hpp", "plots/figures/schema.hpp", "records", interface,
           "methods/contract/description.hpp", "problems/description.hpp", "support"},
-         {"fmt/", "nlohmann/"},
+         {"fmt/", "gsl/", "nlohmann/"},
          talks},
         {"driver/plan", {"driver/config", "plots", "records", interface, "support"}, {"fmt/", "nlohmann/"}, talks},
         {"driver/campaign/workers", {"support"}, {"fmt/"}, talks},

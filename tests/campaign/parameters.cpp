@@ -64,7 +64,24 @@ std::vector<ForceData> forces_of_all_types() {
     ForceData force = torque, pushed = torque;
     force.type = pushed.type = "force";
     pushed.point = awkward(Vector3{0, 1, 0}), pushed.body_axes = true;
-    return {spring, damper, torsion, torque, force, pushed};
+    ForceData polynomial{.type = "polynomial_spring",
+                         .between = {"crank", "rod"},
+                         .points = points,
+                         .damping = awkward(3),
+                         .coefficients = {awkward(2), -awkward(1)}};
+    ForceData resisting{.type = "damper", .between = {"crank", "rod"}, .damping = awkward(2), .point = points[1]};
+    ForceData turning{.type = "rotational_damper", .between = {"crank", "rod"}, .damping = awkward(2)};
+    ForceData bushing{.type = "bushing",
+                      .between = {"crank", "rod"},
+                      .axes = awkward(identity3, ParameterKind::rotation),
+                      .stiffnesses = points,
+                      .dampings = {points[1], points[0]},
+                      .point = points[0]};
+    ForceData gravitation{.type = "gravitation", .between = {"crank", "rod"}, .attraction = awkward(2)};
+    ForceData central{.type = "central_field", .between = {"", "rod"}, .attraction = awkward(2)}, off_centre = central;
+    off_centre.point = points[0];
+    return {spring,    damper,  torsion, torque,      force,   pushed,    polynomial,
+            resisting, turning, bushing, gravitation, central, off_centre};
 }
 
 /// `shown`: the value in the demonstration of the problem.
@@ -94,9 +111,9 @@ ParameterValue other_than_standard(const ParameterDescription& parameter, const 
         body.mass = awkward(body.mass);
         body.inertia = awkward(body.inertia, ParameterKind::inertia);
         body.R = awkward(body.R, ParameterKind::rotation);
-        body.x = awkward(body.x), body.omega = awkward(body.omega), body.v = awkward(body.x);
+        body.x = awkward(body.x), body.omega = awkward(body.omega.value_or(Vector3{})), body.v = awkward(body.x);
     }
-    bodies.back().v.reset();  // absent stays absent
+    bodies.back().v.reset(), bodies.front().omega.reset();  // absent stays absent
     bodies.push_back({.name = "point", .mass = awkward(0.2), .x = awkward(Vector3{1, 2, 3}), .point = true});
     return bodies;
 }

@@ -288,6 +288,40 @@ TEST_CASE("a number given as a list is an axis of the problem") {
     for (std::size_t i = 0; i < plan.cells.size(); ++i) { CHECK(again.cells[i].identity == plan.cells[i].identity); }
 }
 
+TEST_CASE("a parameter of any kind can be an axis, and axes can vary together") {
+    const Plan plan = plan_from(R"({"name": "n", "kind": "drift", "methods": ["rkmk/rk4"],
+        "time": {"end": 1, "steps": 4}, "problems": [{"name": "heavy_top", "label": "top", "parameters": {
+            "lever": {"axis": [[0, 0, 1], [0, 0, 2]], "zip": "size"}, "mass": {"axis": [1, 8], "zip": "size"},
+            "R": {"axis": [[[1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, -1, 0], [1, 0, 0], [0, 0, 1]]]}}}]})");
+    REQUIRE(plan.cells.size() == 4);
+    const std::string identity = "[[1,0,0],[0,1,0],[0,0,1]]", turned = "[[0,-1,0],[1,0,0],[0,0,1]]";
+    const auto label = [](const std::string& mass, const std::string& lever, const std::string& R) {
+        return "top, mass = " + mass + ", lever = " + lever + ", R = " + R;
+    };
+    CHECK(plan.cells[0].label == label("1", "[0,0,1]", identity));
+    CHECK(plan.cells[1].label == label("1", "[0,0,1]", turned));
+    CHECK(plan.cells[2].label == label("8", "[0,0,2]", identity));
+    CHECK(plan.cells[3].label == label("8", "[0,0,2]", turned));
+    CHECK(plan.cells[3].cell.parameters.at("mass") == ParameterValue(8.0));
+    CHECK(plan.cells[3].cell.parameters.at("lever") == ParameterValue(Vector3{0, 0, 2}));
+    const Plan again = plan_from(resolved_config(plan.config));
+    REQUIRE(again.cells.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) { CHECK(again.cells[i].identity == plan.cells[i].identity); }
+}
+
+TEST_CASE("lists of bodies on an axis are told apart by their numbers") {
+    const auto bodies = [](double mass) {
+        return fmt::format(R"([{{"name": "a", "mass": {}, "inertia": [1, 1, 1], "x": [0, 0, 0]}}])", mass);
+    };
+    const Plan plan = plan_from(R"({"name": "n", "kind": "drift", "methods": ["rkmk/rk4"],
+        "time": {"end": 1, "steps": 4}, "problems": [{"name": "multibody", "parameters": {
+            "bodies": {"axis": [)" +
+                                bodies(1) + ", " + bodies(2) + "]}}}]}");
+    REQUIRE(plan.cells.size() == 2);
+    CHECK(plan.cells[0].label == "multibody, bodies = #1");
+    CHECK(plan.cells[1].label == "multibody, bodies = #2");
+}
+
 TEST_CASE("timed cells differ from those that are not timed") {
     const auto planned = [](const std::string& kind) {
         return plan_from(R"({"name": "n", "kind": ")" + kind + R"(", "problems": ["heavy_top"], "methods": ["rkmk/rk4"],

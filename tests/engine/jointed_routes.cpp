@@ -36,6 +36,9 @@ Model acted_on(const ForceReader& type) {
     entry.axes_second = model.axes_of(2, axes_about(Vec3(1, 1, 3)));
     entry.value = Vec3(3, -1, 2), entry.point = Vec3(1, 2, -1) / 4;
     entry.amplitude = Real(1) / 4, entry.frequency = 3;
+    entry.coefficients = {4, -1, Real(1) / 2};
+    entry.stiffnesses = {Vec3(5, 2, 3), Vec3(1, 4, 2)}, entry.dampings = {Vec3(1, 2, 1), Vec3(1, 1, 3)};
+    entry.attraction = 6, entry.mass_first = 2, entry.mass_second = 3;
     type.read(entry, model);
     return model;
 }
@@ -64,6 +67,8 @@ TEST_CASE("two routes agree to 25 digits on forces of every kind") {
     require_agreement({"springs", models::sprung("universal")}, Real(1) / 4);
     require_agreement({"dampers", models::damped("distance")}, Real(1) / 4);
     require_agreement({"dampers on slides", models::damped("cylindrical")}, Real(1) / 4);
+    require_agreement({"forces that bend", models::bent("universal")}, Real(1) / 4);
+    require_agreement({"the same, damped", models::softened("cylindrical")}, Real(1) / 4);
     require_agreement({"loads", loaded(models::jointed("planar"))}, Real(1) / 4);
 }
 
@@ -113,6 +118,16 @@ TEST_CASE("control: a fault of 1e-20 in a joint, a spring or a load is seen") {
     CHECK_FALSE(agree(sprung, [&](Model& m) { m.torsion_springs[0].angle += 1000 * small; }));
     CHECK_FALSE(agree(sprung, [&](Model& m) { m.torsion_springs[0].damping += 1000 * small; }));
     CHECK_FALSE(agree(sprung, [&](Model& m) { m.loads[0].point[1] += 1000 * small; }));
+    const Model soft = models::softened("cylindrical");
+    CHECK(agree(soft, [](Model&) {}));
+    CHECK_FALSE(agree(soft, [&](Model& m) { m.polynomial_springs[0].coefficients[2] += 1000 * small; }));
+    CHECK_FALSE(agree(soft, [&](Model& m) { m.bushings[0].stiffness[0][1] += 1000 * small; }));
+    CHECK_FALSE(agree(soft, [&](Model& m) { m.bushings[0].stiffness[1][2] += 1000 * small; }));
+    CHECK_FALSE(agree(soft, [&](Model& m) { m.bushings[0].damping[1][0] += 1000 * small; }));
+    CHECK_FALSE(agree(soft, [&](Model& m) { m.bushings[0].axes_first(0, 2) += 1000 * small; }));
+    CHECK_FALSE(agree(soft, [&](Model& m) { m.attractions[1].strength += 1000 * small; }));
+    CHECK_FALSE(agree(soft, [&](Model& m) { m.dampers[1].damping += 1000 * small; }));
+    CHECK_FALSE(agree(soft, [&](Model& m) { m.rotational_dampers[1].damping += 1000 * small; }));
     const Model disk = models::rolling();
     CHECK(agree(disk, [](Model&) {}));
     CHECK_FALSE(agree(disk, [&](Model& m) { m.joints[0].length += small; }));

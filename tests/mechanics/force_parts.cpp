@@ -12,6 +12,9 @@ namespace {
 Model undamped(Model model) {
     for (Spring& spring : model.springs) spring.damping = 0;
     for (TorsionSpring& spring : model.torsion_springs) spring.damping = 0;
+    for (PolynomialSpring& spring : model.polynomial_springs) spring.damping = 0;
+    for (Bushing& bushing : model.bushings) bushing.damping = {Vec3::Zero(), Vec3::Zero()};
+    model.dampers.clear(), model.rotational_dampers.clear();
     return model;
 }
 
@@ -21,6 +24,9 @@ Model dampers_of(Model model) {
     model.loads.clear();
     for (Spring& spring : model.springs) spring.stiffness = 0;
     for (TorsionSpring& spring : model.torsion_springs) spring.stiffness = 0;
+    for (PolynomialSpring& spring : model.polynomial_springs) spring.coefficients.clear();
+    for (Bushing& bushing : model.bushings) bushing.stiffness = {Vec3::Zero(), Vec3::Zero()};
+    model.attractions.clear();
     return model;
 }
 

@@ -36,6 +36,10 @@ Forces made_by(const ForceReader& type, int first, const Real& damping) {
     entry.stiffness = 5, entry.damping = damping;
     entry.value = Vec3(3, -1, 2), entry.point = Vec3(1, 2, -1) / 4;
     entry.amplitude = Real(1) / 4, entry.frequency = 3;
+    entry.coefficients = {4, -1, Real(1) / 2};
+    entry.stiffnesses = {Vec3(5, 2, 3), Vec3(1, 4, 2)};
+    entry.dampings = {damping * Vec3(1, 2, 1), damping * Vec3(1, 1, 3)};
+    entry.attraction = 6, entry.mass_first = 2, entry.mass_second = 3;
     Forces forces;
     type.read(entry, forces);
     return forces;
@@ -108,6 +112,7 @@ TEST_CASE("every force has what it declares", "[forces]") {
     for (const ForceReader& type : Registered<ForceReader>::all())
         for (const int first : {ground, 0})
             for (const int damping : {0, 3}) {
+                if (type.name == "gravitation" && first == ground) continue;  // the ground has no mass
                 CAPTURE(type.name, first, damping);
                 const Forces forces = made_by(type, first, damping);
                 REQUIRE(has_forces(forces));

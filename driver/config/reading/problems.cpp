@@ -40,11 +40,12 @@ void add_problem(const Node& entry, ProblemEntry problem, Config& config) {
 void add_problems(const Node& entry, const ProblemDescription& description, Config& config) {
     const std::string series = read_label(entry, description.name);
     std::vector<ParameterPoint> points = {{default_parameters(description), ""}};
-    if (entry.is_object()) { entry.only_keys({"name", "label", "parameters"}); }
+    if (entry.is_object()) { entry.only_keys({"name", "label", "parameters", "exact"}); }
+    const auto exact = entry.is_object() ? entry.find("exact") : std::nullopt;
     const auto parameters = entry.is_object() ? entry.find("parameters") : std::nullopt;
     const std::vector<std::string> required = required_parameters(description);
     if (parameters) {
-        points = read_parameters(*parameters, description);
+        points = read_parameters(*parameters, description, PrintedNumbers(exact && exact->flag().value_or(false)));
     } else if (!required.empty()) {
         entry.error(fmt::format("the parameters of {}, at least {} (see kreisel info {})", in_quotes(description.name),
                                 listed(required), description.name),

@@ -30,6 +30,10 @@ Schema value(ValueKind kind) {
             return positive();
         case ValueKind::not_negative:
             return {{"type", "number"}, {"minimum", 0}};
+        case ValueKind::numbers:
+            return list(number(), 1);
+        case ValueKind::not_negatives:
+            return list_of_three({{"type", "number"}, {"minimum", 0}});
         case ValueKind::vector:
             return list_of_three(number());
         case ValueKind::vectors:
@@ -80,11 +84,11 @@ Schema element_list(ParameterKind kind, std::size_t least) {
 Schema parameter(ParameterKind kind) {
     switch (kind) {
         case ParameterKind::scalar:
-            return one_or_list(number());
+            return number();
         case ParameterKind::positive:
-            return one_or_list(positive());
+            return positive();
         case ParameterKind::count:
-            return one_or_list(integer(1, largest_parameter_count));
+            return integer(1, largest_parameter_count);
         case ParameterKind::vector:
             return list_of_three(number());
         case ParameterKind::inertia:
@@ -102,18 +106,32 @@ Schema parameter(ParameterKind kind) {
     return {};
 }
 
+// One value, or values that cells take one after the other.
+Schema value_or_axis(ParameterKind kind) {
+    const Schema one = parameter(kind);
+    Schema axis = object({{"axis", list(one)}, {"zip", text(64)}}, {"axis"});
+    Schema choices = {one, axis};
+    const bool is_number =
+        kind == ParameterKind::scalar || kind == ParameterKind::positive || kind == ParameterKind::count;
+    if (is_number) { choices.push_back(list(one)); }
+    return {{"anyOf", choices}};
+}
+
 }  // namespace
 
 Schema problem_object(const ProblemDescription& problem) {
     Schema parameters = Schema::object();
     for (const ParameterDescription& description : problem.parameters) {
-        parameters[description.name] = parameter(description.kind);
+        parameters[description.name] = value_or_axis(description.kind);
         parameters[description.name]["description"] = description.summary + " [" + description.unit + "]";
     }
     Schema label = text(200);
     label["not"] = {{"pattern", "^[=+@-]"}};
     const std::vector<std::string> required = required_parameters(problem);
-    return object({{"name", {{"const", problem.name}}}, {"label", label}, {"parameters", object(parameters, required)}},
+    return object({{"name", {{"const", problem.name}}},
+                   {"label", label},
+                   {"parameters", object(parameters, required)},
+                   {"exact", {{"type", "boolean"}}}},
                   required.empty() ? std::vector<std::string>{"name"} : std::vector<std::string>{"name", "parameters"});
 }
 

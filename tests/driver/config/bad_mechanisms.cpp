@@ -115,6 +115,37 @@ const std::vector<BadMechanism>& bad_mechanisms() {
         {"/forces/2/axis", "[1, 0]", "/forces/2/axis", "three numbers"},
         {"/forces/2/angle", "\"pi\"", "/forces/2/angle", "a number"},
         {"/forces/2/length", "1", "/forces/2/length", "of a force of type \"torsion_spring\""},
+        {"/forces/0/coefficients", "[1]", "/forces/0/coefficients", "of a force of type \"spring\""},
+        {"/forces/0/type", "\"polynomial_spring\"", "/forces/0", "the key \"coefficients\": a list of numbers"},
+        {"/forces/0",
+         R"({"type": "polynomial_spring", "between": ["ground", "rod"], "points": [[1, 0, 1], [1.5, 0, 0]], )"
+         R"("coefficients": []})",
+         "/forces/0/coefficients", "a list of numbers, at least one"},
+        {"/forces/0",
+         R"({"type": "polynomial_spring", "between": ["ground", "rod"], "points": [[1, 0, 1], [1.5, 0, 0]], )"
+         R"("coefficients": [1, "2"]})",
+         "/forces/0/coefficients/1", "got \"2\""},
+        {"/forces/0", R"({"type": "damper", "between": ["ground", "rod"], "damping": 2})", "/forces/0",
+         "the key \"point\": three numbers"},
+        {"/forces/0", R"({"type": "rotational_damper", "between": ["ground", "rod"], "damping": -2})",
+         "/forces/0/damping", "a number of at least 0"},
+        {"/forces/0",
+         R"({"type": "bushing", "between": ["ground", "rod"], "point": [1, 0, 0], "stiffness": 5, )"
+         R"("torsional_stiffness": [1, 1, 1]})",
+         "/forces/0/stiffness", "three numbers of at least 0"},
+        {"/forces/0",
+         R"({"type": "bushing", "between": ["ground", "rod"], "point": [1, 0, 0], "stiffness": [5, 5, 5], )"
+         R"("torsional_stiffness": [1, -1, 1]})",
+         "/forces/0/torsional_stiffness", "three numbers of at least 0"},
+        {"/forces/0",
+         R"({"type": "bushing", "between": ["ground", "rod"], "point": [1, 0, 0], "stiffness": [5, 5, 5], )"
+         R"("torsional_stifness": [1, 1, 1], "torsional_stiffness": [1, 1, 1]})",
+         "/forces/0/torsional_stifness", "did you mean \"torsional_stiffness\"?"},
+        {"/forces/0", R"({"type": "gravitation", "between": ["crank", "rod"], "mu": 1})", "/forces/0/mu",
+         "of a force of type \"gravitation\""},
+        {"/forces/0", R"({"type": "central_field", "body": "rod", "constant": 1})", "/forces/0/constant",
+         "of a force of type \"central_field\""},
+        {"/forces/0", R"({"type": "central_field", "body": "rod", "mu": -1})", "/forces/0/mu", "got -1"},
     };
     return all;
 }

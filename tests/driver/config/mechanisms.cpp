@@ -126,9 +126,17 @@ TEST_CASE("forces of every type are read") {
             "turns": -2},
         {"type": "torque", "body": "a", "value": [1, 0, 0], "frame": "body", "amplitude": 0.5, "frequency": 3},
         {"type": "force", "body": "a", "value": [1, 0, 0], "frame": "space", "point": [0, 0, 1]},
-        {"type": "force", "body": "a", "value": [0, 1, 0]}
+        {"type": "force", "body": "a", "value": [0, 1, 0]},
+        {"type": "polynomial_spring", "between": ["ground", "a"], "points": [[1, 0, 0], [0, 1, 0]],
+            "coefficients": [3, 0, 2]},
+        {"type": "damper", "between": ["a", "b"], "point": [1, 0, 0], "damping": 2},
+        {"type": "rotational_damper", "between": ["a", "b"], "damping": 2},
+        {"type": "bushing", "between": ["a", "b"], "point": [1, 0, 0], "stiffness": [1, 2, 3],
+            "torsional_stiffness": [4, 5, 6], "torsional_damping": [0, 0, 1], "axes": [[0, 0, 1], [1, 0, 0], [0, 1, 0]]},
+        {"type": "gravitation", "between": ["a", "b"], "constant": 2},
+        {"type": "central_field", "body": "a", "mu": 3, "centre": [0, 1, 0]}
     ])");
-    REQUIRE(forces.size() == 6);
+    REQUIRE(forces.size() == 12);
     const std::array<Vector3, 2> ij = {{{1, 0, 0}, {0, 1, 0}}};
     CHECK(
         forces[0] ==
@@ -144,6 +152,19 @@ TEST_CASE("forces of every type are read") {
                                  .frequency = 3});
     CHECK(forces[4] == ForceData{.type = "force", .between = {"", "a"}, .value = {1, 0, 0}, .point = Vector3{0, 0, 1}});
     CHECK(forces[5] == ForceData{.type = "force", .between = {"", "a"}, .value = {0, 1, 0}});
+    CHECK(forces[6] ==
+          ForceData{.type = "polynomial_spring", .between = {"ground", "a"}, .points = ij, .coefficients = {3, 0, 2}});
+    CHECK(forces[7] == ForceData{.type = "damper", .between = {"a", "b"}, .damping = 2, .point = ij[0]});
+    CHECK(forces[8] == ForceData{.type = "rotational_damper", .between = {"a", "b"}, .damping = 2});
+    CHECK(forces[9] == ForceData{.type = "bushing",
+                                 .between = {"a", "b"},
+                                 .axes = {0, 0, 1, 1, 0, 0, 0, 1, 0},
+                                 .stiffnesses = {{{1, 2, 3}, {4, 5, 6}}},
+                                 .dampings = {{{0, 0, 0}, {0, 0, 1}}},
+                                 .point = ij[0]});
+    CHECK(forces[10] == ForceData{.type = "gravitation", .between = {"a", "b"}, .attraction = 2});
+    CHECK(forces[11] ==
+          ForceData{.type = "central_field", .between = {"", "a"}, .attraction = 3, .point = Vector3{0, 1, 0}});
 }
 
 TEST_CASE("a joint may have a name") {

@@ -61,9 +61,10 @@ bool is_beyond_schema(const std::string& error, const json& config) {
     const bool beyond_ascii =
         std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) > 0x7F; });
     if (beyond_ascii && error.find("without control characters") != std::string::npos) { return true; }
-    for (const char* phrase : {" again", "each problem once", "of its own", "divides the end time",
-                               "divides every number", "at the finest level", "not symmetric", "different names",
-                               "norm 1 within", "each method once", "each projection once"}) {
+    for (const char* phrase :
+         {" again", "each problem once", "of its own", "divides the end time", "divides every number",
+          "at the finest level", "not symmetric", "different names", "norm 1 within", "each method once",
+          "each projection once", "with which it varies", "each combination once"}) {
         if (error.find(phrase) != std::string::npos) { return true; }
     }
     return false;

@@ -69,6 +69,38 @@ inline Model damped(JointType type) {
     return model;
 }
 
+/// The same with a force of each type that bends with the mechanism: a spring of a polynomial law, a bushing and
+/// attractions, without what depends on velocities.
+inline Model bent(JointType type) {
+    Model model = jointed(type);
+    model.gravity.amplitude = 0;
+    PolynomialSpring spring;
+    spring.second = 2, spring.r_first = Vec3(3, 1, 0), spring.r_second = Vec3(1, 0, 2) / 4;
+    spring.coefficients = {5, -1, Real(1) / 2}, spring.length = Real(1) / 2;
+    model.polynomial_springs.push_back(spring);
+    const Vec3 place(2, 1, -1);
+    const Mat3 axes = axes_about(Vec3(1, -2, 2));
+    model.bushings.push_back({.first = 0,
+                              .second = 2,
+                              .r_first = model.point_of(0, place),
+                              .r_second = model.point_of(2, place + Vec3(1, 2, -1) / 8),
+                              .axes_first = model.axes_of(0, axes),
+                              .axes_second = model.axes_of(2, axes * SO3::exp(Vec3(-1, 2, 1) / 8)),
+                              .stiffness = {Vec3(4, 2, 3), Vec3(1, 3, 2)}});
+    model.attractions = {{ground, 1, Vec3(4, 3, -5), Vec3::Zero(), 20}, {0, 2, Vec3::Zero(), Vec3::Zero(), 3}};
+    return model;
+}
+
+/// And damped.
+inline Model softened(JointType type) {
+    Model model = bent(type);
+    model.polynomial_springs[0].damping = 1;
+    model.bushings[0].damping = {Vec3(1, 2, 1) / 2, Vec3(2, 1, 3) / 4};
+    model.dampers = {{ground, 2, Vec3(1, 0, 2) / 4, Real(1) / 2}, {0, 1, Vec3(0, 1, -1) / 3, 1}};
+    model.rotational_dampers = {{ground, 1, Real(1) / 4}, {2, 0, Real(1) / 2}};
+    return model;
+}
+
 /// A body on a rod whose length is driven, and a second one on it.
 inline Model driven() {
     Model model = bodies_in_a_row(2);

@@ -83,6 +83,8 @@ inline std::vector<Named> of_tests() {
     models.push_back({"driven", driven()});
     models.push_back({"rolling", rolling()});
     models.push_back({"closed loop", closed_loop()});
+    models.push_back({"bent", bent("universal")});
+    models.push_back({"softened", softened("cylindrical")});
     for (const JointType type : joint_types()) {
         models.push_back({std::string(type.name()) + " joints", jointed(type)});
         models.push_back({std::string(type.name()) + " joints and springs", sprung(type)});

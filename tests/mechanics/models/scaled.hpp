@@ -40,6 +40,21 @@ inline Model scaled(Model model, const Units& u) {
         s.stiffness *= u.force() / u.L(), s.damping *= u.force() / u.speed();
     }
     for (TorsionSpring& s : model.torsion_springs) s.stiffness *= u.torque(), s.damping *= u.torque() * u.T();
+    for (PolynomialSpring& s : model.polynomial_springs) {
+        s.r_first *= u.L(), s.r_second *= u.L(), s.length *= u.L();
+        Real unit = u.force();
+        for (Real& coefficient : s.coefficients) coefficient *= unit /= u.L();
+        s.damping *= u.force() / u.speed();
+    }
+    for (Damper& d : model.dampers) d.r_second *= u.L(), d.damping *= u.force() / u.speed();
+    for (RotationalDamper& d : model.rotational_dampers) d.damping *= u.torque() * u.T();
+    for (Attraction& a : model.attractions)
+        a.r_first *= u.L(), a.r_second *= u.L(), a.strength *= u.force() * u.L() * u.L();
+    for (Bushing& b : model.bushings) {
+        b.r_first *= u.L(), b.r_second *= u.L();
+        b.stiffness[0] *= u.force() / u.L(), b.stiffness[1] *= u.torque();
+        b.damping[0] *= u.force() / u.speed(), b.damping[1] *= u.torque() * u.T();
+    }
     return model;
 }
 

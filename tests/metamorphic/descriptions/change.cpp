@@ -91,6 +91,50 @@ TorsionSpring Change::torsion_spring(const TorsionSpring& old) const {
     return changed;
 }
 
+PolynomialSpring Change::polynomial_spring(const PolynomialSpring& old) const {
+    PolynomialSpring changed = old;
+    changed.r_first = point(old.first, old.r_first), changed.r_second = point(old.second, old.r_second);
+    changed.first = place(old.first), changed.second = place(old.second);
+    Real unit = mass / (time * time);
+    for (Real& coefficient : changed.coefficients) coefficient *= unit, unit /= length;
+    changed.damping *= mass / time, changed.length *= length;
+    return changed;
+}
+
+Damper Change::damper(const Damper& old) const {
+    Damper changed = old;
+    changed.r_second = point(old.second, old.r_second);
+    changed.first = place(old.first), changed.second = place(old.second);
+    changed.damping *= mass / time;
+    return changed;
+}
+
+RotationalDamper Change::rotational_damper(const RotationalDamper& old) const {
+    return {place(old.first), place(old.second), old.damping * mass * length * length / time};
+}
+
+Attraction Change::attraction(const Attraction& old) const {
+    Attraction changed = old;
+    changed.r_first = point(old.first, old.r_first), changed.r_second = point(old.second, old.r_second);
+    changed.first = place(old.first), changed.second = place(old.second);
+    changed.strength *= mass * length * length * length / (time * time);
+    return changed;
+}
+
+/// A mirror that is no coordinate plane of the bushing changes what its angles are: the second axis is mirrored once
+/// more, so that p_2, q_1 and q_3 change their signs.
+Bushing Change::bushing(const Bushing& old) const {
+    Bushing changed = old;
+    changed.r_first = point(old.first, old.r_first), changed.r_second = point(old.second, old.r_second);
+    changed.axes_first = frame(old.first, old.axes_first, second_axis);
+    changed.axes_second = frame(old.second, old.axes_second, second_axis);
+    changed.first = place(old.first), changed.second = place(old.second);
+    const Real force = mass / (time * time), torque = force * length * length;
+    changed.stiffness = {force * old.stiffness[0], torque * old.stiffness[1]};
+    changed.damping = {force * time * old.damping[0], torque * time * old.damping[1]};
+    return changed;
+}
+
 Model Change::operator()(const Model& model) const {
     Model changed;
     changed.bodies.resize(model.bodies.size()), changed.joints.resize(model.joints.size());
@@ -103,6 +147,13 @@ Model Change::operator()(const Model& model) const {
     for (const Load& old : model.loads) changed.loads.push_back(load(old));
     for (const Spring& old : model.springs) changed.springs.push_back(spring(old));
     for (const TorsionSpring& old : model.torsion_springs) changed.torsion_springs.push_back(torsion_spring(old));
+    for (const PolynomialSpring& old : model.polynomial_springs)
+        changed.polynomial_springs.push_back(polynomial_spring(old));
+    for (const Damper& old : model.dampers) changed.dampers.push_back(damper(old));
+    for (const RotationalDamper& old : model.rotational_dampers)
+        changed.rotational_dampers.push_back(rotational_damper(old));
+    for (const Attraction& old : model.attractions) changed.attractions.push_back(attraction(old));
+    for (const Bushing& old : model.bushings) changed.bushings.push_back(bushing(old));
     changed.gravity = {length / (time * time) * (space * model.gravity.g), model.gravity.amplitude,
                        model.gravity.frequency / time};
     return changed;

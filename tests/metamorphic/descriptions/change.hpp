@@ -39,6 +39,11 @@ struct Change {
     Load load(const Load& old) const;
     Spring spring(const Spring& old) const;
     TorsionSpring torsion_spring(const TorsionSpring& old) const;
+    PolynomialSpring polynomial_spring(const PolynomialSpring& old) const;
+    Damper damper(const Damper& old) const;
+    RotationalDamper rotational_damper(const RotationalDamper& old) const;
+    Attraction attraction(const Attraction& old) const;
+    Bushing bushing(const Bushing& old) const;
     Action back(const Action& action) const;
     std::map<std::string, Real> integrals_back(const Outcome& changed, const Model& model) const;
     void add_components(const std::string& name, const std::map<std::string, Real>& from, const Vec3& offset,

@@ -53,6 +53,24 @@ class Writer {
                 .damping = to_double(it.damping),
                 .rest = to_double(it.length)};
     }
+    ForceData polynomial_spring(const PolynomialSpring& it) const {
+        ForceData written{.type = "polynomial_spring",
+                          .between = between(it.first, it.second),
+                          .points = {place(it.first, it.r_first), place(it.second, it.r_second)},
+                          .damping = to_double(it.damping),
+                          .rest = to_double(it.length)};
+        for (const Real& coefficient : it.coefficients) written.coefficients.push_back(to_double(coefficient));
+        return written;
+    }
+    ForceData damper(const Damper& it) const {
+        return {.type = "damper",
+                .between = between(it.first, it.second),
+                .damping = to_double(it.damping),
+                .point = place(it.second, it.r_second)};
+    }
+    ForceData rotational_damper(const RotationalDamper& it) const {
+        return {.type = "rotational_damper", .between = between(it.first, it.second), .damping = to_double(it.damping)};
+    }
     void loads(const Load& it, std::vector<ForceData>& forces) const {
         ForceData written{.between = {"ground", model_.name_of(it.body)},
                           .body_axes = it.axes == Load::Axes::body,
@@ -87,6 +105,9 @@ ParameterValues written(const Model& model) {
     for (const Body& body : model.bodies) bodies.push_back(write.body(body));
     for (const Joint& joint : model.joints) joints.push_back(write.joint(joint));
     for (const Spring& spring : model.springs) forces.push_back(write.spring(spring));
+    for (const PolynomialSpring& spring : model.polynomial_springs) forces.push_back(write.polynomial_spring(spring));
+    for (const Damper& damper : model.dampers) forces.push_back(write.damper(damper));
+    for (const RotationalDamper& damper : model.rotational_dampers) forces.push_back(write.rotational_damper(damper));
     for (const Load& load : model.loads) write.loads(load, forces);
     ParameterValues values = {{"bodies", bodies},
                               {"gravity", data(model.gravity.g)},
@@ -98,7 +119,8 @@ ParameterValues written(const Model& model) {
 }
 
 std::optional<Model> read_again(const Model& model) {
-    if (!model.torsion_springs.empty()) return {};  // their frames are more than an axis
+    if (!model.torsion_springs.empty()) return {};                         // their frames are more than an axis
+    if (!model.bushings.empty() || !model.attractions.empty()) return {};  // numbers that are rounded when written
     const Problem& multibody = problem("multibody");
     ParameterValues values = written(model);
     for (const ParameterDescription& parameter : multibody.description.parameters)

@@ -22,6 +22,9 @@ inline std::string why_not(const Model& model) {
     if (!model.warnings.empty()) return "inertias that no body has";
     if (!model.gravity.is_constant()) return "gravity that depends on time";
     if (!model.torsion_springs.empty()) return "torsion springs";
+    if (!model.polynomial_springs.empty()) return "polynomial springs";
+    if (!model.dampers.empty() || !model.rotational_dampers.empty()) return "dampers in every direction";
+    if (!model.attractions.empty()) return "attractions";
     for (const Load& load : model.loads)
         if (load.axes == Load::Axes::body || load.amplitude != 0) return "loads that change";
     return "";
@@ -38,6 +41,9 @@ inline Mechanism translate(const Model& model) {
             {j.first, j.second, j.type.name(), j.r_first, j.r_second, j.axes_first, j.axes_second, j.length});
     for (const Spring& s : model.springs)
         result.springs.push_back({s.first, s.second, s.r_first, s.r_second, s.stiffness, s.damping, s.length});
+    for (const Bushing& b : model.bushings)
+        result.bushings.push_back({b.first, b.second, b.r_first, b.r_second, b.axes_first, b.axes_second,
+                                   b.stiffness[0], b.stiffness[1], b.damping[0], b.damping[1]});
     for (const Load& l : model.loads) result.loads.push_back({l.body, l.force, l.torque, l.point});
     result.gravity = model.gravity.g;
     return result;

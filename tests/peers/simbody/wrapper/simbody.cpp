@@ -155,6 +155,13 @@ struct Simbody::Parts {
             F::TwoPointLinearSpring(forces, first, vec(s.r_first), second, vec(s.r_second), s.stiffness, s.length);
             F::TwoPointLinearDamper(forces, first, vec(s.r_first), second, vec(s.r_second), s.damping);
         }
+        const auto six = [](const Vec& about, const Vec& along) {
+            return SimTK::Vec6(about[0], about[1], about[2], along[0], along[1], along[2]);
+        };
+        for (const SixSprings& b : mechanism.bushings)
+            F::LinearBushing(forces, body(b.first), frame(b.axes_first, b.r_first), body(b.second),
+                             frame(b.axes_second, b.r_second), six(b.torsional_stiffness, b.stiffness),
+                             six(b.torsional_damping, b.damping));
         for (const DeadLoad& load : mechanism.loads) {
             F::ConstantForce(forces, body(load.body), vec(load.point), vec(load.force));
             F::ConstantTorque(forces, body(load.body), vec(load.torque));

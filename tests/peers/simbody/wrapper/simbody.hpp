@@ -39,6 +39,14 @@ struct LinearSpring {
     double stiffness, damping, length;
 };
 
+/// Stiffness and damping along the axes of the first frame, and about the axes of the angles.
+struct SixSprings {
+    int first, second;
+    Vec r_first, r_second;
+    Mat axes_first, axes_second;
+    Vec stiffness, torsional_stiffness, damping, torsional_damping;
+};
+
 /// Constant force and torque in space axes, the force at a point in body axes.
 struct DeadLoad {
     int body;
@@ -49,6 +57,7 @@ struct Mechanism {
     std::vector<RigidBody> bodies;
     std::vector<Link> links;
     std::vector<LinearSpring> springs;
+    std::vector<SixSprings> bushings;
     std::vector<DeadLoad> loads;
     Vec gravity;
 };
