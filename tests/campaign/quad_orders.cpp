@@ -2,9 +2,9 @@
 //
 // Declared order = observed order where double has only round-off: quad runs with errors down to about 1e-25, for
 // every registered method. The end time T follows from the order p such that T (T/N)^p is that small at the finest N,
-// or as small as quotients over h allow, so that a method of order 1 gets there with a thousand steps too; above order 4
-// with 256, which keeps steps of many stages affordable. (Accumulation of errors over long times is tested in double,
-// by orders.cpp, up to order 4.)
+// or as small as quotients over h allow, so that a method of order 1 gets there with a thousand steps too; above
+// order 4 with 256, which keeps steps of many stages affordable. (Accumulation of errors over long times is tested in
+// double, by orders.cpp, up to order 4.)
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
