@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Solves the order conditions of a Crouch-Grossman method whose source prints 16 decimals, and those of its embedded
-// solution, in arithmetic of 100 digits; prints the rows of a, then b and b^ with 44 decimals. Run it by
+// Solves the order conditions of a Crouch-Grossman method whose source prints 16 decimals or closed forms, and those of
+// its embedded solution, in arithmetic of 100 digits; prints the rows of a, then b and b^ with 44 decimals. Run it by
 // tools/solve-crouch-grossman.
 #include <iostream>
 #include <stdexcept>
@@ -15,7 +15,8 @@ using namespace kreisel::orders;
 PublishedCrouchGrossman named(const std::string& name) {
     if (name == "cg4a") return published_cg4a();
     if (name == "cg5a") return published_cg5a();
-    throw std::invalid_argument("no published method \"" + name + "\": cg4a or cg5a");
+    if (name == "cg43") return published_cg43();
+    throw std::invalid_argument("no published method \"" + name + "\": cg4a, cg5a or cg43");
 }
 
 void print(const std::vector<Float100>& row) {
@@ -26,7 +27,7 @@ void print(const std::vector<Float100>& row) {
 }  // namespace
 
 int main(int count, char** arguments) try {
-    if (count != 2) throw std::invalid_argument("usage: solve-crouch-grossman cg4a|cg5a");
+    if (count != 2) throw std::invalid_argument("usage: solve-crouch-grossman cg4a|cg5a|cg43");
     const CrouchGrossmanSolution solution = solve(named(arguments[1]));
     std::cerr << "largest change of a printed coefficient: " << solution.moved.str(3)
               << "\nlargest residual of what is printed here: " << solution.residual.str(3) << '\n';

@@ -53,6 +53,12 @@ bool is_tried_in_quad(const Method& entry, const ProjectionMethod& projector) {
     return name == "none" || name == "position_velocity" || entry.description.name == "rkmk/rk4";
 }
 
+/// Feedback per step has h times its eigenvalues at z = -1 +- i, which 1 + z + ... + z^4/24 + a z^5 is to damp. Of cg43
+/// a = b_5 a_54 a_43 a_32 a_21 is 0.97, 117 times 1/120: errors grow fivefold a step.
+bool runs_away(const Method& entry, const ProjectionMethod& projector) {
+    return entry.description.name == "crouch_grossman/cg43" && projector.description.name == "baumgarte_step";
+}
+
 TEST_CASE("a step and a projection allocate nothing", "[methods]") {
     for (const Method& entry : methods())
         for (const ProjectionMethod& projector : projections())
@@ -61,7 +67,7 @@ TEST_CASE("a step and a projection allocate nothing", "[methods]") {
                     if (KREISEL_QUAD && named.name != "heavy_top") continue;  // slow, and the same code
                     if (KREISEL_QUAD && !is_tried_in_quad(entry, projector)) continue;
                     if (!runs_on(entry, named.model, formulation)) continue;
-                    if (!go_together(entry.description, projector)) continue;
+                    if (!go_together(entry.description, projector) || runs_away(entry, projector)) continue;
                     if (!runs_on(projector.description, named.model, formulation)) continue;
                     Trip trip(named.model, formulation, entry, projector.description.name);
                     const long before = allocations;

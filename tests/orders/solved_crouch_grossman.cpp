@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Crouch-Grossman methods whose source prints 16 decimals: what is registered is what the order conditions give, rounds
-// to what is printed, and satisfies the conditions as the running code reads it.
+// Crouch-Grossman methods whose source prints 16 decimals or closed forms: what is registered is what the order
+// conditions give, rounds to what is printed, and satisfies the conditions as the running code reads it.
 #include <catch2/catch.hpp>
 
 #include "methods/tableaus/bound_tableau.hpp"
@@ -49,7 +49,7 @@ NumericTableau<Rational> as_printed(const PublishedCrouchGrossman& published) {
 }  // namespace
 
 TEST_CASE("Crouch-Grossman methods are what their conditions give from the printed tables", "[solved]") {
-    for (const PublishedCrouchGrossman& published : {published_cg4a(), published_cg5a()}) {
+    for (const PublishedCrouchGrossman& published : {published_cg4a(), published_cg5a(), published_cg43()}) {
         const CrouchGrossmanSolution solution = solve(published);
         CHECK(solution.moved < Float100("1e-16"));
         const auto ours = flattened(in_100_digits(orders::exact(declared_by(published))));
@@ -63,7 +63,7 @@ TEST_CASE("Crouch-Grossman methods are what their conditions give from the print
 }
 
 TEST_CASE("Crouch-Grossman methods satisfy their conditions to their last digits", "[solved]") {
-    for (const PublishedCrouchGrossman& published : {published_cg4a(), published_cg5a()}) {
+    for (const PublishedCrouchGrossman& published : {published_cg4a(), published_cg5a(), published_cg43()}) {
         const Tableau& tableau = declared_by(published);
         std::size_t count = 0;
         for (int p = 1; p <= published.order; ++p)
@@ -77,7 +77,7 @@ TEST_CASE("Crouch-Grossman methods satisfy their conditions to their last digits
 
 TEST_CASE("Crouch-Grossman methods satisfy their conditions to round-off in the running precision", "[solved]") {
     const Real bound = KREISEL_QUAD ? from_text("1e-30") : from_text("1e-14");
-    for (const PublishedCrouchGrossman& published : {published_cg4a(), published_cg5a()})
+    for (const PublishedCrouchGrossman& published : {published_cg4a(), published_cg5a(), published_cg43()})
         for (int p = 1; p <= published.order; ++p)
             for (const Real& residual : conditions_of_order(as_bound(declared_by(published)), p))
                 CHECK(abs(residual) < bound);

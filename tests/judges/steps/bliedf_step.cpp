@@ -76,6 +76,7 @@ Objection bliedf_step_objection(const Method& method, int k, const StabilisedFor
                                              [&](RecordedRun& run) { return bliedf_violations(run, k, form); });
 }
 
+KREISEL_STEP_CHECK("multistep/bliedf1", [](const Method& method) { return bliedf_step_objection(method, 1); });
 KREISEL_STEP_CHECK("multistep/bliedf2", [](const Method& method) { return bliedf_step_objection(method, 2); });
 KREISEL_STEP_CHECK("multistep/bliedf3", [](const Method& method) { return bliedf_step_objection(method, 3); });
 KREISEL_STEP_CHECK("multistep/bliedf2_index3",

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Crouch-Grossman methods whose source prints 16 decimals [jackiewicz2000], as printed, and where the search for an
-// embedded solution of the order below, with one stage more, has ended.
+// Crouch-Grossman methods whose source prints 16 decimals [jackiewicz2000], as printed, or closed forms
+// [owrenmarthinsen1999], as 60 decimals; and where the search for an embedded solution of the order below, with one
+// stage more, has ended.
 #pragma once
 
 #include <string>
@@ -21,5 +22,6 @@ struct PublishedCrouchGrossman {
 
 PublishedCrouchGrossman published_cg4a();
 PublishedCrouchGrossman published_cg5a();
+PublishedCrouchGrossman published_cg43();  ///< closed forms
 
 }  // namespace kreisel::orders
