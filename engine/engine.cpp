@@ -9,6 +9,7 @@
 #include "engine/run.hpp"
 #include "engine/scheme_rows.hpp"
 #include "engine/skip.hpp"
+#include "engine/stability/test_rotation.hpp"
 #include "mechanics/formulation.hpp"
 #include "mechanics/start.hpp"
 #include "mechanics/start_warnings.hpp"
@@ -72,6 +73,10 @@ class RealEngine final : public Engine {
     }
     std::vector<SchemeRow> scheme(const std::string& name) const override {
         return scheme_rows(kreisel::method(name).factory.scheme);
+    }
+    RotationStability stability(const std::string& name) const override {
+        const Method& entry = kreisel::method(name);
+        return rotation_stability(entry, with_defaults({}, entry.description.options));
     }
     std::string skip_reason(const Cell& cell) const override { return why_skipped(cell); }
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,

@@ -209,6 +209,15 @@ struct Linearisation {
     double uncertainty = 0;                      ///< difference of two step sizes of the derivatives (1/s)
 };
 
+/// How steps of a method treat small rotations about a fixed axis under a torque -J Omega^2 theta
+/// (engine/stability/test_rotation.hpp).
+struct RotationStability {
+    std::string refusal;  ///< not empty: it is not defined, and why
+    double limit = 0;     ///< the largest h Omega up to which no step makes them grow
+    bool bounded = true;  ///< false: none was found, and `limit` is as far as was seen
+    double growth = 0;    ///< |mu| - 1 at h Omega = 1/2, mu the eigenvalue of a step that grows most
+};
+
 /// Coefficients of a method: of a stage "a_3", of the step "b", or of a factor of exponentials.
 struct SchemeRow {
     std::string label;
@@ -235,6 +244,8 @@ class Engine {
     virtual MethodDescription method(const std::string& name, const OptionValues&) const = 0;
     /// The coefficients of a method; none where its family has no such data.
     virtual std::vector<SchemeRow> scheme(const std::string& method) const = 0;
+    /// Stability of a method, under its standard options, on the test rotation.
+    virtual RotationStability stability(const std::string& method) const = 0;
     /// Why this cell cannot run; empty if it can. Throws ParameterError, OptionError.
     virtual std::string skip_reason(const Cell&) const = 0;
     /// Runs one cell. `reference` may be null: then no error.* is measured. `samples` may be null too: samples are then

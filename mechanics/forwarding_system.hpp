@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/actions/acted_upon.hpp"
 #include "mechanics/solve/pivot_record.hpp"
 #include "mechanics/space_axes.hpp"
 #include "mechanics/system.hpp"
@@ -17,7 +18,7 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-class ForwardingSystem : public System, public SpaceAxes, public PivotRecord {
+class ForwardingSystem : public System, public SpaceAxes, public PivotRecord, public ActedUpon {
   public:
     /// `inner` outlives this object.
     explicit ForwardingSystem(System& inner)
@@ -47,6 +48,8 @@ class ForwardingSystem : public System, public SpaceAxes, public PivotRecord {
         auto* record = dynamic_cast<PivotRecord*>(&inner());
         return record ? record->least_pivot() : Real(1);
     }
+
+    const StateAction* action() const override { return action_on(inner()); }
 
     int mass_block() const override { return inner().mass_block(); }
     bool mass_is_constant() const override { return inner().mass_is_constant(); }

@@ -123,6 +123,20 @@ void add_momenta(const Shared& model, std::vector<FirstIntegral>& integrals) {
     }
 }
 
+/// Whether neither a joint nor a force acts on a body; gravity has no moment about its mass centre.
+bool is_free(const Model& model, int body) {
+    const auto holds = [body](const Joint& joint) { return joint.first == body || joint.second == body; };
+    if (std::any_of(model.joints.begin(), model.joints.end(), holds)) return false;
+    return !model.any([body](const auto& force) { return force.touches(body); });
+}
+
+/// |J omega|, the Casimir of so(3)*: m = J omega moves on its coadjoint orbit, a sphere [hairer2006, Sec. VII.5].
+Terms size_of_momentum(const Body& body, const BodyState& s) {
+    Terms sum;
+    sum.add((body.J * s.omega).norm());
+    return sum;
+}
+
 void add_body_integrals(const Shared& model, std::vector<FirstIntegral>& integrals) {
     for (std::size_t i = 0; i < model->bodies.size(); ++i) {
         const Body& body = model->bodies[i];
@@ -134,6 +148,10 @@ void add_body_integrals(const Shared& model, std::vector<FirstIntegral>& integra
                                              const Vec3 spin = model->bodies[i].J * s.bodies[i].omega;
                                              return Terms{e.dot(spin), spin.norm()};
                                          }));
+        if (is_free(*model, static_cast<int>(i)))
+            integrals.push_back(integral(
+                "body_momentum_norm" + suffix, "N m s", "no moment acts on the body: the Casimir of its momentum",
+                [model, i](const MotionState& s) { return size_of_momentum(model->bodies[i], s.bodies[i]); }));
         if (const auto top = kovalevskaya_top(*model, static_cast<int>(i)))
             integrals.push_back(
                 integral("kovalevskaya" + suffix, "1/s^4",

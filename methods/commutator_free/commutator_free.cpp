@@ -6,6 +6,7 @@
 #include "mechanics/system.hpp"
 #include "methods/commutator_free/bound_products.hpp"
 #include "methods/contract/integrator.hpp"
+#include "methods/contract/state_space.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -15,8 +16,8 @@ namespace {
 class CommutatorFree final : public Integrator {
   public:
     CommutatorFree(System& system, const CommutatorFreeScheme& scheme)
-        : system_(system),
-          group_(system.state_group()),
+        : space_(system),
+          group_(space_.group()),
           size_(static_cast<std::size_t>(group_.size())),
           stride_(padded(static_cast<std::size_t>(std::max(1, group_.dim())))),  // of a model without bodies too
           scheme_(scheme, stride_),
@@ -46,6 +47,7 @@ class CommutatorFree final : public Integrator {
         group_.inverse(embedded_.data(), embedded_.data());
         group_.multiply(embedded_.data(), y_new, embedded_.data());
         group_.log(embedded_.data(), error);
+        space_.to_tangent(y_new, error);
         return Status::ok;
     }
 
@@ -61,7 +63,7 @@ class CommutatorFree final : public Integrator {
         for (std::size_t i = 0; i < end; ++i) {
             if (i == 0 && first_known_) continue;
             if (i > 0) form(scheme_.stages[i], h, point(i));
-            const Status status = system_.vector_field(t + scheme_.c[i] * h, point(i), slope(i));
+            const Status status = space_.slope(t + scheme_.c[i] * h, point(i), slope(i));
             if (status != Status::ok) return status;
         }
         return Status::ok;
@@ -79,8 +81,8 @@ class CommutatorFree final : public Integrator {
         if (product.factors.empty()) std::copy_n(from, size_, out);
     }
 
-    System& system_;
-    const TangentGroup& group_;
+    StateSpace space_;
+    const Group& group_;
     std::size_t size_, stride_;
     BoundProducts scheme_;
     std::size_t stages_of_step_;
@@ -96,6 +98,7 @@ Factory commutator_free(const CommutatorFreeScheme& scheme) {
         return std::make_unique<CommutatorFree>(system, scheme);
     };
     factory.stages = stages_of_step(scheme);
+    factory.takes_actions = true;
     factory.scheme = Scheme(scheme);
     return factory;
 }

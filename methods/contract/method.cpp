@@ -2,16 +2,31 @@
 #include "methods/contract/method.hpp"
 
 #include <stdexcept>
+#include <utility>
 
+#include "mechanics/actions/acted_upon.hpp"
 #include "methods/contract/turn_counting.hpp"
 #include "support/registered.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
+namespace {
+
+/// What a method declines that moves states in TG only.
+auto declining_actions(std::function<std::string(const System&)> declines) {
+    return [own = std::move(declines)](const System& system) -> std::string {
+        if (action_on(system)) return "momenta that move on coadjoint orbits";
+        return own ? own(system) : "";
+    };
+}
+
+}  // namespace
+
 MethodRegistration::MethodRegistration(const char* file, Factory factory, MethodDescription description) {
     description.options = factory.options;
     description.stages = factory.stages;
+    if (!factory.takes_actions) factory.declines = declining_actions(std::move(factory.declines));
     Registered<Method>::add({std::move(description), std::move(factory), file});
 }
 

@@ -45,6 +45,9 @@ struct Factory {
         stepper = {};
     /// Why a combination of options does not apply; empty if it does. Throws OptionError for one that is wrong.
     std::function<std::string(const OptionValues&)> why_not = [](const OptionValues&) { return std::string(); };
+    /// Moves states by exponentials of slopes only, in whatever group acts on them (methods/contract/state_space.hpp).
+    /// The other methods decline systems on which another one than TG does.
+    bool takes_actions = false;
     /// Why a system cannot be treated (rolling, dampers, moving supports, redundant rows, ...); empty if it can. None
     /// is asked where this is empty.
     std::function<std::string(const System&)> declines = {};

@@ -6,6 +6,7 @@
 
 #include "mechanics/system.hpp"
 #include "methods/contract/integrator.hpp"
+#include "methods/contract/state_space.hpp"
 #include "methods/tableaus/bound_tableau.hpp"
 
 namespace kreisel {
@@ -23,8 +24,8 @@ Combination embedded_weights(Tableau tableau, std::size_t stride) {
 class CrouchGrossman final : public Integrator {
   public:
     CrouchGrossman(System& system, const Tableau& tableau)
-        : system_(system),
-          group_(system.state_group()),
+        : space_(system),
+          group_(space_.group()),
           factor_(static_cast<std::size_t>(group_.dim())),
           tableau_(tableau, factor_.size()),
           b_hat_(embedded_weights(tableau, factor_.size())),
@@ -53,6 +54,7 @@ class CrouchGrossman final : public Integrator {
         group_.inverse(stage_.data(), stage_.data());
         group_.multiply(stage_.data(), y_new, stage_.data());
         group_.log(stage_.data(), error);
+        space_.to_tangent(y_new, error);
         return Status::ok;
     }
 
@@ -65,7 +67,7 @@ class CrouchGrossman final : public Integrator {
             std::copy_n(y, stage_.size(), stage_.begin());
             append_product(tableau_.a[i], h, stage_.data());
             const Status status =
-                system_.vector_field(t + tableau_.c[i] * h, stage_.data(), slopes_.data() + i * factor_.size());
+                space_.slope(t + tableau_.c[i] * h, stage_.data(), slopes_.data() + i * factor_.size());
             if (status != Status::ok) return status;
         }
         return Status::ok;
@@ -82,8 +84,8 @@ class CrouchGrossman final : public Integrator {
         }
     }
 
-    System& system_;
-    const TangentGroup& group_;
+    StateSpace space_;
+    const Group& group_;
     std::vector<Real> factor_;
     BoundTableau tableau_;
     Combination b_hat_;
@@ -99,6 +101,7 @@ Factory crouch_grossman(const Tableau& tableau) {
         return std::make_unique<CrouchGrossman>(system, tableau);
     };
     factory.stages = stages_of_step(tableau);
+    factory.takes_actions = true;
     factory.scheme = Scheme(CrouchGrossmanScheme{tableau});
     return factory;
 }

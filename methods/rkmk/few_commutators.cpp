@@ -7,6 +7,7 @@
 
 #include "mechanics/system.hpp"
 #include "methods/contract/integrator.hpp"
+#include "methods/contract/state_space.hpp"
 #include "methods/tableaus/bound_tableau.hpp"
 
 namespace kreisel {
@@ -45,10 +46,11 @@ std::vector<BoundBracket> left_brackets(const BracketSum& sum, std::size_t befor
 class FewCommutators final : public Integrator {
   public:
     FewCommutators(System& system, const FewCommutatorsScheme& scheme)
-        : system_(system),
-          size_(static_cast<std::size_t>(system.state_group().size())),
-          n_(static_cast<std::size_t>(system.velocities())),
-          stride_(padded(2 * n_)),
+        : space_(system),
+          group_(space_.group()),
+          size_(static_cast<std::size_t>(group_.size())),
+          n_(static_cast<std::size_t>(group_.dim())),
+          stride_(padded(n_)),
           tableau_(linear_part(scheme), stride_),
           b_brackets_(left_brackets(scheme.result, tableau_.stages(), stride_)),
           u_(stride_),
@@ -63,8 +65,7 @@ class FewCommutators final : public Integrator {
         for (std::size_t i = 0; i < tableau_.stages_of_step; ++i) {
             std::copy_n(y, size_, stage_.begin());
             if (!tableau_.a[i].empty()) append(tableau_.a[i], a_brackets_[i], h, stage_.data());
-            const Status status =
-                system_.vector_field(t + tableau_.c[i] * h, stage_.data(), slopes_.data() + i * stride_);
+            const Status status = space_.slope(t + tableau_.c[i] * h, stage_.data(), slopes_.data() + i * stride_);
             if (status != Status::ok) return status;
         }
         append(tableau_.b, b_brackets_, h, y);
@@ -72,20 +73,21 @@ class FewCommutators final : public Integrator {
     }
 
   private:
-    /// y <- y exp(h sum_j a_j K_j + h^2 sum c [K_j, K_l]). Velocities are additive: they have no brackets.
+    /// y <- y exp(h sum_j a_j K_j + h^2 sum c [K_j, K_l]).
     void append(const Combination& weights, const std::vector<BoundBracket>& brackets, const Real& h, Real* y) {
         combine(weights, h, slopes_.data(), stride_, u_.data());
         for (const BoundBracket& term : brackets) {
-            system_.group().bracket(slopes_.data() + term.left, slopes_.data() + term.right, bracket_.data());
+            group_.bracket(slopes_.data() + term.left, slopes_.data() + term.right, bracket_.data());
             const Real w = h * h * term.coefficient;
             for (std::size_t k = 0; k < n_; ++k) u_[k] += w * bracket_[k];
             ++work_.brackets;
         }
-        system_.state_group().append_exp(y, u_.data(), y);
+        group_.append_exp(y, u_.data(), y);
         ++work_.exponentials;
     }
 
-    System& system_;
+    StateSpace space_;
+    const Group& group_;
     std::size_t size_, n_, stride_;
     BoundTableau tableau_;
     std::vector<std::vector<BoundBracket>> a_brackets_;
@@ -101,6 +103,7 @@ Factory few_commutators(const FewCommutatorsScheme& scheme) {
         return std::make_unique<FewCommutators>(system, scheme);
     };
     factory.stages = stages_of_step(linear_part(scheme));
+    factory.takes_actions = true;
     factory.scheme = Scheme(scheme);
     return factory;
 }

@@ -6,6 +6,7 @@
 #include "lie/chart.hpp"
 #include "mechanics/system.hpp"
 #include "methods/contract/integrator.hpp"
+#include "methods/contract/state_space.hpp"
 #include "methods/tableaus/bound_tableau.hpp"
 
 namespace kreisel {
@@ -16,18 +17,81 @@ namespace {
 /// On TG = G x R^n the velocity factor is additive: there psi(u) adds and its inverse differential is the identity, so
 /// the chart is needed on G only. A slope is k~ = (dpsi^{-1}_{-u}(v), v'), and u carries both parts.
 template <class Chart>
-class MuntheKaas final : public Integrator {
+class TangentSpace {
   public:
-    MuntheKaas(System& system, Chart chart, const Tableau& tableau)
+    TangentSpace(System& system, Chart chart)
         : system_(system),
           chart_(std::move(chart)),
           n_(static_cast<std::size_t>(system.velocities())),
-          size_(static_cast<std::size_t>(system.group().size())),
-          stride_(padded(2 * n_)),
+          size_(static_cast<std::size_t>(system.group().size())) {}
+
+    /// out = y psi(u).
+    void append(const Real* y, const Real* u, Real* out) {
+        chart_.append(y, u, out);
+        y += size_, u += n_, out += size_;
+        KREISEL_ELEMENTWISE
+        for (std::size_t i = 0; i < n_; ++i) out[i] = y[i] + u[i];
+    }
+    /// The slope k at y, which is k~ for u = 0.
+    Status slope(const Real& t, const Real* y, Real* k) {
+        for (std::size_t i = 0; i < n_; ++i) k[i] = y[size_ + i];
+        return system_.evaluate(t, y, y + size_, k + n_);
+    }
+    /// The slope k~ at the stage y psi(u), in the chart around y.
+    Status slope(const Real& t, const Real* stage, const Real* u, Real* k) {
+        const Real* v = stage + size_;
+        const Status status = system_.evaluate(t, stage, v, k + n_);
+        if (status != Status::ok) return status;
+        return chart_.pull_back(u, v, k) ? Status::ok : Status::left_chart;
+    }
+    /// k of k~ at a stage, where it is known: what the pull-back made of (v, v') is v' in its second half.
+    bool recall(const Real* stage, const Real* pulled, Real* k) const {
+        std::copy_n(stage + size_, n_, k);
+        std::copy_n(pulled + n_, n_, k + n_);
+        return true;
+    }
+    void to_tangent(const Real*, Real*) const {}
+    int brackets() const { return chart_.brackets(); }
+
+  private:
+    System& system_;
+    Chart chart_;
+    std::size_t n_, size_;
+};
+
+/// Another group on states, with a chart of its own (methods/contract/state_space.hpp).
+template <class Chart>
+class ActedSpace {
+  public:
+    ActedSpace(System& system, Chart chart) : space_(system), chart_(std::move(chart)) {}
+
+    void append(const Real* y, const Real* u, Real* out) { chart_.append(y, u, out); }
+    Status slope(const Real& t, const Real* y, Real* k) { return space_.slope(t, y, k); }
+    Status slope(const Real& t, const Real* stage, const Real* u, Real* k) {
+        const Status status = space_.slope(t, stage, k);
+        if (status != Status::ok) return status;
+        return chart_.pull_back(u, k, k) ? Status::ok : Status::left_chart;
+    }
+    bool recall(const Real*, const Real*, Real*) const { return false; }
+    void to_tangent(const Real* y, Real* error) const { space_.to_tangent(y, error); }
+    int brackets() const { return chart_.brackets(); }
+
+  private:
+    StateSpace space_;
+    Chart chart_;
+};
+
+template <class Space>
+class MuntheKaas final : public Integrator {
+  public:
+    MuntheKaas(const TangentGroup& states, Space space, const Tableau& tableau)
+        : space_(std::move(space)),
+          dim_(static_cast<std::size_t>(states.dim())),
+          stride_(padded(dim_)),
           tableau_(tableau, stride_),
           u_(stride_),
           slopes_(stride_ * tableau_.stages()),
-          stage_(size_ + n_),
+          stage_(static_cast<std::size_t>(states.size())),
           weights_(tableau_.dense.size()) {}
 
     Status start(const Real&, const Real*) override {
@@ -48,7 +112,8 @@ class MuntheKaas final : public Integrator {
         if (const Status status = stages(first_known_, tableau_.stages(), t, h, y); status != Status::ok) return status;
         first_known_ = true;  // a rejected step starts from here once more
         combine(tableau_.error, h, slopes_.data(), stride_, u_.data());
-        std::copy_n(u_.data(), 2 * n_, error);
+        std::copy_n(u_.data(), dim_, error);
+        space_.to_tangent(y, error);
         combine(tableau_.b, h, slopes_.data(), stride_, u_.data());
         append(y, y_new);
         return Status::ok;
@@ -63,19 +128,15 @@ class MuntheKaas final : public Integrator {
     void interpolate(const Real& theta, const Real& h, const Real* y0, Real* y) override {
         tableau_.weigh(theta, weights_);
         combine(weights_, h, slopes_.data(), stride_, u_.data());
-        chart_.append(y0, u_.data(), y);
-        for (std::size_t i = 0; i < n_; ++i) y[size_ + i] = y0[size_ + i] + u_[n_ + i];
+        space_.append(y0, u_.data(), y);
     }
 
   private:
-    /// The last stage lies at u of the new state. What the pull-back made of its slope (v, v') in the old chart is v'
-    /// in its second half only; v is the velocity of the state. Done when the next step begins: until then the slopes
-    /// are those of the dense output.
+    /// The last stage lies at u of the new state. Done when the next step begins: until then the slopes are those of
+    /// the dense output.
     void take_last_as_first() {
-        const Real* last = slopes_.data() + (tableau_.stages() - 1) * stride_;
-        std::copy_n(stage_.data() + size_, n_, slopes_.data());
-        std::copy_n(last + n_, n_, slopes_.data() + n_);
-        first_known_ = true, last_is_first_ = false;
+        first_known_ = space_.recall(stage_.data(), slopes_.data() + (tableau_.stages() - 1) * stride_, slopes_.data());
+        last_is_first_ = false;
     }
 
     /// The slopes of the stages [first, end).
@@ -89,32 +150,21 @@ class MuntheKaas final : public Integrator {
 
     /// out = y psi(u).
     void append(const Real* y, Real* out) {
-        const Real* u = u_.data();
         ++work_.exponentials;
-        chart_.append(y, u, out);
-        y += size_, u += n_, out += size_;
-        KREISEL_ELEMENTWISE
-        for (std::size_t i = 0; i < n_; ++i) out[i] = y[i] + u[i];
+        space_.append(y, u_.data(), out);
     }
 
     /// The slope k~_i in the chart around y.
     Status stage(const Combination& row, const Real& t, const Real& h, const Real* y, Real* slope) {
-        if (row.empty()) {  // u = 0: k~ = k
-            for (std::size_t i = 0; i < n_; ++i) slope[i] = y[size_ + i];
-            return system_.evaluate(t, y, y + size_, slope + n_);
-        }
+        if (row.empty()) return space_.slope(t, y, slope);
         combine(row, h, slopes_.data(), stride_, u_.data());
         append(y, stage_.data());
-        const Real* v = stage_.data() + size_;
-        const Status status = system_.evaluate(t, stage_.data(), v, slope + n_);
-        if (status != Status::ok) return status;
-        work_.brackets += chart_.brackets();
-        return chart_.pull_back(u_.data(), v, slope) ? Status::ok : Status::left_chart;
+        work_.brackets += space_.brackets();
+        return space_.slope(t, stage_.data(), u_.data(), slope);
     }
 
-    System& system_;
-    Chart chart_;
-    std::size_t n_, size_, stride_;
+    Space space_;
+    std::size_t dim_, stride_;
     BoundTableau tableau_;
     std::vector<Real> u_, slopes_, stage_;
     Combination weights_;         // b_i(theta)
@@ -122,21 +172,28 @@ class MuntheKaas final : public Integrator {
     bool last_is_first_ = false;  // the last slope is that of the state
 };
 
-template <class Chart>
-std::unique_ptr<Integrator> lift(System& system, Chart chart, const Tableau& tableau) {
-    return std::make_unique<MuntheKaas<Chart>>(system, std::move(chart), tableau);
+/// `arguments` are those of the chart behind its group.
+template <class Chart, class... Arguments>
+std::unique_ptr<Integrator> lift(System& system, const Tableau& tableau, Arguments... arguments) {
+    const TangentGroup& states = system.state_group();
+    const StateSpace space(system);
+    if (space.is_tangent_group()) {
+        TangentSpace<Chart> tangent(system, Chart(system.group(), arguments...));
+        return std::make_unique<MuntheKaas<TangentSpace<Chart>>>(states, std::move(tangent), tableau);
+    }
+    ActedSpace<Chart> acted(system, Chart(space.group(), arguments...));
+    return std::make_unique<MuntheKaas<ActedSpace<Chart>>>(states, std::move(acted), tableau);
 }
 
 /// The chart given by the options; `order` is the declared one, which decides what dexpinv = "seed" means.
 std::unique_ptr<Integrator> lift_with(System& system, const OptionValues& options, int order, const Tableau& tableau) {
-    const Group& group = system.group();
-    if (options.at("coordinates") == OptionValue("cayley")) return lift(system, CayleyChart(group), tableau);
-    if (options.at("coordinates") == OptionValue("second_kind")) return lift(system, SecondKindChart(group), tableau);
+    if (options.at("coordinates") == OptionValue("cayley")) return lift<CayleyChart>(system, tableau);
+    if (options.at("coordinates") == OptionValue("second_kind")) return lift<SecondKindChart>(system, tableau);
     const OptionValue& dexpinv = options.at("dexpinv");
     if (const long* brackets = std::get_if<long>(&dexpinv))
-        return lift(system, TruncatedExpChart(group, static_cast<int>(*brackets)), tableau);
-    if (dexpinv == OptionValue("seed")) return lift(system, TruncatedExpChart(group, order - 1), tableau);
-    return lift(system, ExpChart(group), tableau);
+        return lift<TruncatedExpChart>(system, tableau, static_cast<int>(*brackets));
+    if (dexpinv == OptionValue("seed")) return lift<TruncatedExpChart>(system, tableau, order - 1);
+    return lift<ExpChart>(system, tableau);
 }
 
 }  // namespace
@@ -169,6 +226,7 @@ Factory rkmk(const Tableau& tableau) {
         return truncated && coordinates != "exp" ? "dexpinv does not apply under " + coordinates + " coordinates" : "";
     };
     factory.stages = stages_of_step(tableau);
+    factory.takes_actions = true;
     factory.scheme = Scheme(MuntheKaasScheme{tableau});
     return factory;
 }

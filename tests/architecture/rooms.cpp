@@ -20,6 +20,8 @@ const std::string equations = "mechanics/system.hpp";
 const std::string parts = "mechanics/parts";
 const std::string axes = "mechanics/space_axes.hpp";
 const std::string formulation = "mechanics/formulation.hpp";
+const std::string actions = "mechanics/actions";
+const std::string forwarding = "mechanics/forwarding_system.hpp";
 const std::string peer_equations = "peers/equations.hpp";
 const std::string peer_stepper = "peers/stepper.hpp";
 const std::string double_only = "peers/double_only.hpp";
@@ -41,6 +43,8 @@ const std::vector<Room>& rooms() {
         {turns, {"mechanics/model", "lie"}, {}},
         {equations, {"mechanics/model", "mechanics/joints", turns, "lie"}, numbers},
         {axes, {"lie"}, {}},
+        {actions, {equations, "lie"}, numbers},
+        {forwarding, {equations, axes, actions, "mechanics/solve/pivot_record.hpp"}, {}},
         {"mechanics/blocks", {"lie"}, numbers},
         {"mechanics/solve",
          {equations, "mechanics/blocks", "mechanics/model", "mechanics/joints", "mechanics/forces", "lie"},
@@ -48,8 +52,8 @@ const std::vector<Room>& rooms() {
         {"mechanics/free_body", {equations, "lie"}, {"Eigen/", "boost/multiprecision/", "boost/math/"}},
         {formulation, {equations, "mechanics/blocks/solver_choice.hpp", registration}, {}},
         {"mechanics/formulations",
-         {equations, axes, formulation, "mechanics/model", "mechanics/joints", "mechanics/forces", "mechanics/solve",
-          "lie"},
+         {equations, axes, actions, forwarding, formulation, "mechanics/model", "mechanics/joints", "mechanics/forces",
+          "mechanics/solve", "lie"},
          numbers},
         {"mechanics", {"mechanics", "lie", registered, registration}, numbers},
         {"problems/reading", {"mechanics", "lie"}, numbers},

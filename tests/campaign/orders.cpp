@@ -58,7 +58,7 @@ void certify(const std::string& problem, bool sharp, long from) {
     for (const MethodDescription& method : engine().methods()) {
         if (!is_seen_in_double(method)) continue;
         for (const OptionValues& options : variants(method))
-            for (const char* formulation : {"SO3", "SO3xR3", "SE3"}) {
+            for (const char* formulation : {"SO3", "SO3-LiePoisson", "SO3xR3", "SE3"}) {
                 const bool first_order = method.order.configuration == 1;
                 // Multipliers of order 1 of a method of order 2 need shorter steps to settle, and so do the errors of
                 // Cayley coordinates of SE(3), which start at 1.4 rad/s on the pendulum and fall by 4 only.

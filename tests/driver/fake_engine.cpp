@@ -270,6 +270,11 @@ ReferenceCheck FakeEngine::check_reference(const std::string&, const ParameterVa
     return check;
 }
 
+RotationStability FakeEngine::stability(const std::string& method) const {
+    if (method == "fake/own") return {.refusal = "it chooses its steps itself"};
+    return {.refusal = "", .limit = 2.8284271, .bounded = true, .growth = -0.000104};
+}
+
 Linearisation FakeEngine::linearise(const std::string& problem, const ParameterValues& parameters,
                                     const std::string& formulation) const {
     Linearisation result;

@@ -28,6 +28,8 @@ class FakeEngine : public Engine {
     MethodDescription method(const std::string& name, const OptionValues&) const override;
     /// Two rows of any method.
     std::vector<SchemeRow> scheme(const std::string&) const override { return {{"a_2", {"1/2"}}, {"b", {"0", "1"}}}; }
+    /// That of the classical method; not defined of a method that chooses its steps.
+    RotationStability stability(const std::string& method) const override;
     std::string skip_reason(const Cell&) const override;
     using Engine::run;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;

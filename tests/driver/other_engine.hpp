@@ -25,6 +25,7 @@ class OtherEngine : public Engine {
         return fake_.method(name, options);
     }
     std::vector<SchemeRow> scheme(const std::string& method) const override { return fake_.scheme(method); }
+    RotationStability stability(const std::string& method) const override { return fake_.stability(method); }
     std::string skip_reason(const Cell& cell) const override { return fake_.skip_reason(cell); }
     Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,
                 SampleSink* samples) const override {

@@ -9,7 +9,7 @@
 using namespace kreisel;
 using namespace dense;
 
-using Groups = std::tuple<SO3, S3, SE3, Rn<3>, Pair<Rn<3>, SO3>>;
+using Groups = std::tuple<SO3, S3, SE3, CotangentSO3, Rn<3>, Pair<Rn<3>, SO3>>;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <random>
 
+#include "lie/cotangent_so3.hpp"
 #include "lie/pair.hpp"
 #include "lie/rn.hpp"
 #include "lie/s3.hpp"
@@ -65,6 +66,13 @@ struct Representation<SE3> {
         U.topRightCorner(3, 1) = u.p;
         return U;
     }
+};
+
+/// In space axes, as SE(3) with R m as the translation.
+template <>
+struct Representation<CotangentSO3> {
+    static MatX element(const CotangentSO3::Element& g) { return Representation<SE3>::element({g.R * g.m, g.R}); }
+    static MatX algebra(const CotangentSO3::Algebra& u) { return Representation<SE3>::algebra(u); }
 };
 
 template <int n>

@@ -35,6 +35,7 @@ inline std::vector<Named> groups() {
             {"SE(3)", se3, {3}},
             {"S^3", std::make_shared<Power<S3>>(1), {0}},
             {"R^3 x S^3", std::make_shared<Power<Pair<Rn<3>, S3>>>(1), {3}},
+            {"T*SO(3)", std::make_shared<Power<CotangentSO3>>(1), {0}},
             {"R^3", std::make_shared<Power<Rn<3>>>(1), {}},
             {"R^3 x SO(3)", body, {3}},
             {"SO(3)^2", std::make_shared<Power<SO3>>(2), {0, 3}},

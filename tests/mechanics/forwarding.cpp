@@ -20,7 +20,7 @@ namespace {
 
 using Heard = std::vector<std::string>;
 
-class Listener final : public System, public SpaceAxes, public PivotRecord {
+class Listener final : public System, public SpaceAxes, public PivotRecord, public ActedUpon {
   public:
     Listener() : System(std::make_shared<AdditiveGroup>(1)) {}
     mutable Heard heard;
@@ -42,6 +42,7 @@ class Listener final : public System, public SpaceAxes, public PivotRecord {
     }
     Real kkt_round_off() const override { return hear("kkt_round_off", Real(0)); }
     Real least_pivot() override { return hear("least_pivot", Real(0)); }
+    const StateAction* action() const override { return hear("action", static_cast<const StateAction*>(nullptr)); }
     int mass_block() const override { return hear("mass_block", 1); }
     bool mass_is_constant() const override { return hear("mass_is_constant", true); }
     void mass(const Real*, Real*) const override { hear("mass"); }
@@ -120,6 +121,7 @@ const std::vector<Call>& calls() {
         KREISEL_CALL(solve_prepared, t, x, x, x, x, x),
         KREISEL_CALL(minimise_multipliers, t, x, x),
         KREISEL_CALL(kkt_round_off),
+        KREISEL_CALL(action),
         KREISEL_CALL(mass_block),
         KREISEL_CALL(mass_is_constant),
         KREISEL_CALL(mass, x, x),
@@ -192,8 +194,8 @@ TEST_CASE("a forwarding system forwards every call, once and to the same functio
 TEST_CASE("those are all that systems have", "[doubles]") {
     std::set<std::string> called;
     for (const Call& call : calls()) called.insert(call.name);
-    const auto declared =
-        declared_in({"mechanics/system.hpp", "mechanics/space_axes.hpp", "mechanics/solve/pivot_record.hpp"});
+    const auto declared = declared_in({"mechanics/system.hpp", "mechanics/space_axes.hpp",
+                                       "mechanics/solve/pivot_record.hpp", "mechanics/actions/acted_upon.hpp"});
     CHECK(declared.size() > 40);
     CHECK(called == declared);
 }

@@ -62,6 +62,25 @@ TextTable coefficients_of(const std::vector<SchemeRow>& scheme) {
     return table;
 }
 
+// On the test rotation, which is one system and needs no campaign.
+TextTable stability_of(const RotationStability& found) {
+    TextTable table{"stability", "Stability on a test rotation", {"largest h Omega", "|mu| - 1 at h Omega = 1/2"}, {}};
+    table.notes = {
+        "Small rotations of a body about a fixed axis under the torque -J Omega^2 theta, in quad: the largest h Omega "
+        "up "
+        "to which no eigenvalue mu of a step, of a method with memory of the recurrence of its steps, is larger than "
+        "1."};
+    if (!found.refusal.empty()) {
+        table.columns = {"not defined"};
+        table.rows.push_back({found.refusal});
+        return table;
+    }
+    const std::string limit =
+        found.bounded ? fmt::format("{:.4f}", found.limit) : fmt::format("none up to {:.0f}", found.limit);
+    table.rows.push_back({limit, fmt::format("{:+.2e}", found.growth)});
+    return table;
+}
+
 // What `kreisel table` would print of the results, and orders at a glance.
 void add_tables(const Results& results, const std::filesystem::path& folder, DataSheet& sheet) {
     for (const ResultTable& table : result_tables()) {
@@ -114,6 +133,7 @@ void append(std::vector<std::string>& all, std::vector<std::string> more) {
 std::vector<std::string> try_out(const MethodDescription& method, bool is_long, const std::filesystem::path& folder,
                                  const Engines& engines, std::ostream& messages, DataSheet& sheet) {
     std::vector<std::string> complaints;
+    sheet.tables.push_back(stability_of(engines.binary128.stability(method.name)));
     for (const SheetTrial& trial : trials) {
         if (trial.needs_steps && method.own_control) { continue; }
         const std::string name = trial.config;

@@ -20,7 +20,8 @@ constexpr double units_of_round_off = 1e4;
 
 Domain domain_of_cell(const ResultRow& row) {
     if (row.problem == "free_top") { return Domain::free; }
-    return row.formulation == "SO3" || row.formulation == "S3" ? Domain::potential : Domain::constrained;
+    const bool jointed = row.formulation.ends_with("xR3") || row.formulation == "SE3";
+    return jointed ? Domain::constrained : Domain::potential;
 }
 
 // Whether the metrics of these names, relative to the start where they can be, are round-off; nothing where there are

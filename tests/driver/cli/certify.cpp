@@ -46,8 +46,9 @@ TEST_CASE("certify prints and writes the data sheet of a method") {
     INFO(result.out << result.messages);
     REQUIRE(result.code == 0);
     CHECK_THAT(result.out, Catch::StartsWith("rkmk/rk4: classical\n"));
-    for (const char* part : {"Sources: kutta1901", "a_2", "0, 1", "Declared and observed orders", "4.00",
-                             "First integrals", "Cost of an accuracy"}) {
+    for (const char* part :
+         {"Sources: kutta1901", "a_2", "0, 1", "Declared and observed orders", "4.00", "First integrals",
+          "Cost of an accuracy", "Stability on a test rotation", "2.8284", "-1.04e-04"}) {
         CHECK_THAT(result.out, Catch::Contains(part));
     }
     CHECK(contents(scratch / "sheets" / "rkmk-rk4.txt") == result.out);

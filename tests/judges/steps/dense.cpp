@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <vector>
 
+#include "lie/cotangent_so3.hpp"
 #include "lie/pair.hpp"
 #include "lie/power.hpp"
 #include "lie/rn.hpp"
@@ -115,6 +116,27 @@ MatrixGroup matrix_se3() {
         return g;
     };
     return {.name = "SE3", .group = std::make_shared<Power<SE3>>(1), .hat = hat, .vee = vee, .matrix = matrix};
+}
+
+MatrixGroup matrix_cotangent_so3() {
+    const MatrixGroup se3 = matrix_se3();
+    const auto swapped = [](const VecX& u) {  // (u, n) and (p, w)
+        VecX v(6);
+        v << u.tail(3), u.head(3);
+        return v;
+    };
+    const auto matrix = [](const Real* q) {  // stored R column by column, then m
+        const Mat3 R = Eigen::Map<const Mat3>(q);
+        MatX g = MatX::Identity(4, 4);
+        g.topLeftCorner(3, 3) = R;
+        g.topRightCorner(3, 1) = R * Eigen::Map<const Vec3>(q + 9);
+        return g;
+    };
+    return {.name = "T*SO3",
+            .group = std::make_shared<Power<CotangentSO3>>(1),
+            .hat = [=](const VecX& u) { return se3.hat(swapped(u)); },
+            .vee = [=](const MatX& U) -> VecX { return swapped(se3.vee(U)); },
+            .matrix = matrix};
 }
 
 MatX dense_exp(const MatX& a) {

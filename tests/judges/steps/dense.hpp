@@ -30,6 +30,8 @@ MatrixGroup matrix_so3xr3();
 MatrixGroup matrix_s3();
 MatrixGroup matrix_s3xr3();
 MatrixGroup matrix_se3();
+/// T*SO(3) in space axes: SE(3) with R m as the translation.
+MatrixGroup matrix_cotangent_so3();
 
 MatX dense_exp(const MatX& a);
 /// u with exp(u) = a, for rotations by less than pi.

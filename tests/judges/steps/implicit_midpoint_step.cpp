@@ -11,6 +11,7 @@ namespace {
 Objection implicit_midpoint_step_objection(const Method& method) {
     for (const models::Named& named : models::for_methods())
         for (const std::string& formulation : models::applicable(named.model)) {
+            if (!stepping::runs_on(method, named.model, formulation)) continue;
             const Real h = Real(1) / 512;
             RecordedRun run(method, {}, named.model, formulation, h, 1);
             const RecordedState &before = run.states[0], &after = run.states[1];

@@ -114,6 +114,7 @@ template <class F>
 Objection on_models_with_and_without_joints(const Method& method, const OptionValues& options, int steps, F judge) {
     for (const char* name : {"forced_heavy_top", "forced_free_body", "double_pendulum"})
         for (const std::string& formulation : models::applicable(models::standard(name))) {
+            if (!stepping::runs_on(method, models::standard(name), formulation)) continue;
             RecordedRun run(method, options, models::standard(name), formulation, long_step(), steps);
             const Objection objection = judge(run).objection(equations_tolerance());
             if (!objection.empty()) return objection + " on " + name + " as " + formulation;

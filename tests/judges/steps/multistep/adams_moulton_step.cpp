@@ -59,6 +59,7 @@ Violations moulton_violations(RecordedRun& run, int k, const AdamsMoultonForm& f
 Objection adams_moulton_step_objection(const Method& method, int k, const AdamsMoultonForm& form) {
     for (const char* name : {"forced_heavy_top", "forced_free_body", "double_pendulum"})
         for (const std::string& formulation : models::applicable(models::standard(name))) {
+            if (!stepping::runs_on(method, models::standard(name), formulation)) continue;
             RecordedRun run(method, {}, models::standard(name), formulation, Real(1) / 64, k + 1);
             const Objection objection = moulton_violations(run, k, form).objection(equations_tolerance());
             if (!objection.empty()) return objection + " on " + name + " as " + formulation;

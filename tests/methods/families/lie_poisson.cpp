@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The Lie-Poisson form of a body that turns about a fixed point, SO3-LiePoisson: without forces, explicit methods keep
+// its momentum in space, and with it |m|, whatever the step; with forces it has the solution of SO3. Controls have
+// actions with one mistake.
+#include "mechanics/actions/coadjoint_action.hpp"
+#include "mechanics/forwarding_system.hpp"
+#include "mechanics/free_body/free_rotation.hpp"
+#include "mechanics/model/pivots.hpp"
+#include "tests/methods/stepping.hpp"
+
+namespace lie_poisson_form {
+
+using namespace kreisel;
+using namespace models;
+using namespace stepping;
+
+namespace {
+
+constexpr const char* lie_poisson = "SO3-LiePoisson";
+
+/// With a full inertia, about no axis of symmetry.
+Model free_body() {
+    Model model = standard("free_top");
+    model.bodies[0].J << 3, 1, -1, 1, 5, 1, -1, 1, 4;
+    model.bodies[0].start.omega = Vec3(2, -1, 3) / 2;
+    return model;
+}
+
+const long steps = KREISEL_QUAD ? 100 : 1000;
+const Real h = Real(1) / 16;
+
+struct Change {
+    Real casimir, momentum;  ///< of |m| and of R m, over |m|
+};
+
+Change change_over(const System& system, const Model& model, Integrator& integrator) {
+    const Mat3& J = model.bodies[0].J;
+    std::vector<Real> y = initial_state(system, model);
+    const auto momentum = [&]() -> Vec3 { return J * vec3(system.v(y.data())); };
+    const auto in_space = [&]() -> Vec3 { return mat3(y.data()) * momentum(); };
+    const Real size = momentum().norm();
+    const Vec3 before = in_space();
+    Change most{0, 0};
+    REQUIRE(integrator.start(0, y.data()) == Status::ok);
+    for (long i = 0; i < steps; ++i) {
+        REQUIRE(integrator.step(h * Real(i), h, y.data()) == Status::ok);
+        most.casimir = max(most.casimir, Real(abs(momentum().norm() - size) / size));
+        most.momentum = max(most.momentum, Real((in_space() - before).norm() / size));
+    }
+    return most;
+}
+
+Change change_over(const Method& entry, const OptionValues& options, const std::string& formulation) {
+    const Model model = free_body();
+    Trip trip(model, formulation, entry, options);
+    return change_over(*trip.system, model, *trip.integrator);
+}
+
+/// Slopes keep the part of v' that turns omega.
+struct TurnedTwice : CoadjointAction {
+    using CoadjointAction::CoadjointAction;
+    void from_tangent(const Real*, Real*) const override {}
+};
+
+/// m turns with R in place of against it.
+struct TurnedBackwards : CoadjointAction {
+    explicit TurnedBackwards(const Pivoted& body) : CoadjointAction(body.J_O, body.J_O_inverse), J(body.J_O) {}
+    void append_exp(const Real* y, const Real* u, Real* out) const override {
+        const Vec3 m = J * vec3(y + 9);
+        CoadjointAction::append_exp(y, u, out);
+        store(Vec3(J.inverse() * (SO3::exp(vec3(u)) * m)), out + 9);
+    }
+    Mat3 J;
+};
+
+/// m stays where it is, and only a torque changes it.
+struct NotTurned : TurnedBackwards {
+    using TurnedBackwards::TurnedBackwards;
+    void append_exp(const Real* y, const Real* u, Real* out) const override {
+        const Vec3 omega = vec3(y + 9);
+        CoadjointAction::append_exp(y, u, out);
+        store(omega, out + 9);
+    }
+};
+
+class Acted final : public ForwardingSystem {
+  public:
+    Acted(const Model& model, const StateAction* action) : ForwardingSystem(make_system(model, "SO3")), acts_(action) {}
+    const StateAction* action() const override { return acts_; }
+
+  private:
+    const StateAction* acts_;
+};
+
+/// |omega - exact| of the free body after a quarter second in N steps.
+Real error_of(const Method& entry, const StateAction& action, long N) {
+    const Model model = free_body();
+    const Body& body = model.bodies[0];
+    Acted system(model, &action);
+    const auto integrator = entry.bind(system, default_options(entry.description.options));
+    std::vector<Real> y = initial_state(system, model);
+    const Real t_end = Real(1) / 4, step = t_end / Real(N);
+    for (long i = 0; i < N; ++i) REQUIRE(integrator->step(step * Real(i), step, y.data()) == Status::ok);
+    return (vec3(system.v(y.data())) - free_rotation(body.J, body.start.R, body.start.omega, t_end).omega).norm();
+}
+
+/// Every choice of each option that has choices, the others as declared.
+std::vector<OptionValues> choices(const Method& entry) {
+    std::vector<OptionValues> all = {default_options(entry.description.options)};
+    for (const OptionDescription& option : entry.description.options)
+        for (const std::string& choice : option.choices) {
+            OptionValues options = all.front();
+            options[option.name] = choice;
+            if (entry.factory.why_not(options).empty()) all.push_back(options);
+        }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("explicit methods keep the Casimir and the momentum of a free body in Lie-Poisson form",
+          "[methods][lie_poisson]") {
+    int seen = 0;
+    for (const Method& entry : methods()) {
+        if (!runs_on(entry, free_body(), lie_poisson)) continue;
+        for (const OptionValues& options : choices(entry)) {
+            INFO(entry.description.name);
+            ++seen;
+            const Change change = change_over(entry, options, lie_poisson);
+            CHECK(change.casimir <= 10000 * epsilon);
+            CHECK(change.momentum <= 10000 * epsilon);
+        }
+    }
+    CHECK(seen >= 60);
+}
+
+TEST_CASE("where velocities are additive, explicit methods keep neither", "[methods][lie_poisson][control]") {
+    for (const char* name : {"rkmk/rk4", "crouch_grossman/cg3a", "commutator_free/cf4"}) {
+        const Change change = change_over(method(name), default_options(method(name).description.options), "SO3");
+        INFO(name << " " << to_text(change.casimir) << " " << to_text(change.momentum));
+        CHECK(change.casimir > Real(1) / 100000000);
+        CHECK(change.momentum > Real(1) / 100000000);
+    }
+}
+
+TEST_CASE("actions with one mistake miss the motion or the momentum", "[methods][lie_poisson][control]") {
+    const Model model = free_body();
+    const Pivoted body = pivoted_bodies(model)[0];
+    const CoadjointAction sound(body.J_O, body.J_O_inverse);
+    const TurnedTwice twice(body.J_O, body.J_O_inverse);
+    const TurnedBackwards backwards(body);
+    const NotTurned still(body);
+    for (const char* name : {"rkmk/heun", "crouch_grossman/cg2", "commutator_free/cf2"}) {
+        INFO(name);
+        const Method& entry = method(name);
+        CHECK(error_of(entry, sound, 64) < error_of(entry, sound, 32) / 3);
+        for (const StateAction* wrong :
+             {static_cast<const StateAction*>(&twice), static_cast<const StateAction*>(&backwards),
+              static_cast<const StateAction*>(&still)})
+            CHECK(error_of(entry, *wrong, 64) > error_of(entry, *wrong, 32) * 9 / 10);
+        Acted system(model, &twice);
+        const auto integrator = entry.bind(system, default_options(entry.description.options));
+        CHECK(change_over(system, model, *integrator).momentum > Real(1) / 1000);
+    }
+}
+
+TEST_CASE("methods that move velocities in another way decline the Lie-Poisson form", "[methods][lie_poisson]") {
+    const auto system = make_system(free_body(), lie_poisson);
+    for (const char* name : {"rkmk/gauss2", "generalized_alpha/index2", "multistep/adams_bashforth2",
+                             "energy/simo_wong", "extrapolation/midpoint4", "cautionary/rk4_right_series"}) {
+        INFO(name);
+        CHECK(method(name).factory.declines(*system) == "momenta that move on coadjoint orbits");
+    }
+    for (const Method& entry : methods())
+        if (entry.factory.takes_actions) CHECK(runs_on(entry, free_body(), lie_poisson));
+}
+
+TEST_CASE("the Lie-Poisson form takes one body about a fixed point", "[methods][lie_poisson]") {
+    const auto why_not = [](const char* problem) { return formulation(lie_poisson).why_not(standard(problem)); };
+    CHECK(why_not("free_top").empty());
+    CHECK(why_not("heavy_top").empty());
+    CHECK(why_not("double_pendulum") == "SO3-LiePoisson takes one body");
+    CHECK_THAT(why_not("forced_free_body"), Catch::Contains("has no fixed point"));
+}
+
+}  // namespace lie_poisson_form
