@@ -8,9 +8,7 @@
 
 #include "driver/campaign/interrupt.hpp"
 #include "driver/campaign/progress.hpp"
-#include "driver/config/composition/composed.hpp"
-#include "driver/config/composition/filter.hpp"
-#include "driver/config/shipped.hpp"
+#include "driver/cli/read_plans.hpp"
 #include "driver/plan/text.hpp"
 #include "records/reference_store.hpp"
 #include "support/in_shell.hpp"
@@ -23,42 +21,6 @@ struct PlannedConfig {
     Plan plan;
     std::filesystem::path folder;
 };
-
-void print_warnings(const Plan& plan, const std::string& file, std::ostream& messages) {
-    for (const std::string& warning : plan.warnings) { fmt::print(messages, "{}: warning: {}\n", file, warning); }
-}
-
-// What the command line names, as files; the errors of all are shown together.
-Paths config_files(const Paths& written) {
-    Paths files;
-    std::string errors;
-    for (const auto& one : written) {
-        try {
-            files.push_back(config_file(one));
-        } catch (const UsageError& error) { errors += (errors.empty() ? "" : "\n") + std::string(error.what()); }
-    }
-    if (!errors.empty()) { throw UsageError(errors); }
-    return files;
-}
-
-// Everything is read before anything runs; the errors of all files are shown together.
-std::vector<Plan> read_all(const Paths& files, const ConfigChanges& changes, const Engines& engines,
-                           std::ostream& messages) {
-    const Catalogue catalogue(engines.binary64);
-    std::vector<Plan> plans;
-    std::string errors;
-    for (const auto& file : files) {
-        try {
-            const Document document = composed_config(file, changes.settings);
-            Config config = read_config(document, catalogue);
-            apply_filters(changes.filters, config);
-            plans.push_back(make_plan(document, config, engines));
-            print_warnings(plans.back(), file.string(), messages);
-        } catch (const UsageError& error) { errors += (errors.empty() ? "" : "\n") + std::string(error.what()); }
-    }
-    if (!errors.empty()) { throw UsageError(errors); }
-    return plans;
-}
 
 std::vector<PlannedConfig> with_folders(std::vector<Plan> plans, const std::filesystem::path& output) {
     std::vector<PlannedConfig> result;
@@ -125,7 +87,7 @@ Exit report(const CampaignReport& report, const PlannedConfig& planned, bool ref
 Exit check_command(const Paths& written, const ConfigChanges& changes, const Engines& engines,
                    const Terminal& terminal) {
     const Paths configs = config_files(written);
-    const auto plans = read_all(configs, changes, engines, terminal.messages);
+    const auto plans = read_plans(configs, changes, engines, terminal.messages);
     for (std::size_t i = 0; i < plans.size(); ++i) {
         fmt::print(terminal.out, "{}: good; {}\n", configs[i].string(), plan_summary(plans[i]));
     }
@@ -134,7 +96,7 @@ Exit check_command(const Paths& written, const ConfigChanges& changes, const Eng
 
 Exit plan_command(const std::filesystem::path& config, const ConfigChanges& changes, bool json, const Engines& engines,
                   const Terminal& terminal) {
-    const Plan plan = read_all(config_files({config}), changes, engines, terminal.messages).front();
+    const Plan plan = read_plans(config_files({config}), changes, engines, terminal.messages).front();
     json ? print_plan_json(plan, terminal.out) : print_plan(plan, terminal.out);
     return Exit::ok;
 }
@@ -144,7 +106,7 @@ Exit run_command(const Paths& written, const ConfigChanges& changes, const std::
     RunSettings settings = given;
     const Paths configs = config_files(written);
     if (settings.cache.empty()) { settings.cache = default_cache_folder(); }
-    const auto all = with_folders(read_all(configs, changes, engines, terminal.messages), output);
+    const auto all = with_folders(read_plans(configs, changes, engines, terminal.messages), output);
     for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, planned.plan, settings); }
     const InterruptGuard guard;  // until the last word is said
     Exit result = Exit::ok;

@@ -10,7 +10,7 @@
 
 #include "driver/plan/shards.hpp"
 #include "records/journal.hpp"
-#include "records/json/diagnostics.hpp"
+#include "records/json/strict.hpp"
 #include "records/manifest.hpp"
 #include "support/files.hpp"
 #include "tests/driver/command_line.hpp"
