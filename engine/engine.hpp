@@ -235,7 +235,8 @@ class Engine {
     virtual MethodDescription method(const std::string& name, const OptionValues&) const = 0;
     /// The coefficients of a method; none where its family has no such data.
     virtual std::vector<SchemeRow> scheme(const std::string& method) const = 0;
-    /// Why this cell cannot run; empty if it can. Throws ParameterError, OptionError.
+    /// Why this cell cannot run; empty if it can. The answer is the same for any number of steps, and for any
+    /// tolerance. Throws ParameterError, OptionError.
     virtual std::string skip_reason(const Cell&) const = 0;
     /// Runs one cell. `reference` may be null: then no error.* is measured. `samples` may be null too: samples are then
     /// taken and dropped.

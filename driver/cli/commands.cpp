@@ -7,8 +7,9 @@
 #include <span>
 
 #include "driver/campaign/interrupt.hpp"
-#include "driver/campaign/progress.hpp"
+#include "driver/campaign/room.hpp"
 #include "driver/cli/read_plans.hpp"
+#include "driver/plan/estimate/amounts.hpp"
 #include "driver/plan/text.hpp"
 #include "records/reference_store.hpp"
 #include "support/in_shell.hpp"
@@ -82,6 +83,18 @@ Exit report(const CampaignReport& report, const PlannedConfig& planned, bool ref
     return report.counts.failed > 0 || !report.reference_failures.empty() ? Exit::cells_failed : Exit::ok;
 }
 
+// What long runs will take, and what there is no room for, before anything runs. Of a part, what all take together.
+void say_before(const PlannedConfig& planned, const RunSettings& settings, std::ostream& messages) {
+    constexpr double long_s = 60;
+    const Estimate estimate = estimate_of(planned.plan);
+    const std::string wanting = check_room(estimate, planned.folder, settings);
+    if (estimate.seconds > long_s && settings.shards == 1) {
+        fmt::print(messages, "{}: {}; {}\n", planned.plan.config.name, plan_summary(planned.plan),
+                   estimate_text(estimate));
+    }
+    if (!wanting.empty()) { fmt::print(messages, "warning: {}\n", wanting); }
+}
+
 }  // namespace
 
 Exit check_command(const Paths& written, const ConfigChanges& changes, const Engines& engines,
@@ -89,7 +102,8 @@ Exit check_command(const Paths& written, const ConfigChanges& changes, const Eng
     const Paths configs = config_files(written);
     const auto plans = read_plans(configs, changes, engines, terminal.messages);
     for (std::size_t i = 0; i < plans.size(); ++i) {
-        fmt::print(terminal.out, "{}: good; {}\n", configs[i].string(), plan_summary(plans[i]));
+        fmt::print(terminal.out, "{}: good; {}; {}\n", configs[i].string(), plan_summary(plans[i]),
+                   estimate_text(estimate_of(plans[i])));
     }
     return Exit::ok;
 }
@@ -108,6 +122,7 @@ Exit run_command(const Paths& written, const ConfigChanges& changes, const std::
     if (settings.cache.empty()) { settings.cache = default_cache_folder(); }
     const auto all = with_folders(read_plans(configs, changes, engines, terminal.messages), output);
     for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, planned.plan, settings); }
+    for (const PlannedConfig& planned : all) { say_before(planned, settings, terminal.messages); }
     const InterruptGuard guard;  // until the last word is said
     Exit result = Exit::ok;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "driver/config/model.hpp"
 #include "driver/config/values.hpp"
@@ -52,12 +53,13 @@ bool is_number(ParameterKind kind) {
 
 std::vector<double> read_list(const Node& list, ParameterKind kind) {
     std::vector<double> values;
+    std::unordered_set<double> known;
     for (const Node& entry :
          list.elements(expectation(kind) + ", or a list of such numbers").value_or(std::vector<Node>())) {
         const auto value = read_value(entry, kind);
         if (!value) { continue; }
         const double number = std::get<double>(*value);
-        if (std::find(values.begin(), values.end(), number) != values.end()) {
+        if (!known.insert(number).second) {
             entry.error("each value once", json_number(number) + " again");
         } else {
             values.push_back(number);

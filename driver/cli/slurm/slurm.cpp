@@ -8,11 +8,11 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "driver/campaign/progress.hpp"
 #include "driver/cli/read_plans.hpp"
 #include "driver/cli/slurm/script.hpp"
 #include "driver/cli/slurm/time_limit.hpp"
 #include "driver/config/resolved.hpp"
+#include "driver/plan/estimate/amounts.hpp"
 #include "driver/plan/shards.hpp"
 #include "driver/plan/text.hpp"
 #include "support/files.hpp"

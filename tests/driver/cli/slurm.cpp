@@ -25,7 +25,7 @@ ProgramResult slurm(const std::string& config, const std::filesystem::path& fold
 
 std::vector<std::string> hashes(const Plan& plan) {
     std::vector<std::string> all;
-    for (const PlannedCell& planned : plan.cells) { all.push_back(planned.hash); }
+    for (const PlannedCell& planned : plan.cells) { all.push_back(planned.hash()); }
     return all;
 }
 
@@ -54,8 +54,8 @@ TEST_CASE("the config that is written gives the plan that was checked") {
     Plan expected = plan_of(parse_document("c.json", good_config()), one_engine);
     CHECK(written.cells.size() < expected.cells.size());
     for (const PlannedCell& planned : written.cells) {
-        CHECK(planned.cell.method == "rkmk/midpoint");
-        CHECK(planned.cell.t_end == 0.5);
+        CHECK(planned.cell().method == "rkmk/midpoint");
+        CHECK(planned.cell().t_end == 0.5);
     }
     REQUIRE(slurm(config, scratch / "all").code == 0);
     CHECK(hashes(plan_of(parse_document("t", contents(scratch / "all" / "config.json")), one_engine)) ==
