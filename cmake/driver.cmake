@@ -28,6 +28,14 @@ add_custom_command(OUTPUT ${page_source} DEPENDS ${page_parts} ${CMAKE_SOURCE_DI
                            -P ${CMAKE_SOURCE_DIR}/cmake/page.cmake VERBATIM)
 target_sources(kreisel_driver PRIVATE ${page_source})
 set_source_files_properties(${page_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+# The jobs in the script that `kreisel slurm` writes.
+set(jobs ${CMAKE_SOURCE_DIR}/driver/cli/slurm/jobs.sh)
+set(jobs_source ${CMAKE_BINARY_DIR}/generated/kreisel_slurm_jobs.cpp)
+add_custom_command(OUTPUT ${jobs_source} DEPENDS ${jobs} ${CMAKE_SOURCE_DIR}/cmake/embedded.cmake
+                   COMMAND ${CMAKE_COMMAND} -D FROM=${jobs} -D TO=${jobs_source} -D NAME=slurm_jobs
+                           -P ${CMAKE_SOURCE_DIR}/cmake/embedded.cmake)
+target_sources(kreisel_driver PRIVATE ${jobs_source})
+set_source_files_properties(${jobs_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 target_include_directories(kreisel_driver PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
 find_library(KREISEL_NETTLE nettle REQUIRED)  # SHA-256
 target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 GSL::gsl Threads::Threads

@@ -193,6 +193,13 @@ if(TARGET kreisel)
   endforeach()
 endif()
 
+# `kreisel slurm` on a real Slurm, which the test starts and stops. Skipped by name where there is none, unless
+# KREISEL_REQUIRE has `cluster`.
+if(TARGET kreisel)
+  add_test(NAME cluster.slurm COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/cluster/run.py $<TARGET_FILE:kreisel>)
+  set_tests_properties(cluster.slurm PROPERTIES LABELS cluster SKIP_RETURN_CODE 77 TIMEOUT 600)
+endif()
+
 include(cmake/docs.cmake)
 
 # The table of controls that ./check writes at its end, which runs every check on every control.

@@ -24,6 +24,15 @@ constexpr int file_mode = 0666;  // the umask decides
     throw FileError(fmt::format("{}: {}: {}", path.string(), action, std::strerror(error)));
 }
 
+[[noreturn]] void fail_to_lock(const std::filesystem::path& path, int error) {
+    const bool knows_none = error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP;
+    if (!knows_none) { fail(path, "cannot be locked", error); }
+    fail(path,
+         "this file system has no locks, which keep two runs apart: choose a folder on another one, or let it be "
+         "mounted with locks (NFS: without nolock and local_lock; Lustre: with flock)",
+         error);
+}
+
 // Returns 0, or errno of the write that failed.
 int write_all(int descriptor, std::string_view text) {
     while (!text.empty()) {
@@ -114,7 +123,7 @@ void FolderLock::acquire(Descriptor& descriptor, bool shared, const std::filesys
     if (errno == EWOULDBLOCK) {
         throw FileError(fmt::format("{}: another run is writing to this folder", folder.string()));
     }
-    fail(folder, "cannot be locked", errno);
+    fail_to_lock(folder, errno);
 }
 
 ThingLock::ThingLock(const std::filesystem::path& file, const std::string& thing)
@@ -126,7 +135,7 @@ ThingLock::ThingLock(const std::filesystem::path& file, const std::string& thing
     region.l_start = static_cast<off_t>(hash64(thing) >> 2U);  // two things that share a byte wait in vain, no more
     region.l_len = 1;
     held_ = ::fcntl(file_.number(), F_OFD_SETLKW, &region) == 0;
-    if (!held_ && errno != EINTR) { fail(file, "cannot be locked", errno); }
+    if (!held_ && errno != EINTR) { fail_to_lock(file, errno); }
 }
 
 }  // namespace kreisel

@@ -31,7 +31,7 @@ std::vector<std::string> wanted_references(const Plan& plan, const Ledger& ledge
     std::set<std::string> known;
     std::vector<std::string> wanted;
     for (const std::size_t index : ledger.mine()) {
-        const std::string& hash = plan.cells[index].reference;
+        const std::string& hash = plan.cells[index].reference();
         if (!hash.empty() && known.insert(hash).second) { wanted.push_back(hash); }
     }
     for (const auto& [hash, planned] : plan.references) {
@@ -99,7 +99,7 @@ void prepare(const std::filesystem::path& folder, const Plan& plan) {
 
 void list_failures(const Plan& plan, const Finished& finished, CampaignReport& report) {
     for (const PlannedCell& planned : plan.cells) {
-        const auto found = finished.find(planned.hash);
+        const auto found = finished.find(planned.hash());
         if (found != finished.end() && found->second.outcome.failed()) {
             report.failures.emplace_back(failure_text(planned, found->second.outcome), found->second.outcome.status);
         }

@@ -21,7 +21,7 @@ namespace {
 std::size_t foreign_cells(const Plan& plan, const JournalContents& earlier, const RunSettings& settings) {
     std::size_t count = 0;
     for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
-        count += earlier.foreign.count(plan.cells[i].hash);
+        count += earlier.foreign.count(plan.cells[i].hash());
     }
     return count;
 }
@@ -30,7 +30,7 @@ std::size_t foreign_cells(const Plan& plan, const JournalContents& earlier, cons
 std::vector<std::string> would_write(const Plan& plan, const RunSettings& settings) {
     std::vector<std::string> paths = files_of_run(shard_name(settings), false, false);
     for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
-        if (plan.config.samples > 0) { paths.push_back(trajectory_file(plan.cells[i].hash)); }
+        if (plan.config.samples > 0) { paths.push_back(trajectory_file(plan.cells[i].hash())); }
     }
     for (const auto& [hash, planned] : plan.references) { paths.push_back(reference_file("", hash).string()); }
     return paths;
@@ -73,7 +73,7 @@ void remove_leftovers(const Plan& plan, const std::filesystem::path& folder, con
                       const JournalContents& journals) {
     std::set<std::string> mine;
     for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
-        mine.insert(plan.cells[i].hash);
+        mine.insert(plan.cells[i].hash());
     }
     remove_parts(folder, [&](const std::string& cell) {
         return !journals.interrupted.contains(cell) && (settings.shards == 1 || mine.contains(cell));

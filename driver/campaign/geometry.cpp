@@ -9,8 +9,8 @@ std::vector<CellGeometry> geometries_of(const Plan& plan, const Engine& engine) 
     std::vector<CellGeometry> geometries;
     std::vector<const Cell*> firsts;
     for (const PlannedCell& planned : plan.cells) {
-        const Cell& cell = planned.cell;
-        if (cell.samples == 0 || !planned.skip_reason.empty()) { continue; }
+        const Cell& cell = planned.cell();
+        if (cell.samples == 0 || !planned.skip_reason().empty()) { continue; }
         const auto same = [&](const Cell* other) {
             return other->problem == cell.problem && other->parameters == cell.parameters;
         };
@@ -20,7 +20,7 @@ std::vector<CellGeometry> geometries_of(const Plan& plan, const Engine& engine) 
             firsts.push_back(&cell);
             geometries.push_back({{}, engine.geometry(cell.problem, cell.parameters)});
         }
-        geometries[index].cells.push_back(planned.hash);
+        geometries[index].cells.push_back(planned.hash());
     }
     return geometries;
 }

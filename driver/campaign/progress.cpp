@@ -6,6 +6,8 @@
 #include <cmath>
 #include <ostream>
 
+#include "driver/plan/estimate/amounts.hpp"
+
 namespace kreisel {
 
 namespace {
@@ -13,13 +15,6 @@ namespace {
 constexpr double terminal_interval = 0.2, log_interval = 5.0;  // s
 
 }  // namespace
-
-std::string duration_text(double seconds) {
-    if (seconds < 10) { return fmt::format("{:.1f} s", seconds); }
-    const long whole = std::lround(seconds);
-    if (whole >= 3600) { return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60); }
-    return whole >= 60 ? fmt::format("{} min {:02} s", whole / 60, whole % 60) : fmt::format("{} s", whole);
-}
 
 Progress::Progress(std::ostream& out, std::string name, bool terminal)
     : out_(out), name_(std::move(name)), terminal_(terminal), start_(Clock::now()), last_(start_) {}

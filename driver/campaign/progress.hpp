@@ -33,7 +33,4 @@ class Progress {
     Clock::time_point start_, last_;
 };
 
-/// "1 h 02 min", "3 min 07 s", "12 s", "0.4 s".
-std::string duration_text(double seconds);
-
 }  // namespace kreisel

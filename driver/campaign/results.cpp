@@ -32,10 +32,10 @@ void write_results(const Plan& plan, const std::map<std::string, CellRecord>& fi
     std::vector<CellRecord> records;
     std::string text;
     for (const PlannedCell& planned : plan.cells) {
-        const auto found = finished.find(planned.hash);
+        const auto found = finished.find(planned.hash());
         if (found == finished.end()) { continue; }
         records.push_back(found->second);
-        records.back().identity = planned.identity;  // its label may have changed since
+        records.back().identity = planned.identity();  // its label may have changed since
         text += result_line(records.back()) + "\n";
     }
     write_atomically(folder / "results.jsonl", text);
@@ -62,7 +62,7 @@ CellCounts count_cells(const Plan& plan, const std::map<std::string, CellRecord>
                        const RunSettings& settings) {
     CellCounts counts;
     for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
-        const auto found = finished.find(plan.cells[i].hash);
+        const auto found = finished.find(plan.cells[i].hash());
         ++counts.total;
         if (found == finished.end()) {
             ++counts.missing;
@@ -76,12 +76,12 @@ CellCounts count_cells(const Plan& plan, const std::map<std::string, CellRecord>
 }
 
 std::string cell_text(const PlannedCell& planned) {
-    const Cell& cell = planned.cell;
+    const Cell& cell = planned.cell();
     const auto with_options = [](const std::string& name, const OptionValues& options) {
         return options.empty() ? name : name + " " + options_text(options);
     };
-    return fmt::format("{} on {} {}, projection {}, {}, {}", with_options(cell.method, cell.options), planned.label,
-                       cell.formulation, with_options(cell.projection, cell.projection_options), planned.precision,
+    return fmt::format("{} on {} {}, projection {}, {}, {}", with_options(cell.method, cell.options), planned.label(),
+                       cell.formulation, with_options(cell.projection, cell.projection_options), planned.precision(),
                        stepping_text(cell));
 }
 

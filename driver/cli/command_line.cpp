@@ -48,6 +48,7 @@ CommandLine::CommandLine(const Engines& engines, const Terminal& terminal)
     add_inquiries();
     add_planning();
     add_run();
+    add_slurm();
     add_results();
     add_diff();
 }

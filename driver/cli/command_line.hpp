@@ -11,6 +11,7 @@
 #include "driver/cli/catalogue/traits.hpp"
 #include "driver/cli/commands.hpp"
 #include "driver/cli/diff.hpp"
+#include "driver/cli/slurm/slurm.hpp"
 
 namespace kreisel {
 
@@ -38,9 +39,10 @@ class CommandLine {
         MethodFilter filter;
         Paths configs, folders;
         ConfigChanges changes;
-        std::filesystem::path folder, output;
+        std::filesystem::path config, folder, output;
         RunSettings settings;
         DiffSettings diff;
+        SlurmSettings slurm;
         bool json = false, is_long = false, mixed = false;
         std::size_t cells = 20;
         unsigned seed = 1;
@@ -54,6 +56,7 @@ class CommandLine {
     void add_planning();
     void add_run();
     void add_limits(CLI::App& run);
+    void add_slurm();
     void add_results();
     void add_diff();
 

@@ -7,10 +7,9 @@
 #include <span>
 
 #include "driver/campaign/interrupt.hpp"
-#include "driver/campaign/progress.hpp"
-#include "driver/config/composition/composed.hpp"
-#include "driver/config/composition/filter.hpp"
-#include "driver/config/shipped.hpp"
+#include "driver/campaign/room.hpp"
+#include "driver/cli/read_plans.hpp"
+#include "driver/plan/estimate/amounts.hpp"
 #include "driver/plan/text.hpp"
 #include "records/reference_store.hpp"
 #include "support/in_shell.hpp"
@@ -23,42 +22,6 @@ struct PlannedConfig {
     Plan plan;
     std::filesystem::path folder;
 };
-
-void print_warnings(const Plan& plan, const std::string& file, std::ostream& messages) {
-    for (const std::string& warning : plan.warnings) { fmt::print(messages, "{}: warning: {}\n", file, warning); }
-}
-
-// What the command line names, as files; the errors of all are shown together.
-Paths config_files(const Paths& written) {
-    Paths files;
-    std::string errors;
-    for (const auto& one : written) {
-        try {
-            files.push_back(config_file(one));
-        } catch (const UsageError& error) { errors += (errors.empty() ? "" : "\n") + std::string(error.what()); }
-    }
-    if (!errors.empty()) { throw UsageError(errors); }
-    return files;
-}
-
-// Everything is read before anything runs; the errors of all files are shown together.
-std::vector<Plan> read_all(const Paths& files, const ConfigChanges& changes, const Engines& engines,
-                           std::ostream& messages) {
-    const Catalogue catalogue(engines.binary64);
-    std::vector<Plan> plans;
-    std::string errors;
-    for (const auto& file : files) {
-        try {
-            const Document document = composed_config(file, changes.settings);
-            Config config = read_config(document, catalogue);
-            apply_filters(changes.filters, config);
-            plans.push_back(make_plan(document, config, engines));
-            print_warnings(plans.back(), file.string(), messages);
-        } catch (const UsageError& error) { errors += (errors.empty() ? "" : "\n") + std::string(error.what()); }
-    }
-    if (!errors.empty()) { throw UsageError(errors); }
-    return plans;
-}
 
 std::vector<PlannedConfig> with_folders(std::vector<Plan> plans, const std::filesystem::path& output) {
     std::vector<PlannedConfig> result;
@@ -120,21 +83,34 @@ Exit report(const CampaignReport& report, const PlannedConfig& planned, bool ref
     return report.counts.failed > 0 || !report.reference_failures.empty() ? Exit::cells_failed : Exit::ok;
 }
 
+// What long runs will take, and what there is no room for, before anything runs. Of a part, what all take together.
+void say_before(const PlannedConfig& planned, const RunSettings& settings, std::ostream& messages) {
+    constexpr double long_s = 60;
+    const Estimate estimate = estimate_of(planned.plan);
+    const std::string wanting = check_room(estimate, planned.folder, settings);
+    if (estimate.seconds > long_s && settings.shards == 1) {
+        fmt::print(messages, "{}: {}; {}\n", planned.plan.config.name, plan_summary(planned.plan),
+                   estimate_text(estimate));
+    }
+    if (!wanting.empty()) { fmt::print(messages, "warning: {}\n", wanting); }
+}
+
 }  // namespace
 
 Exit check_command(const Paths& written, const ConfigChanges& changes, const Engines& engines,
                    const Terminal& terminal) {
     const Paths configs = config_files(written);
-    const auto plans = read_all(configs, changes, engines, terminal.messages);
+    const auto plans = read_plans(configs, changes, engines, terminal.messages);
     for (std::size_t i = 0; i < plans.size(); ++i) {
-        fmt::print(terminal.out, "{}: good; {}\n", configs[i].string(), plan_summary(plans[i]));
+        fmt::print(terminal.out, "{}: good; {}; {}\n", configs[i].string(), plan_summary(plans[i]),
+                   estimate_text(estimate_of(plans[i])));
     }
     return Exit::ok;
 }
 
 Exit plan_command(const std::filesystem::path& config, const ConfigChanges& changes, bool json, const Engines& engines,
                   const Terminal& terminal) {
-    const Plan plan = read_all(config_files({config}), changes, engines, terminal.messages).front();
+    const Plan plan = read_plans(config_files({config}), changes, engines, terminal.messages).front();
     json ? print_plan_json(plan, terminal.out) : print_plan(plan, terminal.out);
     return Exit::ok;
 }
@@ -144,8 +120,9 @@ Exit run_command(const Paths& written, const ConfigChanges& changes, const std::
     RunSettings settings = given;
     const Paths configs = config_files(written);
     if (settings.cache.empty()) { settings.cache = default_cache_folder(); }
-    const auto all = with_folders(read_all(configs, changes, engines, terminal.messages), output);
+    const auto all = with_folders(read_plans(configs, changes, engines, terminal.messages), output);
     for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, planned.plan, settings); }
+    for (const PlannedConfig& planned : all) { say_before(planned, settings, terminal.messages); }
     const InterruptGuard guard;  // until the last word is said
     Exit result = Exit::ok;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -67,7 +67,7 @@ class Merger {
   public:
     Merger(const Plan& plan, std::filesystem::path target, std::string build, std::ostream& messages)
         : target_(std::move(target)), build_(std::move(build)), messages_(messages) {
-        for (const PlannedCell& planned : plan.cells) { planned_.insert(planned.hash); }
+        for (const PlannedCell& planned : plan.cells) { planned_.insert(planned.hash()); }
     }
 
     void add(const std::filesystem::path& folder) {
@@ -137,7 +137,7 @@ class Merger {
 void list_missing(const Plan& plan, const std::map<std::string, CellRecord>& finished,
                   const std::filesystem::path& target, std::ostream& messages) {
     for (const PlannedCell& planned : plan.cells) {
-        if (!finished.contains(planned.hash)) { fmt::print(messages, "missing: {}\n", cell_text(planned)); }
+        if (!finished.contains(planned.hash())) { fmt::print(messages, "missing: {}\n", cell_text(planned)); }
     }
     fmt::print(messages, "compute what is missing with: kreisel run {} -o {} --resume\n",
                in_shell(manifest_file(target, "").string()), in_shell(target.string()));

@@ -12,7 +12,7 @@ std::vector<CellIdentity> planned_cells(const std::filesystem::path& folder, con
     try {
         const ManifestContents manifest = read_manifest(manifest_file(folder, ""));
         for (const PlannedCell& planned : plan_of(manifest.config, engines).cells) {
-            cells.push_back(planned.identity);
+            cells.push_back(planned.identity());
         }
     } catch (const UsageError&) {  // another version's config
         return {};

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "driver/config/model.hpp"
 #include "driver/config/values.hpp"
@@ -61,18 +63,15 @@ struct Axis {
 };
 using Axes = std::vector<Axis>;
 
-bool has(const std::vector<ParameterValue>& values, const ParameterValue& value) {
-    return std::find(values.begin(), values.end(), value) != values.end();
-}
-
 std::vector<ParameterValue> read_list(const Node& list, ParameterKind kind, const std::string& expected, bool each_once,
                                       const PrintedNumbers& printed) {
     std::vector<ParameterValue> values;
+    std::unordered_set<std::string> known;
     for (const Node& entry : list.elements(expected).value_or(std::vector<Node>())) {
         const auto value = read_value(entry, kind, printed);
         if (!value) { continue; }
-        if (each_once && has(values, *value)) {
-            entry.error("each value once", json_value(*value) + " again");
+        if (std::string text = json_value(*value); each_once && !known.insert(text).second) {
+            entry.error("each value once", text + " again");
         } else {
             values.push_back(*value);
         }
@@ -111,13 +110,15 @@ bool fit_together(const Axes& axes) {
                         std::to_string(axis.values.size()));
         return false;
     }
+    std::unordered_map<std::string, std::size_t> combinations;
     for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t k = 0; k < i; ++k) {
-            const auto same = [&](const Axis& axis) { return axis.values[i] == axis.values[k]; };
-            if (!std::all_of(axes.begin(), axes.end(), same)) { continue; }
-            axes.front().node.error("each combination once", fmt::format("those at {} and {} are the same", k, i));
-            return false;
-        }
+        std::string text;
+        for (const Axis& axis : axes) { text += json_value(axis.values[i]) + ";"; }
+        const auto [first, is_new] = combinations.emplace(text, i);
+        if (is_new) { continue; }
+        axes.front().node.error("each combination once",
+                                fmt::format("those at {} and {} are the same", first->second, i));
+        return false;
     }
     return true;
 }
@@ -135,27 +136,25 @@ std::vector<ParameterPoint> crossed(const std::vector<ParameterPoint>& points, c
     return all;
 }
 
-/// The values that a parameter takes, in the order of their first points.
-std::vector<ParameterValue> values_of(const std::vector<ParameterPoint>& points, const std::string& name) {
-    std::vector<ParameterValue> values;
+/// Which of the values that a parameter takes each point has, from 1, by their texts.
+std::unordered_map<std::string, std::size_t> numbered_values(const std::vector<ParameterPoint>& points,
+                                                             const std::string& name) {
+    std::unordered_map<std::string, std::size_t> numbers;
     for (const ParameterPoint& point : points) {
-        if (!has(values, point.values.at(name))) { values.push_back(point.values.at(name)); }
+        numbers.emplace(json_value(point.values.at(name)), numbers.size() + 1);
     }
-    return values;
+    return numbers;
 }
 
-/// Names the values of parameters that vary: numbers and vectors as they are, of what is longer which it is, from 1.
-void label(std::vector<ParameterPoint>& points, const ProblemDescription& problem) {
-    if (points.size() == 1) { return; }
-    for (const ParameterDescription& parameter : problem.parameters) {
-        const std::vector<ParameterValue> values = values_of(points, parameter.name);
-        if (values.size() == 1) { continue; }
+/// Names the values of parameters that vary: numbers and vectors as they are, of what is longer which it is.
+void label(std::vector<ParameterPoint>& points, const std::vector<std::string>& varying) {
+    for (const std::string& name : varying) {
+        const auto numbers = numbered_values(points, name);
+        if (numbers.size() == 1) { continue; }
         for (ParameterPoint& point : points) {
-            const ParameterValue& value = point.values.at(parameter.name);
-            const auto which = std::find(values.begin(), values.end(), value) - values.begin() + 1;
-            const std::string text = json_value(value);
-            point.listed += fmt::format(", {} = {}", parameter.name,
-                                        text.size() <= longest_label ? text : fmt::format("#{}", which));
+            const std::string text = json_value(point.values.at(name));
+            const bool is_short = text.size() <= longest_label;
+            point.listed += fmt::format(", {} = {}", name, is_short ? text : fmt::format("#{}", numbers.at(text)));
         }
     }
 }
@@ -168,7 +167,9 @@ std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDe
     if (!written.require_object("an object of parameters")) { return points; }
     written.only_keys(names_of(problem.parameters));
     std::vector<Axes> axes;  // in the order of the first parameter of each
+    std::vector<std::string> varying;
     const auto add = [&](Axis axis) {
+        varying.push_back(axis.name);
         const auto zipped = std::find_if(axes.begin(), axes.end(), [&](const Axes& some) {
             return !axis.zip.empty() && some.front().zip == axis.zip;
         });
@@ -189,7 +190,7 @@ std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDe
     for (const Axes& some : axes) {
         if (!some.front().values.empty()) { points = crossed(points, some); }
     }
-    label(points, problem);
+    label(points, varying);
     return points;
 }
 

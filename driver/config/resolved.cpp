@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <unordered_set>
 
 #include "records/json/writer.hpp"
 
@@ -18,23 +18,22 @@ std::string list_text(const Entries& entries, const Write& write) {
     return "[" + text + "]";
 }
 
-// The values that a parameter takes among entries, in order of first appearance.
-std::vector<ParameterValue> values_of(const std::vector<ProblemEntry>& entries, const std::string& name) {
-    std::vector<ParameterValue> values;
+// The texts of the values that a parameter takes among entries, in order of first appearance.
+std::vector<std::string> texts_of(const std::vector<ProblemEntry>& entries, const std::string& name) {
+    std::vector<std::string> texts;
+    std::unordered_set<std::string> known;
     for (const ProblemEntry& entry : entries) {
-        const ParameterValue& value = entry.parameters.at(name);
-        if (std::find(values.begin(), values.end(), value) == values.end()) { values.push_back(value); }
+        std::string text = json_value(entry.parameters.at(name));
+        if (known.insert(text).second) { texts.push_back(std::move(text)); }
     }
-    return values;
+    return texts;
 }
-
-std::string value_text(const ParameterValue& value) { return json_value(value); }
 
 // Whether lists of numbers make these entries, all of them crossed.
 bool are_crossed_numbers(const std::vector<ProblemEntry>& entries) {
     std::size_t count = 1;
     for (const auto& [name, value] : entries.front().parameters) {
-        const std::size_t values = values_of(entries, name).size();
+        const std::size_t values = texts_of(entries, name).size();
         if (values > 1 && !std::holds_alternative<double>(value)) { return false; }
         count *= values;
     }
@@ -43,9 +42,10 @@ bool are_crossed_numbers(const std::vector<ProblemEntry>& entries) {
 
 // The value of a parameter, a list of numbers, or an axis that varies with all others.
 std::string parameter_text(const std::vector<ProblemEntry>& entries, const std::string& name, bool crossed) {
-    const std::vector<ParameterValue> values = values_of(entries, name);
-    if (values.size() == 1) { return json_value(values.front()); }
-    if (crossed) { return list_text(values, value_text); }
+    const std::vector<std::string> texts = texts_of(entries, name);
+    if (texts.size() == 1) { return texts.front(); }
+    const auto as_it_is = [](const std::string& text) { return text; };
+    if (crossed) { return list_text(texts, as_it_is); }
     const std::string axis =
         list_text(entries, [&](const ProblemEntry& entry) { return json_value(entry.parameters.at(name)); });
     return ObjectWriter().member("axis", axis).member("zip", json_text("all")).text();

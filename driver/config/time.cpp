@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <unordered_set>
 
 namespace kreisel {
 
@@ -14,15 +15,26 @@ namespace {
 constexpr double whole_tolerance = 1e-9;  // how far end/step may be from a whole number, relative to it
 constexpr const char* tolerance_expectation = "a tolerance greater than 0 and less than 1";
 
-void add_steps(const Node& node, long steps, Config& config) {
-    if (std::find(config.steps.begin(), config.steps.end(), steps) != config.steps.end()) {
-        node.error("each number of steps once", fmt::format("{} again", steps));
-        return;
-    }
-    config.steps.push_back(steps);
-}
+// Fills the numbers of steps of a config, each once.
+class StepList {
+  public:
+    explicit StepList(Config& config) : config_(config) {}
 
-void read_geometric(const Node& node, Config& config) {
+    void add(const Node& node, long steps) {
+        if (known_.insert(steps).second) {
+            config_.steps.push_back(steps);
+        } else {
+            node.error("each number of steps once", fmt::format("{} again", steps));
+        }
+    }
+    double t_end() const { return config_.t_end; }
+
+  private:
+    Config& config_;
+    std::unordered_set<long> known_;
+};
+
+void read_geometric(const Node& node, StepList& list) {
     node.only_keys({"from", "levels", "factor"});
     const auto from_node = node.require("from", "the smallest number of steps");
     const auto levels_node = node.require("levels", "how many step counts there are");
@@ -39,37 +51,37 @@ void read_geometric(const Node& node, Config& config) {
             return;
         }
         steps *= level > 0 ? factor : 1;
-        add_steps(node, steps, config);
+        list.add(node, steps);
     }
 }
 
-void read_steps(const Node& node, Config& config) {
+void read_steps(const Node& node, StepList& list) {
     if (node.is_object()) {
-        read_geometric(node, config);
+        read_geometric(node, list);
         return;
     }
     const auto entries =
         node.is_array() ? node.elements("a number of steps, or a list of them") : node.elements_or_self();
     for (const Node& entry : entries.value_or(std::vector<Node>())) {
-        if (const auto steps = entry.count(1, largest_count, "a number of steps")) { add_steps(entry, *steps, config); }
+        if (const auto steps = entry.count(1, largest_count, "a number of steps")) { list.add(entry, *steps); }
     }
 }
 
-void read_step_sizes(const Node& node, Config& config) {
+void read_step_sizes(const Node& node, StepList& list) {
     const auto entries = node.is_array() ? node.elements("a step in s, or a list of them") : node.elements_or_self();
     for (const Node& entry : entries.value_or(std::vector<Node>())) {
         const auto step = entry.positive("a step greater than 0 (s)");
-        if (!step || !(config.t_end > 0)) { continue; }
-        const double ratio = config.t_end / *step;
+        if (!step || !(list.t_end() > 0)) { continue; }
+        const double ratio = list.t_end() / *step;
         const double steps = std::round(ratio);
         if (!(ratio <= static_cast<double>(largest_count)) || steps < 1 ||
             std::abs(ratio - steps) > whole_tolerance * steps) {
-            entry.error(fmt::format("a step that divides the end time {} into 1 to {} equal steps", config.t_end,
+            entry.error(fmt::format("a step that divides the end time {} into 1 to {} equal steps", list.t_end(),
                                     largest_count),
                         fmt::format("{}, which gives {} steps", *step, ratio));
             continue;
         }
-        add_steps(entry, static_cast<long>(steps), config);
+        list.add(entry, static_cast<long>(steps));
     }
 }
 
@@ -144,12 +156,13 @@ void read_time(const Node& time, Config& config) {
     const auto tolerance = time.find("tolerance");
     if (tolerance) { read_tolerances(*tolerance, config); }
     read_controller(time, config);
+    StepList list(config);
     if (steps && step) {
         step->error("either \"steps\" or \"step\"", "both");
     } else if (steps) {
-        read_steps(*steps, config);
+        read_steps(*steps, list);
     } else if (step) {
-        read_step_sizes(*step, config);
+        read_step_sizes(*step, list);
     } else if (!tolerance) {
         time.error(time_expectation, "neither \"steps\" nor \"step\" nor \"tolerance\"");
     }

@@ -35,10 +35,10 @@ double root(double x, int p) {
 }
 
 double steps_of(const PlannedCell& planned) {
-    const Cell& cell = planned.cell;
-    if (cell.tolerance <= 0) { return static_cast<double>(cell.steps); }
-    const int order = planned.identity.order ? std::max(1, planned.identity.order->configuration) : 1;
-    return steps_to_tolerance * cell.t_end * root(std::max(1.0, 1 / cell.tolerance), order);
+    if (planned.tolerance <= 0) { return static_cast<double>(planned.steps); }
+    const auto& declared = planned.run->identity.order;
+    const int order = declared ? std::max(1, declared->configuration) : 1;
+    return steps_to_tolerance * planned.run->cell.t_end * root(std::max(1.0, 1 / planned.tolerance), order);
 }
 
 // Measuring and projecting a step cost about as much as a stage.
@@ -50,11 +50,11 @@ double solves_per_step(const Cell& cell, const MethodDescription& method) {
 }  // namespace
 
 double cost_of(const PlannedCell& planned, const MethodDescription& method, const SystemSummary& system) {
-    if (!planned.skip_reason.empty()) { return start_s; }
+    if (!planned.skip_reason().empty()) { return start_s; }
     const double n = unknowns(system);
     const double solve = (solve_s + entry_s * n * std::min(n, dense)) * (planned.quad() ? quad : 1);
-    const double run = steps_of(planned) * solves_per_step(planned.cell, method) * solve;
-    const bool is_timed = planned.cell.timed || planned.cell.repeated;
+    const double run = steps_of(planned) * solves_per_step(planned.run->cell, method) * solve;
+    const bool is_timed = planned.run->cell.timed || planned.run->cell.repeated;
     return start_s + run + (is_timed ? std::max(timed_s, (timing_rounds - 1) * run) : 0);
 }
 

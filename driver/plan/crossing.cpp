@@ -17,20 +17,19 @@ namespace kreisel {
 namespace {
 
 // A reference that knows samples is another one than that which does not.
-void name_reference(PlannedCell& planned, const SystemSummary& system, Plan& plan) {
-    const Cell& cell = planned.cell;
+std::string add_reference(const Cell& cell, const SystemSummary& system, Plan& plan) {
     const long samples = asks_for_largest_errors(cell.metrics) ? cell.samples : 0;
-    if (samples == 0 && !asks_for_errors(cell.metrics)) { return; }
+    if (samples == 0 && !asks_for_errors(cell.metrics)) { return ""; }
     ObjectWriter object;
     object.member("problem", json_text(cell.problem))
         .member("parameters", json_value(cell.parameters))
         .member("t_end", json_number(cell.t_end));
     if (samples > 0) { object.member("samples", fmt::format("{}", samples)); }
     const std::string content = object.text();
-    planned.reference = hash_text(content);
     PlannedReference reference{cell.problem, cell.parameters, cell.t_end, samples, content};
     reference.weight = cost_of(reference, system);
-    plan.references.insert({planned.reference, std::move(reference)});
+    plan.references.insert({hash_text(content), std::move(reference)});
+    return hash_text(content);
 }
 
 // Constant steps, or a tolerance.
@@ -82,52 +81,56 @@ class Crossing {
         const Config& config = plan_.config;
         for (const std::string& precision : config.precisions) {
             const MethodDescription described = engines_.of(precision).method(method.name, method.options);
-            for (const Stepping& stepping : steppings_of(described, config)) {
-                PlannedCell planned;
-                planned.cell = {.problem = problem.name,
-                                .parameters = problem.parameters,
-                                .formulation = formulation,
-                                .method = method.name,
-                                .options = method.options,
-                                .projection = projection.name,
-                                .projection_options = projection.options,
-                                .t_end = config.t_end,
-                                .steps = stepping.steps,
-                                .tolerance = stepping.tolerance,
-                                .controller = config.controller,
-                                .dense = config.dense,
-                                .samples = config.samples,
-                                .metrics = config.metrics,
-                                .timed = config.is_timed(),
-                                .repeated = config.is_repeated()};
-                planned.series = problem.series;
-                planned.label = problem.label;
-                planned.precision = precision;
-                planned.skip_reason = stepping.skip_reason;
-                identify(planned, described.order);
-                add(std::move(planned), described, problem, method, projection);
-            }
+            const Cell cell = {.problem = problem.name,
+                               .parameters = problem.parameters,
+                               .formulation = formulation,
+                               .method = method.name,
+                               .options = method.options,
+                               .projection = projection.name,
+                               .projection_options = projection.options,
+                               .t_end = config.t_end,
+                               .controller = config.controller,
+                               .dense = config.dense,
+                               .samples = config.samples,
+                               .metrics = config.metrics,
+                               .timed = config.is_timed(),
+                               .repeated = config.is_repeated()};
+            const PlannedRun run{cell, identity_of(cell, problem, precision, described.order), "", ""};
+            add_cells(run, described, problem, method, projection);
         }
     }
 
-    void add(PlannedCell planned, const MethodDescription& described, const ProblemEntry& problem,
-             const OptionedEntry& method, const OptionedEntry& projection) {
-        const SystemSummary& system = plan_.systems.at({problem.label, planned.cell.formulation});
-        if (!system.skip_reason.empty()) { planned.skip_reason = system.skip_reason; }
-        if (planned.skip_reason.empty()) { planned.skip_reason = ask(planned, problem, method, projection); }
-        planned.weight = cost_of(planned, described, system);
-        if (planned.skip_reason.empty()) { name_reference(planned, system, plan_); }
-        plan_.cells.push_back(std::move(planned));
+    // Whether a cell applies depends on its having a tolerance, not on which.
+    void add_cells(const PlannedRun& run, const MethodDescription& described, const ProblemEntry& problem,
+                   const OptionedEntry& method, const OptionedEntry& projection) {
+        const SystemSummary& system = plan_.systems.at({problem.label, run.cell.formulation});
+        const CellNaming names(run);
+        std::shared_ptr<const PlannedRun> of_steps, of_tolerances;
+        for (const Stepping& stepping : steppings_of(described, plan_.config)) {
+            std::shared_ptr<const PlannedRun>& shared = stepping.tolerance > 0 ? of_tolerances : of_steps;
+            PlannedCell planned{shared, names.name(stepping.steps, stepping.tolerance), stepping.steps,
+                                stepping.tolerance};
+            if (!shared) {
+                planned.run = std::make_shared<const PlannedRun>(run);
+                PlannedRun complete = run;
+                complete.skip_reason = system.skip_reason.empty() ? stepping.skip_reason : system.skip_reason;
+                if (complete.skip_reason.empty()) { complete.skip_reason = ask(planned, problem, method, projection); }
+                if (complete.skip_reason.empty()) { complete.reference = add_reference(run.cell, system, plan_); }
+                planned.run = shared = std::make_shared<const PlannedRun>(std::move(complete));
+            }
+            planned.weight = cost_of(planned, described, system);
+            plan_.cells.push_back(std::move(planned));
+        }
     }
 
     std::string ask(const PlannedCell& planned, const ProblemEntry& problem, const OptionedEntry& method,
                     const OptionedEntry& projection) {
         try {
-            return engines_.of(planned.precision).skip_reason(planned.cell);
+            return engines_.of(planned.precision()).skip_reason(planned.cell());
         } catch (const ParameterError& error) {
             report(problem.parameter_pointer(error.path), error.what());
         } catch (const OptionError& error) {
-            const OptionedEntry& owner = planned.cell.options.contains(error.option) ? method : projection;
+            const OptionedEntry& owner = planned.run->cell.options.contains(error.option) ? method : projection;
             report(pointer_below(owner.pointer, error.option), error.what());
         }
         return "";

@@ -62,7 +62,7 @@ std::vector<Group> groups_of(const Plan& plan) {
     std::vector<Group> groups;
     std::map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-        const std::string& hash = plan.cells[i].reference;
+        const std::string& hash = plan.cells[i].reference();
         const auto found = hash.empty() ? known.end() : known.find(hash);
         if (found != known.end()) {
             groups[found->second].cells.push_back(i);
@@ -112,6 +112,7 @@ std::vector<std::size_t> parts_of_cells(const std::vector<Group>& groups, const 
 // might become cheaper; what makes the dearest part cheapest is kept, and of such the one with the cheapest next part.
 std::vector<std::size_t> deal(const Plan& plan, std::size_t asked) {
     const std::size_t parts = std::max<std::size_t>(1, std::min(asked, plan.cells.size()));  // the others stay empty
+    if (parts == 1) { return std::vector<std::size_t>(plan.cells.size(), 1); }
     std::vector<Group> groups = groups_of(plan);
     Balance best = balance(costs_of_pieces(groups), parts);
     std::vector<std::size_t> dealt = parts_of_cells(groups, best, plan.cells.size());

@@ -10,61 +10,53 @@
 
 namespace kreisel {
 
-namespace {
+CellIdentity identity_of(const Cell& cell, const ProblemEntry& problem, const std::string& precision,
+                         const Order& order) {
+    CellIdentity identity;
+    identity.problem = cell.problem;
+    identity.label = problem.label;
+    identity.series = problem.series;
+    identity.parameters = parse_exactly(json_value(cell.parameters));
+    identity.formulation = cell.formulation;
+    identity.method = cell.method;
+    identity.options = cell.options;
+    identity.order = order;
+    identity.projection = cell.projection;
+    identity.projection_options = cell.projection_options;
+    identity.precision = precision;
+    identity.t_end = cell.t_end;
+    return identity;
+}
 
-// Everything that determines the numbers, with keys and lists in a fixed order; not the label.
-std::string content_of(const PlannedCell& planned) {
-    const Cell& cell = planned.cell;
-    std::vector<std::string> metrics = cell.metrics;
-    std::sort(metrics.begin(), metrics.end());
-    ObjectWriter object;
-    object.member("problem", json_text(cell.problem))
+// The text that is hashed is one object, with keys and lists in a fixed order:
+// {...,"t_end":1,"steps":100,"samples":0,"metrics":[...]} for steps of one size.
+CellNaming::CellNaming(const PlannedRun& run) {
+    const Cell& cell = run.cell;
+    ObjectWriter before;
+    before.member("problem", json_text(cell.problem))
         .member("parameters", json_value(cell.parameters))
         .member("formulation", json_text(cell.formulation))
         .member("method", json_text(cell.method))
         .member("options", json_value(cell.options))
         .member("projection", json_text(cell.projection))
         .member("projection_options", json_value(cell.projection_options))
-        .member("precision", json_text(planned.precision))
-        .member("t_end", json_number(cell.t_end))
-        .member("steps", fmt::format("{}", cell.steps))
-        .member("samples", fmt::format("{}", cell.samples))
-        .member("metrics", json_value(metrics));
-    if (cell.tolerance > 0) {
-        object.member("tolerance", json_number(cell.tolerance)).member("controller", json_text(cell.controller));
-        if (!cell.dense && cell.samples > 0) { object.member("dense", "false"); }
-    }
-    if (cell.timed) { object.member("timed", "true"); }
-    if (cell.repeated) { object.member("repeated", "true"); }
-    return object.text();
+        .member("precision", json_text(run.identity.precision))
+        .member("t_end", json_number(cell.t_end));
+    before_steps_ = hash64(before.open_text() + ",\"steps\":");
+    std::vector<std::string> metrics = cell.metrics;
+    std::sort(metrics.begin(), metrics.end());
+    after_steps_ = fmt::format(",\"samples\":{},\"metrics\":{}", cell.samples, json_value(metrics));
+    of_tolerance_ = ",\"controller\":" + json_text(cell.controller);
+    if (!cell.dense && cell.samples > 0) { of_tolerance_ += ",\"dense\":false"; }
+    if (cell.timed) { of_times_ += ",\"timed\":true"; }
+    if (cell.repeated) { of_times_ += ",\"repeated\":true"; }
+    of_times_ += "}";
 }
 
-CellIdentity identity_of(const PlannedCell& planned, const Order& order) {
-    const Cell& cell = planned.cell;
-    return {planned.hash,
-            cell.problem,
-            planned.label,
-            planned.series,
-            parse_exactly(json_value(cell.parameters)),
-            cell.formulation,
-            cell.method,
-            cell.options,
-            order,
-            cell.projection,
-            cell.projection_options,
-            planned.precision,
-            cell.steps,
-            cell.steps > 0 ? cell.t_end / static_cast<double>(cell.steps) : 0,
-            cell.tolerance,
-            cell.tolerance > 0 ? cell.controller : "",
-            cell.t_end};
-}
-
-}  // namespace
-
-void identify(PlannedCell& planned, const Order& order) {
-    planned.hash = hash_text(content_of(planned));
-    planned.identity = identity_of(planned, order);
+std::uint64_t CellNaming::name(long steps, double tolerance) const {
+    std::string rest = fmt::format("{}{}", steps, after_steps_);
+    if (tolerance > 0) { rest += ",\"tolerance\":" + json_number(tolerance) + of_tolerance_; }
+    return hash64(rest + of_times_, before_steps_);
 }
 
 }  // namespace kreisel

@@ -23,8 +23,38 @@ std::string suggestion(const ParameterError& error) {
     return nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?";
 }
 
+// What problems warn of. What several values of one list have in common is said once.
+class Warnings {
+  public:
+    void add(const ProblemEntry& problem, const std::string& text) {
+        const auto [known, is_new] = places_.emplace(std::pair(problem.series, text), said_.size());
+        if (is_new) { said_.push_back({problem.label, text}); }
+        Said& said = said_[known->second];
+        if (said.last != problem.label) { ++said.problems; }
+        said.last = problem.label;
+    }
+
+    std::vector<std::string> texts() const {
+        std::vector<std::string> all;
+        for (const Said& said : said_) {
+            const std::string others = said.problems == 1 ? "" : fmt::format(" and {} more", said.problems - 1);
+            all.push_back(fmt::format("{}{}: {}", said.first, others, said.text));
+        }
+        return all;
+    }
+
+  private:
+    struct Said {
+        std::string first, text, last = "";
+        std::size_t problems = 0;
+    };
+    std::vector<Said> said_;
+    std::map<std::pair<std::string, std::string>, std::size_t> places_;
+};
+
 // Builds the system of each problem in each formulation and precision; an inadmissible start or inertia is an error.
 void summarise(const Config& config, const Engines& engines, Diagnostics& sink, Plan& plan) {
+    Warnings warnings;
     for (const ProblemEntry& problem : config.problems) {
         std::set<std::string> said;
         for (const std::string& formulation : config.formulations) {
@@ -32,11 +62,7 @@ void summarise(const Config& config, const Engines& engines, Diagnostics& sink, 
                 try {
                     SystemSummary summary =
                         engines.of(precision).summary(problem.name, problem.parameters, formulation);
-                    for (const std::string& warning : summary.warnings) {
-                        if (said.insert(warning).second) {
-                            plan.warnings.push_back(fmt::format("{}: {}", problem.label, warning));
-                        }
-                    }
+                    for (const std::string& warning : summary.warnings) { warnings.add(problem, warning); }
                     plan.systems.insert_or_assign({problem.label, formulation}, std::move(summary));
                 } catch (const ParameterError& error) {
                     if (said.insert(error.path + error.what()).second) {
@@ -46,6 +72,7 @@ void summarise(const Config& config, const Engines& engines, Diagnostics& sink, 
             }
         }
     }
+    plan.warnings = warnings.texts();
 }
 
 void warn(Plan& plan) {
@@ -63,7 +90,7 @@ void warn(Plan& plan) {
 
 std::size_t Plan::skipped() const {
     return static_cast<std::size_t>(
-        std::count_if(cells.begin(), cells.end(), [](const PlannedCell& cell) { return !cell.skip_reason.empty(); }));
+        std::count_if(cells.begin(), cells.end(), [](const PlannedCell& cell) { return !cell.skip_reason().empty(); }));
 }
 
 Plan make_plan(const Document& document, const Config& config, const Engines& engines) {

@@ -21,7 +21,7 @@ std::string plan_digest(const Plan& plan, std::size_t shards) {
     const std::vector<std::size_t> parts = deal(plan, shards);
     std::uint64_t hash = hash64(fmt::format("{}\n", shards));
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        hash = hash64(fmt::format("{} {}\n", plan.cells[i].hash, parts[i]), hash);
+        hash = hash64(fmt::format("{} {}\n", plan.cells[i].hash(), parts[i]), hash);
     }
     return hash_text(hash);
 }

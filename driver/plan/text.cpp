@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "driver/plan/estimate/estimate.hpp"
 #include "records/cell/line.hpp"
 #include "records/json/writer.hpp"
 
@@ -14,16 +15,16 @@ namespace {
 using Row = std::vector<std::string>;
 
 Row row_of(const PlannedCell& planned) {
-    const Cell& cell = planned.cell;
-    return {planned.hash,
-            planned.label,
+    const Cell& cell = planned.cell();
+    return {planned.hash(),
+            planned.label(),
             cell.formulation,
             cell.method,
             options_text(cell.options),
             cell.projection + (cell.projection_options.empty() ? "" : " ") + options_text(cell.projection_options),
-            planned.precision,
+            planned.precision(),
             cell.tolerance > 0 ? fmt::format("to {}", cell.tolerance) : fmt::format("{}", cell.steps),
-            planned.skip_reason.empty() ? "" : "skipped: " + planned.skip_reason};
+            planned.skip_reason().empty() ? "" : "skipped: " + planned.skip_reason()};
 }
 
 }  // namespace
@@ -61,20 +62,25 @@ void print_plan(const Plan& plan, std::ostream& out) {
         for (std::size_t i = 0; i < row.size(); ++i) { line += fmt::format("{:<{}}  ", row[i], widths[i]); }
         fmt::print(out, "{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
     }
-    fmt::print(out, "{}\n", plan_summary(plan));
+    fmt::print(out, "{}; {}\n", plan_summary(plan), estimate_text(estimate_of(plan)));
 }
 
 void print_plan_json(const Plan& plan, std::ostream& out) {
     std::string cells;
     for (const PlannedCell& planned : plan.cells) {
         ObjectWriter cell;
-        add_identity(planned.identity, cell);
-        if (!planned.skip_reason.empty()) { cell.member("skip_reason", json_text(planned.skip_reason)); }
-        if (!planned.reference.empty()) { cell.member("reference", json_text(planned.reference)); }
+        add_identity(planned.identity(), cell);
+        if (!planned.skip_reason().empty()) { cell.member("skip_reason", json_text(planned.skip_reason())); }
+        if (!planned.reference().empty()) { cell.member("reference", json_text(planned.reference())); }
         cells += (cells.empty() ? "\n" : ",\n") + cell.text();
     }
-    fmt::print(out, "{{\"name\":{},\"warnings\":{},\"cells\":[{}\n]}}\n", json_text(plan.config.name),
-               json_value(plan.warnings), cells);
+    const Estimate estimate = estimate_of(plan);
+    ObjectWriter takes;
+    takes.member("cpu_s", json_number(estimate.seconds))
+        .member("memory", json_number(estimate.memory))
+        .member("disk", json_number(estimate.disk));
+    fmt::print(out, "{{\"name\":{},\"warnings\":{},\"estimate\":{},\"cells\":[{}\n]}}\n", json_text(plan.config.name),
+               json_value(plan.warnings), takes.text(), cells);
 }
 
 }  // namespace kreisel

@@ -48,17 +48,6 @@ std::string csv_safe(const std::string& text) {
     return csv_field(formula && !harmless ? "'" + text : text);
 }
 
-std::string latex_cell(const std::string& text) {
-    static const std::regex power(R"((-?\d(?:\.\d+)?)e([-+])0*(\d+)(\*?))");  // an asterisk refers to a note
-    std::smatch match;
-    if (std::regex_match(text, match, power)) {
-        const std::string sign = match[2] == "-" ? "-" : "";
-        const std::string exponent = match[3].length() == 0 ? "0" : match[3].str();
-        return fmt::format("${}\\cdot10^{{{}{}}}${}", match[1].str(), sign, exponent, match[4].str());
-    }
-    return text == "-" ? "--" : latex_escaped(text);
-}
-
 std::string joined(const std::vector<std::string>& parts, const std::string& separator) {
     std::string text;
     for (const std::string& part : parts) { text += (text.empty() ? "" : separator) + part; }
@@ -141,53 +130,6 @@ std::string csv_text(const TextTable& table) {
         text += line + "\n";
     }
     return text;
-}
-
-std::string latex_escaped(const std::string& text) {
-    static const std::pair<std::string_view, std::string_view> words[] = {{"\\", "\\textbackslash{}"},
-                                                                          {"{", "\\{"},
-                                                                          {"}", "\\}"},
-                                                                          {"$", "\\$"},
-                                                                          {"&", "\\&"},
-                                                                          {"#", "\\#"},
-                                                                          {"%", "\\%"},
-                                                                          {"_", "\\_"},
-                                                                          {"^", "\\textasciicircum{}"},
-                                                                          {"~", "\\textasciitilde{}"},
-                                                                          {"<", "\\textless{}"},
-                                                                          {">", "\\textgreater{}"},
-                                                                          {"|", "\\textbar{}"},
-                                                                          {"±", "$\\pm$"},
-                                                                          {"–", "--"}};
-    std::string result;
-    const std::string safe = printable(text);
-    for (std::size_t i = 0; i < safe.size();) {
-        const auto word = std::find_if(std::begin(words), std::end(words), [&](const auto& entry) {
-            return safe.compare(i, entry.first.size(), entry.first) == 0;
-        });
-        if (word != std::end(words)) {
-            result += word->second;
-            i += word->first.size();
-            continue;
-        }
-        // pdfTeX stops at characters it has no glyph for: whatever is not ASCII and not in the list is shown as "?".
-        const auto byte = static_cast<unsigned char>(safe[i++]);
-        if (byte < 0x80) {
-            result += static_cast<char>(byte);
-        } else if (byte >= 0xC0) {
-            result += '?';
-        }
-    }
-    return result;
-}
-
-std::string latex_text(const TextTable& table) {
-    std::string text = "% " + printable(table.title) + "\n";
-    for (const std::string& note : table.notes) { text += "% " + printable(note) + "\n"; }
-    text += fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", std::string(table.columns.size(), 'l'));
-    text += joined(mapped(table.columns, latex_escaped), " & ") + " \\\\\n\\midrule\n";
-    for (const auto& row : table.rows) { text += joined(mapped(row, latex_cell), " & ") + " \\\\\n"; }
-    return text + "\\bottomrule\n\\end{tabular}\n";
 }
 
 std::map<std::string, std::string> table_files(const TextTable& full, const TextTable& brief) {

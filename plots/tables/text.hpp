@@ -40,7 +40,8 @@ std::map<std::string, std::string> table_files(const TextTable& full, const Text
 /// Writes folder/<name>.md, .csv and .tex. `full` goes to the CSV, `brief` to the others. Throws FileError.
 void write_table(const std::filesystem::path& folder, const TextTable& full, const TextTable& brief);
 
-/// Text in LaTeX: every special character escaped, control characters replaced by a question mark.
+/// Text in LaTeX: every special character escaped, characters that pdfTeX lacks by their number ([U+4E2D]), control
+/// characters replaced by a question mark. In cells of tables quotes and hyphens are shown as they are, too.
 std::string latex_escaped(const std::string& text);
 
 }  // namespace kreisel

@@ -61,23 +61,23 @@ std::vector<std::pair<std::string, Number>> counts_of(const Cell& cell, const Co
 CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
                      const std::string& trajectory_sum) {
     const Cost& cost = outcome.cost;
-    CellRecord record{planned.identity, {}, {cost.cpu_s, cost.step_s, cost.memory, {}}};
-    if (planned.cell.repeated) { record.times.run_s = cost.run_s; }
+    CellRecord record{planned.identity(), {}, {cost.cpu_s, cost.step_s, cost.memory, {}}};
+    if (planned.cell().repeated) { record.times.run_s = cost.run_s; }
     CellOutcome& result = record.outcome;
     result.status = outcome.status;
     result.detail = outcome.detail;
     result.steps_done = outcome.steps_done;
     result.t_reached = outcome.t_reached;
-    result.bodies = planned.cell.timed ? outcome.bodies : 0;
+    result.bodies = planned.cell().timed ? outcome.bodies : 0;
     result.final = outcome.final;
     result.constraints = outcome.constraints;
     result.metrics = outcome.metrics;
     result.unmeasured = outcome.unmeasured;
     result.lost = outcome.lost;
-    if (reference != nullptr) { result.reference = note_of(*reference, planned.cell.t_end); }
-    result.trajectory = trajectory_sum.empty() ? "" : trajectory_file(planned.hash);
+    if (reference != nullptr) { result.reference = note_of(*reference, planned.cell().t_end); }
+    result.trajectory = trajectory_sum.empty() ? "" : trajectory_file(planned.hash());
     result.trajectory_sum = trajectory_sum;
-    result.counts = counts_of(planned.cell, cost);
+    result.counts = counts_of(planned.cell(), cost);
     return record;
 }
 

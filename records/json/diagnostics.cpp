@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t longest_quote = 60;
 constexpr std::size_t most_messages = 20;
+constexpr std::size_t most_places = 1000;  // issues whose order in the text is found, each by a walk through it
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
@@ -112,17 +113,18 @@ void Diagnostics::mismatch(const std::string& pointer, const nlohmann::json& val
 
 void Diagnostics::raise() const {
     if (issues_.empty()) { return; }
-    std::vector<std::pair<std::size_t, std::string>> messages;
+    std::vector<std::pair<std::size_t, const Issue*>> places;
     for (const Issue& issue : issues_) {
-        messages.emplace_back(locate(document_.text, issue.pointer, issue.target), message(document_, issue));
+        if (places.size() == most_places) { break; }
+        places.emplace_back(locate(document_.text, issue.pointer, issue.target), &issue);
     }
-    std::stable_sort(messages.begin(), messages.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::string text;
-    for (std::size_t i = 0; i < std::min(messages.size(), most_messages); ++i) {
-        text += (i == 0 ? "" : "\n") + messages[i].second;
+    for (std::size_t i = 0; i < std::min(places.size(), most_messages); ++i) {
+        text += (i == 0 ? "" : "\n") + message(document_, *places[i].second);
     }
-    if (messages.size() > most_messages) {
-        text += fmt::format("\n{}: {} more errors", document_.file, messages.size() - most_messages);
+    if (issues_.size() > most_messages) {
+        text += fmt::format("\n{}: {} more errors", document_.file, issues_.size() - most_messages);
     }
     throw UsageError(text);
 }

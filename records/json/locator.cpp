@@ -69,11 +69,16 @@ std::string decoded(std::string_view quoted) {
     return value.is_string() ? value.get<std::string>() : std::string();
 }
 
+bool is_text(std::string_view quoted, const std::string& text) {
+    if (quoted.find('\\') != std::string_view::npos) { return decoded(quoted) == text; }
+    return quoted.size() == text.size() + 2 && quoted.substr(1, text.size()) == text;
+}
+
 // Moves to the value of `key`; returns where the key stands, or nothing if the object has none.
 std::optional<std::size_t> enter_member(Scanner& scan, const std::string& key, int occurrence) {
     for (scan.advance(), scan.skip_space(); scan.peek() == '"'; scan.skip_space()) {
         const std::size_t key_at = scan.at();
-        const bool same = decoded(scan.skip_string()) == key;
+        const bool same = is_text(scan.skip_string(), key);
         scan.skip_space();
         scan.advance();  // the colon
         scan.skip_space();

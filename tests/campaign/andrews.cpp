@@ -28,7 +28,7 @@ Cell andrews_cell() {
     const Engines engines{engine_binary64(), engine_binary64()};
     const Plan plan = plan_of(read_document(config_file("work_precision_andrews")), engines);
     for (const PlannedCell& planned : plan.cells)
-        if (planned.cell.method == "rkmk/verner8" && planned.cell.tolerance > 0) return planned.cell;
+        if (planned.cell().method == "rkmk/verner8" && planned.cell().tolerance > 0) return planned.cell();
     return {};
 }
 

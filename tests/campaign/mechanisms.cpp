@@ -275,8 +275,8 @@ TEST_CASE("every type of joint and of force makes a mechanism", "[campaign]") {
         const ordered_json parameters = changed({change});
         CHECK(refusal(parameters) == "");
         for (const PlannedCell& planned : plan_with(parameters).cells) {
-            INFO(planned.cell.formulation << planned.skip_reason);
-            CHECK(engine_binary64().run(planned.cell, nullptr, {}).status == "ok");
+            INFO(planned.cell().formulation << planned.skip_reason());
+            CHECK(engine_binary64().run(planned.cell(), nullptr, {}).status == "ok");
         }
     }
 }
@@ -311,7 +311,7 @@ TEST_CASE("axes that nearly agree are brought together by turning little", "[cam
 
 TEST_CASE("velocities that are not given follow from the joints", "[campaign]") {
     const ordered_json turning = changed({{"/bodies/0/omega", "[0, 3, 0]"}});
-    const Outcome outcome = engine_binary64().run(plan_with(turning).cells.at(0).cell, nullptr, {});
+    const Outcome outcome = engine_binary64().run(plan_with(turning).cells.at(0).cell(), nullptr, {});
     CHECK(outcome.status == "ok");
     CHECK(refusal(turning) == "");
 }

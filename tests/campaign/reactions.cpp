@@ -56,7 +56,7 @@ std::vector<Cell> cells_of(const char* parameters, const std::vector<std::string
     config["output"] = {{"samples", 1}};
     std::vector<Cell> cells;
     for (const PlannedCell& planned : plan_of(parse_document("reactions.json", config.dump()), both_engines).cells)
-        cells.push_back(planned.cell);
+        cells.push_back(planned.cell());
     return cells;
 }
 

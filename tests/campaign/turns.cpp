@@ -46,11 +46,11 @@ Plan plan_with(const ordered_json& parameters, double end, long steps, long samp
 void check_end(const ordered_json& parameters, double end, double omega, double theta, long turns) {
     int cells = 0;
     for (const PlannedCell& planned : plan_with(parameters, end, 4000).cells) {
-        if (!planned.skip_reason.empty()) continue;
-        INFO(planned.cell.method << " on " << planned.cell.formulation);
-        const Outcome outcome = engine_binary64().run(planned.cell, nullptr, {});
+        if (!planned.skip_reason().empty()) continue;
+        INFO(planned.cell().method << " on " << planned.cell().formulation);
+        const Outcome outcome = engine_binary64().run(planned.cell(), nullptr, {});
         REQUIRE(outcome.status == "ok");
-        const double allowed = planned.cell.method.find("4") != std::string::npos ? 1e-8 : 1e-3;
+        const double allowed = planned.cell().method.find("4") != std::string::npos ? 1e-8 : 1e-3;
         CHECK(std::abs(outcome.final->bodies[0].omega[2].value - omega) < allowed);
         CHECK(std::abs(outcome.final->theta.at(0).value - theta) < allowed);
         CHECK(outcome.final->turns == std::vector<long>{turns});
@@ -78,13 +78,13 @@ TEST_CASE("turns are read at a start", "[campaign]") {
         CHECK_THAT(error.what(), Contains("/problems/0/parameters/forces/0/turns") && Contains("whole number"));
     }
     const Plan plan = plan_with(sprung_wheel(0, R"(, "turns": -3)"), 1, 10);
-    CHECK_THAT(json_value(plan.cells[0].cell.parameters), Contains(R"("turns":-3)"));
+    CHECK_THAT(json_value(plan.cells[0].cell().parameters), Contains(R"("turns":-3)"));
 }
 
 TEST_CASE("samples hold angle and turns of each torsion spring", "[campaign]") {
     const Plan plan = plan_with(sprung_wheel(10), 2, 400, 4);
     acceptance::Samples samples;
-    engine_binary64().run(plan.cells[0].cell, nullptr, {}, &samples);
+    engine_binary64().run(plan.cells[0].cell(), nullptr, {}, &samples);
     std::size_t theta = 0, turns = 0;
     for (std::size_t i = 0; i < samples.columns.size(); ++i) {
         const Column& column = samples.columns[i];
@@ -104,7 +104,7 @@ TEST_CASE("samples hold angle and turns of each torsion spring", "[campaign]") {
 
 TEST_CASE("energy is conserved by a spring that turns often", "[campaign]") {
     Plan plan = plan_with(sprung_wheel(100), 10, 20000);
-    Cell cell = plan.cells[0].cell;
+    Cell cell = plan.cells[0].cell();
     cell.metrics = {"invariant.energy*"};
     const Outcome outcome = engine_binary64().run(cell, nullptr, {});
     REQUIRE(outcome.status == "ok");
@@ -117,8 +117,8 @@ TEST_CASE("energy is conserved by a spring that turns often", "[campaign]") {
 TEST_CASE("a run that loses a turn says when, which spring and why", "[campaign]") {
     const Plan plan = plan_with(sprung_wheel(0, R"(, "angle": 20)"), 1, 12);
     for (const PlannedCell& planned : plan.cells) {
-        if (!planned.skip_reason.empty() || planned.cell.method != "rkmk/rk4") continue;
-        const Outcome outcome = engine_binary64().run(planned.cell, nullptr, {});
+        if (!planned.skip_reason().empty() || planned.cell().method != "rkmk/rk4") continue;
+        const Outcome outcome = engine_binary64().run(planned.cell(), nullptr, {});
         CHECK(outcome.status == "turn_lost");
         CHECK_THAT(outcome.detail, Contains("from t = 0.") && Contains("torsion spring 0 (ground - wheel)"));
         CHECK_FALSE(outcome.final);

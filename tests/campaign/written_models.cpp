@@ -29,7 +29,7 @@ Plan plan_of_written(const std::string& parameters, double end, long steps) {
 std::vector<ReportedState> final_states(const Plan& plan) {
     std::vector<ReportedState> states;
     for (const PlannedCell& planned : plan.cells) {
-        const Outcome outcome = engine_binary64().run(planned.cell, nullptr, {});
+        const Outcome outcome = engine_binary64().run(planned.cell(), nullptr, {});
         REQUIRE(outcome.status == "ok");
         states.push_back(*outcome.final);
     }
@@ -67,8 +67,8 @@ TEST_CASE("the shipped config of a demonstration says what info shows", "[campai
         std::ifstream in(std::string(build::source_dir) + "/" + problem.demonstration_config);
         const std::string text(std::istreambuf_iterator<char>(in), {});
         const Plan plan = plan_of(parse_document(problem.demonstration_config, text), written_engines);
-        CHECK(plan.cells.at(0).cell.problem == problem.name);
-        CHECK(plan.cells.at(0).cell.parameters == demonstration_parameters(problem));
+        CHECK(plan.cells.at(0).cell().problem == problem.name);
+        CHECK(plan.cells.at(0).cell().parameters == demonstration_parameters(problem));
         ++shown;
     }
     CHECK(shown > 0);

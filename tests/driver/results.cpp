@@ -31,8 +31,8 @@ Plan small_plan(const std::string& precision) {
 
 CellRecord finished(const PlannedCell& planned) {
     const Reference reference =
-        plain_engine.reference(planned.cell.problem, planned.cell.parameters, planned.cell.t_end, {});
-    return record_of(planned, plain_engine.run(planned.cell, &reference, {}), &reference);
+        plain_engine.reference(planned.cell().problem, planned.cell().parameters, planned.cell().t_end, {});
+    return record_of(planned, plain_engine.run(planned.cell(), &reference, {}), &reference);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ TEST_CASE("quad numbers are written as decimal strings") {
 
 TEST_CASE("a number that is not finite is never written") {
     const PlannedCell planned = small_plan("double").cells[0];
-    Outcome outcome = plain_engine.run(planned.cell, nullptr, {});
+    Outcome outcome = plain_engine.run(planned.cell(), nullptr, {});
     outcome.metrics.emplace_back("defect.position", Number{std::numeric_limits<double>::quiet_NaN(), "nan"});
     CHECK_THROWS_AS(result_text(record_of(planned, outcome, nullptr)), std::logic_error);
 }

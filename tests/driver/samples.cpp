@@ -124,7 +124,8 @@ TEST_CASE("a full disk under the samples ends the run with 3, and a cell that th
     const std::string config = scratch.file("slow.json", slow);
     const Plan plan = plan_of(parse_document("t", slow), one_engine);
     std::filesystem::create_directories(scratch / "out" / "trajectories");
-    std::filesystem::create_symlink("/dev/full", scratch / "out" / (trajectory_file(plan.cells.at(0).hash) + ".part"));
+    std::filesystem::create_symlink("/dev/full",
+                                    scratch / "out" / (trajectory_file(plan.cells.at(0).hash()) + ".part"));
     const auto result = run_program({"run", config, "-o", (scratch / "out").string()});
     CHECK(result.code == 3);
     CHECK_THAT(result.messages, Catch::Contains("No space left on device"));

@@ -46,7 +46,7 @@ std::set<std::string> cells_in(const std::filesystem::path& journal) {
 
 std::set<std::string> cells_dealt(const Plan& plan, std::size_t shard, std::size_t shards) {
     std::set<std::string> cells;
-    for (const std::size_t i : cells_of_shard(plan, shard, shards)) { cells.insert(plan.cells[i].hash); }
+    for (const std::size_t i : cells_of_shard(plan, shard, shards)) { cells.insert(plan.cells[i].hash()); }
     return cells;
 }
 
@@ -59,7 +59,9 @@ std::vector<double> costs_of_parts(const Plan& plan, std::size_t shards) {
         for (const std::size_t i : cells_of_shard(plan, shard, shards)) {
             const PlannedCell& planned = plan.cells[i];
             cost += planned.weight;
-            if (references.insert(planned.reference).second) { cost += plan.references.at(planned.reference).weight; }
+            if (references.insert(planned.reference()).second) {
+                cost += plan.references.at(planned.reference()).weight;
+            }
         }
         costs.push_back(cost);
     }
@@ -123,7 +125,7 @@ TEST_CASE("a dear reference is computed in as few parts as keep them even") {
     for (const std::size_t shard : {1U, 2U}) {
         const auto cells = cells_of_shard(plan, shard, 2);
         CHECK(cells.size() == plan.cells.size() / 2);
-        for (const std::size_t i : cells) { CHECK(plan.cells[i].reference == plan.cells[cells.front()].reference); }
+        for (const std::size_t i : cells) { CHECK(plan.cells[i].reference() == plan.cells[cells.front()].reference()); }
     }
 }
 

@@ -38,8 +38,8 @@ std::vector<double> tolerances_of(const std::string& time) {
 std::set<std::string> stepped_cells(const Plan& plan) {
     std::set<std::string> cells;
     for (const PlannedCell& planned : plan.cells) {
-        cells.insert(planned.cell.method + " " + stepping_text(planned.cell) +
-                     (planned.skip_reason.empty() ? "" : ": " + planned.skip_reason));
+        cells.insert(planned.cell().method + " " + stepping_text(planned.cell()) +
+                     (planned.skip_reason().empty() ? "" : ": " + planned.skip_reason()));
     }
     return cells;
 }
@@ -85,7 +85,7 @@ TEST_CASE("samples need to divide constant steps only") {
 
 TEST_CASE("what decides the steps decides the hash, and what has no say in it does not") {
     const auto hash = [](const std::string& time, const std::string& rest = "") {
-        return stepped_plan(R"(["fake/pair"])", time, rest).cells.at(0).hash;
+        return stepped_plan(R"(["fake/pair"])", time, rest).cells.at(0).hash();
     };
     const std::string one = hash(R"("tolerance": 0.01)");
     CHECK(one == hash(R"("tolerance": [0.01], "controller": "pi")"));
@@ -104,16 +104,16 @@ TEST_CASE("a config with tolerances, resolved, leads to the same cells") {
     const Plan again = plan_of(parse_document("again.json", resolved_config(plan.config)), one_engine);
     REQUIRE(again.cells.size() == 3 + 3 + 5 + 5);
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-        CHECK(again.cells[i].identity == plan.cells[i].identity);
-        CHECK(again.cells[i].hash == plan.cells[i].hash);
-        CHECK(again.cells[i].cell.repeated);
+        CHECK(again.cells[i].identity() == plan.cells[i].identity());
+        CHECK(again.cells[i].hash() == plan.cells[i].hash());
+        CHECK(again.cells[i].cell().repeated);
     }
 }
 
 TEST_CASE("the line of a cell to a tolerance tells it in place of steps, and reads back") {
     const Plan plan = stepped_plan(R"(["fake/pair", "rkmk/rk4"])", R"("steps": 8, "tolerance": 1e-6)");
     const auto line_of = [&](std::size_t i) {
-        return result_text(record_of(plan.cells[i], plain_engine.run(plan.cells[i].cell, nullptr, {}), nullptr));
+        return result_text(record_of(plan.cells[i], plain_engine.run(plan.cells[i].cell(), nullptr, {}), nullptr));
     };
     const auto adaptive = nlohmann::json::parse(line_of(1)), constant = nlohmann::json::parse(line_of(0));
     CHECK(adaptive.at("tolerance") == 1e-6);
@@ -126,8 +126,8 @@ TEST_CASE("the line of a cell to a tolerance tells it in place of steps, and rea
     CHECK(constant.at("steps") == 8);
     CHECK_FALSE(constant.contains("tolerance"));
     CHECK(constant.at("cost").size() == 3);  // results of other kinds have the counts that they always had
-    CHECK(read_record(line_of(1)).identity == plan.cells[1].identity);
-    CHECK(read_record(line_of(0)).identity == plan.cells[0].identity);
+    CHECK(read_record(line_of(1)).identity == plan.cells[1].identity());
+    CHECK(read_record(line_of(0)).identity == plan.cells[0].identity());
     CHECK(read_recorded_cell(line_of(1)).identity.at("tolerance") == "1e-06");
     CHECK_FALSE(read_recorded_cell(line_of(1)).identity.contains("steps"));
 }

@@ -32,7 +32,14 @@ TEST_CASE("LaTeX shows labels and never runs them") {
     CHECK(latex_body("100 % & $x$ # ^ ~") == "100 \\% \\& \\$x\\$ \\# \\textasciicircum{} \\textasciitilde{}");
     CHECK(latex_body("a\nb") == "a?b");
     CHECK(latex_body("3.99 ± 0.02 [1–2]") == "3.99 $\\pm$ 0.02 [1--2]");
-    CHECK(latex_body("żółw") == "???w");
+    CHECK(latex_body("żółw ×") == "żółw ×");
+    CHECK(latex_body("Δλ ≤ ħ 中") == "$\\Delta$$\\lambda$ $\\leq$ [U+0127] [U+4E2D]");
+    CHECK(latex_body("[1] *") == "{}[1] *");
+    CHECK(latex_body("*[1]") == "{}*[1]");
+    CHECK(latex_body("a--b 'c' \"d\" `e`") ==
+          "a-{}-b \\textquotesingle{}c\\textquotesingle{} \\texttt{\\char34}d\\texttt{\\char34} "
+          "\\textasciigrave{}e\\textasciigrave{}");
+    CHECK(latex_escaped("it's") == "it's");
     CHECK(latex_body("1.15e-03") == "$1.15\\cdot10^{-3}$");
     CHECK(latex_body("-2e+10") == "$-2\\cdot10^{10}$");
     CHECK(latex_body("1.00e+00") == "$1.00\\cdot10^{0}$");

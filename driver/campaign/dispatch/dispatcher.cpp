@@ -31,10 +31,10 @@ void Dispatcher::enqueue(const std::vector<std::string>& references, const std::
     enqueued_ = ledger_.finished().size() + cells.size();
     for (const std::size_t index : cells) {
         const PlannedCell& planned = plan_.cells[index];
-        if (planned.skip_reason.empty()) {
-            schedule_.add_cell(index, planned.reference, planned.weight);
+        if (planned.skip_reason().empty()) {
+            schedule_.add_cell(index, planned.reference(), planned.weight);
         } else {
-            ledger_.record(index, ended(status::skipped, planned.skip_reason));
+            ledger_.record(index, ended(status::skipped, planned.skip_reason()));
         }
     }
 }

@@ -74,7 +74,7 @@ std::string Work::compute_reference(const PlannedReference& planned, const Print
 }
 
 const Reference* Work::reference_of(const PlannedCell& planned) {
-    const std::string& hash = planned.reference;
+    const std::string& hash = planned.reference();
     if (hash.empty()) { return nullptr; }
     const auto known = references_.find(hash);
     if (known != references_.end()) { return &known->second; }
@@ -86,11 +86,11 @@ const Reference* Work::reference_of(const PlannedCell& planned) {
 std::string Work::answer_cell(const PlannedCell& planned, const Printed& printed, const std::stop_token& stop) {
     if (stop.stop_requested()) { return answer_text(Answered::interrupted); }
     const Reference* reference = reference_of(planned);
-    TrajectoryFile samples(folder_ / trajectory_file(planned.hash));
+    TrajectoryFile samples(folder_ / trajectory_file(planned.hash()));
     Outcome outcome;
     {
         const CpuLimit limit(timeout_);
-        outcome = run_cell(planned, engines_.of(planned.precision), reference, stop, &samples);
+        outcome = run_cell(planned, engines_.of(planned.precision()), reference, stop, &samples);
     }
     outcome.detail = with_printed(outcome.detail, printed.take());
     if (outcome.status == status::interrupted) { return answer_part(planned, samples); }
@@ -124,7 +124,7 @@ std::string Work::answer_part(const PlannedCell& planned, TrajectoryFile& sample
 
 std::string Work::answer_round(const PlannedCell& planned, const std::stop_token& stop) const {
     const CpuLimit limit(timeout_);
-    const auto run_s = engines_.of(planned.precision).run_time(planned.cell, stop);
+    const auto run_s = engines_.of(planned.precision()).run_time(planned.cell(), stop);
     return answer_text(Answered::seconds, run_s ? fmt::format("{}", *run_s) : "");
 }
 

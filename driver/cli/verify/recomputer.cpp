@@ -20,9 +20,9 @@ namespace {
 /// Of the folder, if this code has made it, else computed.
 std::optional<Reference> reference_of(const PlannedCell& planned, const Plan& plan, const std::filesystem::path& folder,
                                       const Engine& engine) {
-    if (planned.reference.empty()) { return std::nullopt; }
-    const PlannedReference& wanted = plan.references.at(planned.reference);
-    auto stored = load_reference(reference_file(folder, planned.reference), wanted, engine.reference_digest());
+    if (planned.reference().empty()) { return std::nullopt; }
+    const PlannedReference& wanted = plan.references.at(planned.reference());
+    auto stored = load_reference(reference_file(folder, planned.reference()), wanted, engine.reference_digest());
     if (stored) { return std::move(stored->reference); }
     return engine.reference(wanted.problem, wanted.parameters, wanted.t_end, wanted.samples, {});
 }
@@ -44,7 +44,7 @@ Recomputer::Recomputer(const Plan& plan, const std::filesystem::path& folder, co
               const PlannedCell& planned = plan.cells[std::stoul(*index)];
               const auto reference = reference_of(planned, plan, folder, engines.binary128);
               printed.take();
-              send_message(socket, recomputed(planned, reference, engines.of(planned.precision), printed));
+              send_message(socket, recomputed(planned, reference, engines.of(planned.precision()), printed));
           }
       }) {}
 

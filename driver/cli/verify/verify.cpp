@@ -65,7 +65,7 @@ std::vector<std::size_t> chosen(const Plan& plan, const std::set<std::string>& l
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const PlannedCell& planned = plan.cells[i];
-        if (planned.skip_reason.empty() && !left_out.contains(planned.hash)) { indices.push_back(i); }
+        if (planned.skip_reason().empty() && !left_out.contains(planned.hash())) { indices.push_back(i); }
     }
     std::mt19937 random(seed);
     std::shuffle(indices.begin(), indices.end(), random);
@@ -176,14 +176,14 @@ Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsi
     Recomputer recomputer(plan, folder, engines);
     for (const std::size_t index : indices) {
         const PlannedCell& planned = plan.cells[index];
-        const auto stored = lines.find(planned.hash);
+        const auto stored = lines.find(planned.hash());
         const std::string what = stored == lines.end()                        ? "missing"
                                  : stored->second == recomputer.result(index) ? ""
                                                                               : "different";
         if (!what.empty()) {
             ++different;
-            fmt::print(terminal.out, "{}: {} {} on {}, {}: {}\n", planned.hash, planned.cell.formulation,
-                       planned.cell.method, planned.label, stepping_text(planned.cell), what);
+            fmt::print(terminal.out, "{}: {} {} on {}, {}: {}\n", planned.hash(), planned.cell().formulation,
+                       planned.cell().method, planned.label(), stepping_text(planned.cell()), what);
         }
     }
     fmt::print(terminal.out, "{} of {} cells computed again (seed {}), {} differ or are missing\n", indices.size(),

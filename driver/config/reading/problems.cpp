@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <unordered_map>
 
 #include "driver/config/parameters.hpp"
 #include "driver/config/reading/entries.hpp"
+#include "records/json/writer.hpp"
 
 namespace kreisel {
 
@@ -22,22 +24,33 @@ std::string read_label(const Node& entry, const std::string& standard) {
     return label.value_or(standard);
 }
 
-void add_problem(const Node& entry, ProblemEntry problem, Config& config) {
-    for (const ProblemEntry& other : config.problems) {
-        if (other.label == problem.label) {
-            entry.error("a \"label\" of its own for each problem",
-                        in_quotes(problem.label) + " again, as at " + other.pointer);
-            return;
-        }
-        if (other.name == problem.name && other.parameters == problem.parameters) {
-            entry.error("each problem once", "the same problem as at " + other.pointer);
-            return;
-        }
-    }
-    config.problems.push_back(std::move(problem));
-}
+// Fills the problems of a config, each once.
+class ProblemList {
+  public:
+    explicit ProblemList(Config& config) : config_(config) {}
 
-void add_problems(const Node& entry, const ProblemDescription& description, Config& config) {
+    void add(const Node& entry, ProblemEntry problem) {
+        const auto [twin, is_new] = labels_.emplace(problem.label, problem.pointer);
+        if (!is_new) {
+            entry.error("a \"label\" of its own for each problem",
+                        in_quotes(problem.label) + " again, as at " + twin->second);
+            return;
+        }
+        const auto [same, is_other] =
+            contents_.emplace(problem.name + " " + json_value(problem.parameters), problem.pointer);
+        if (!is_other) {
+            entry.error("each problem once", "the same problem as at " + same->second);
+            return;
+        }
+        config_.problems.push_back(std::move(problem));
+    }
+
+  private:
+    Config& config_;
+    std::unordered_map<std::string, std::string> labels_, contents_;  // the pointer of each
+};
+
+void add_problems(const Node& entry, const ProblemDescription& description, ProblemList& list) {
     const std::string series = read_label(entry, description.name);
     std::vector<ParameterPoint> points = {{default_parameters(description), ""}};
     if (entry.is_object()) { entry.only_keys({"name", "label", "parameters", "exact"}); }
@@ -53,8 +66,7 @@ void add_problems(const Node& entry, const ProblemDescription& description, Conf
         return;
     }
     for (ParameterPoint& point : points) {
-        add_problem(entry, {description.name, series, series + point.listed, std::move(point.values), entry.pointer()},
-                    config);
+        list.add(entry, {description.name, series, series + point.listed, std::move(point.values), entry.pointer()});
     }
 }
 
@@ -63,9 +75,10 @@ void add_problems(const Node& entry, const ProblemDescription& description, Conf
 void read_problems(const Node& root, const Catalogue& catalogue, Config& config) {
     const auto node = root.require("problems", "a list of at least one problem");
     const auto entries = node ? node->elements("a list of at least one problem") : std::nullopt;
+    ProblemList list(config);
     for (const Node& entry : entries.value_or(std::vector<Node>())) {
         if (const auto* description = described(entry, "problem", catalogue.problems)) {
-            add_problems(entry, *description, config);
+            add_problems(entry, *description, list);
         }
     }
 }

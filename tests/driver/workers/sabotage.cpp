@@ -15,14 +15,14 @@ namespace {
 
 // A hundred good cells, and two of a saboteur.
 std::string amid_good_cells(const std::string& saboteur) {
-    nlohmann::json steps = nlohmann::json::array(), methods = {"rkmk/rk4"};
-    for (int i = 1; i <= 100; ++i) { steps.push_back(2 * i); }
+    nlohmann::json masses = nlohmann::json::array(), methods = {"rkmk/rk4"};
+    for (int i = 1; i <= 50; ++i) { masses.push_back(i); }
     if (!saboteur.empty()) { methods.push_back(saboteur); }
     return nlohmann::json({{"name", "evil"},
                            {"kind", "drift"},
-                           {"problems", {"heavy_top"}},
+                           {"problems", {{{"name", "heavy_top"}, {"parameters", {{"mass", masses}}}}}},
                            {"methods", methods},
-                           {"time", {{"end", 1}, {"steps", steps}}}})
+                           {"time", {{"end", 1}, {"steps", {2, 4}}}}})
         .dump();
 }
 

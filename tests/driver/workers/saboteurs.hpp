@@ -16,7 +16,7 @@ class Saboteurs final : public FakeEngine {
     using FakeEngine::reference;
     using FakeEngine::run;
     std::vector<MethodDescription> methods() const override;
-    /// Saboteurs take at most four steps.
+    /// Saboteurs run for the usual mass only.
     std::string skip_reason(const Cell&) const override;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;
     Reference reference(const std::string& problem, const ParameterValues&, double t_end, long samples,

@@ -123,13 +123,14 @@ TEST_CASE("where no process can be started a run ends with 3 and says so") {
 
 TEST_CASE("a plan that does not fit into memory ends a run with 3") {
     const ScratchFolder scratch;
-    std::string steps = "1";
-    for (int i = 2; i <= 20'000; ++i) { steps += "," + std::to_string(i); }
+    std::string counts = "1";
+    for (int i = 2; i <= 2000; ++i) { counts += "," + std::to_string(i); }
     const FakeEngine engine;
     const std::string said = (scratch / "said.txt").string(),
                       config = scratch.file("large.json", R"({"name": "large", "kind": "drift", "methods": ["rkmk/*"],
-        "problems": ["heavy_top"], "time": {"end": 1, "steps": [)" +
-                                                              steps + "]}}");
+        "problems": [{"name": "heavy_top", "parameters": {"mass": [)" +
+                                                              counts + R"(]}}],
+        "time": {"end": 1, "steps": [)" + counts + "]}}");
     ProgramProcess program({"run", config, "-o", (scratch / "out").string()}, engine, [&] {
         std::freopen(said.c_str(), "w", stderr);
         limit_memory(64U << 20U);

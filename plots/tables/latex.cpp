@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Text and tables in LaTeX, for pdfTeX without further packages than booktabs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <regex>
+
+#include "plots/tables/text.hpp"
+
+namespace kreisel {
+
+namespace {
+
+using Words = std::map<std::string, std::string, std::less<>>;
+
+const Words& special() {
+    static const Words words = {{"\\", "\\textbackslash{}"},
+                                {"{", "\\{"},
+                                {"}", "\\}"},
+                                {"$", "\\$"},
+                                {"&", "\\&"},
+                                {"#", "\\#"},
+                                {"%", "\\%"},
+                                {"_", "\\_"},
+                                {"^", "\\textasciicircum{}"},
+                                {"~", "\\textasciitilde{}"},
+                                {"<", "\\textless{}"},
+                                {">", "\\textgreater{}"},
+                                {"|", "\\textbar{}"},
+                                {"±", "$\\pm$"}};
+    return words;
+}
+
+// Signs that LaTeX prints as others than they are, in prose to its advantage.
+const Words& of_labels() {
+    static const Words words = {
+        {"'", "\\textquotesingle{}"}, {"`", "\\textasciigrave{}"}, {"\"", "\\texttt{\\char34}"}, {"-", "-{}"}};
+    return words;
+}
+
+const Words& beyond_latin() {
+    static const Words words = {
+        {"α", "$\\alpha$"},   {"β", "$\\beta$"},  {"γ", "$\\gamma$"},    {"δ", "$\\delta$"},   {"ε", "$\\epsilon$"},
+        {"ζ", "$\\zeta$"},    {"η", "$\\eta$"},   {"θ", "$\\theta$"},    {"ι", "$\\iota$"},    {"κ", "$\\kappa$"},
+        {"λ", "$\\lambda$"},  {"μ", "$\\mu$"},    {"ν", "$\\nu$"},       {"ξ", "$\\xi$"},      {"ο", "$o$"},
+        {"π", "$\\pi$"},      {"ρ", "$\\rho$"},   {"ς", "$\\varsigma$"}, {"σ", "$\\sigma$"},   {"τ", "$\\tau$"},
+        {"υ", "$\\upsilon$"}, {"φ", "$\\phi$"},   {"χ", "$\\chi$"},      {"ψ", "$\\psi$"},     {"ω", "$\\omega$"},
+        {"Γ", "$\\Gamma$"},   {"Δ", "$\\Delta$"}, {"Θ", "$\\Theta$"},    {"Λ", "$\\Lambda$"},  {"Ξ", "$\\Xi$"},
+        {"Π", "$\\Pi$"},      {"Σ", "$\\Sigma$"}, {"Φ", "$\\Phi$"},      {"Ψ", "$\\Psi$"},     {"Ω", "$\\Omega$"},
+        {"−", "$-$"},         {"≤", "$\\leq$"},   {"≥", "$\\geq$"},      {"≠", "$\\neq$"},     {"≈", "$\\approx$"},
+        {"∞", "$\\infty$"},   {"→", "$\\to$"},    {"√", "$\\surd$"},     {"∂", "$\\partial$"}, {"′", "$'$"},
+        {"…", "\\dots{}"},    {"—", "---"},       {"–", "--"},           {"’", "'"},           {"‘", "`"},
+        {"“", "``"},          {"”", "''"},        {"€", "\\texteuro{}"}};
+    return words;
+}
+
+// Whether pdfTeX composes a letter or sign of Latin-1 and Latin Extended-A in its standard encoding.
+bool is_composed(char32_t c) {
+    static constexpr std::array<char32_t, 27> unknown = {0xAB,  0xBB,  0xD0,  0xDE,  0xF0,  0xFE,  0x104, 0x105, 0x110,
+                                                         0x111, 0x118, 0x119, 0x126, 0x127, 0x12E, 0x12F, 0x138, 0x13F,
+                                                         0x140, 0x149, 0x14A, 0x14B, 0x166, 0x167, 0x172, 0x173, 0x17F};
+    return c > 0xA0 && c < 0x180 && c != 0xAD && std::find(unknown.begin(), unknown.end(), c) == unknown.end();
+}
+
+// The bytes of the character that begins there.
+std::size_t length_at(const std::string& text, std::size_t at) {
+    std::size_t end = at + 1;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) { ++end; }
+    return end - at;
+}
+
+char32_t code_of(const std::string& character) {
+    const auto first = static_cast<unsigned char>(character[0]);
+    char32_t code = character.size() == 1 ? first : first & (0x7FU >> character.size());
+    for (std::size_t i = 1; i < character.size(); ++i) {
+        code = (code << 6U) | (static_cast<unsigned char>(character[i]) & 0x3FU);
+    }
+    return code;
+}
+
+// pdfTeX stops at characters that it has no glyph for: these are named by their number.
+std::string character_text(const std::string& character) {
+    const char32_t code = code_of(character);
+    const bool torn = character.size() == 1 && code > 0x7F;  // no UTF-8
+    if (code < 0x20 || code == 0x7F || torn) { return "?"; }
+    if (code < 0x7F || is_composed(code)) { return character; }
+    const auto known = beyond_latin().find(character);
+    return known != beyond_latin().end() ? known->second : fmt::format("[U+{:04X}]", static_cast<unsigned>(code));
+}
+
+std::string escaped(const std::string& text, bool label) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::string character = text.substr(i, length_at(text, i));
+        i += character.size();
+        const auto word = special().find(character);
+        const auto of_label = label ? of_labels().find(character) : of_labels().end();
+        const bool alone = character == "-" && text[i] != '-';  // two make a dash
+        if (word != special().end()) {
+            result += word->second;
+        } else if (of_label != of_labels().end() && !alone) {
+            result += of_label->second;
+        } else {
+            result += character_text(character);
+        }
+    }
+    return result;
+}
+
+std::string latex_cell(const std::string& text) {
+    static const std::regex power(R"((-?\d(?:\.\d+)?)e([-+])0*(\d+)(\*?))");  // an asterisk refers to a note
+    std::smatch match;
+    if (std::regex_match(text, match, power)) {
+        const std::string sign = match[2] == "-" ? "-" : "";
+        const std::string exponent = match[3].length() == 0 ? "0" : match[3].str();
+        return fmt::format("${}\\cdot10^{{{}{}}}${}", match[1].str(), sign, exponent, match[4].str());
+    }
+    return text == "-" ? "--" : escaped(text, true);
+}
+
+// After the end of a line, an asterisk or a bracket would be an argument.
+std::string row_text(const std::vector<std::string>& cells) {
+    std::string text;
+    for (const std::string& cell : cells) { text += (text.empty() ? "" : " & ") + cell; }
+    const bool is_argument = !text.empty() && (text.front() == '*' || text.front() == '[');
+    return (is_argument ? "{}" : "") + text + " \\\\\n";
+}
+
+std::string comment(const std::string& text) {
+    std::string line = text;
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
+    return "% " + line + "\n";
+}
+
+template <class Escape>
+std::string row_of(const std::vector<std::string>& texts, const Escape& escape) {
+    std::vector<std::string> cells;
+    for (const std::string& text : texts) { cells.push_back(escape(text)); }
+    return row_text(cells);
+}
+
+}  // namespace
+
+std::string latex_escaped(const std::string& text) { return escaped(text, false); }
+
+std::string latex_text(const TextTable& table) {
+    std::string text = comment(table.title);
+    for (const std::string& note : table.notes) { text += comment(note); }
+    text += fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", std::string(table.columns.size(), 'l'));
+    text += row_of(table.columns, latex_escaped) + "\\midrule\n";
+    for (const auto& row : table.rows) { text += row_of(row, latex_cell); }
+    return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+}  // namespace kreisel

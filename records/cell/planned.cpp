@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "records/cell/planned.hpp"
+
+namespace kreisel {
+
+Cell PlannedCell::cell() const {
+    Cell cell = run->cell;
+    cell.steps = steps;
+    cell.tolerance = tolerance;
+    return cell;
+}
+
+CellIdentity PlannedCell::identity() const {
+    CellIdentity identity = run->identity;
+    identity.cell = hash();
+    identity.steps = steps;
+    identity.h = steps > 0 ? identity.t_end / static_cast<double>(steps) : 0;
+    identity.tolerance = tolerance;
+    identity.controller = tolerance > 0 ? run->cell.controller : "";
+    return identity;
+}
+
+}  // namespace kreisel
