@@ -25,6 +25,13 @@ using Slope = Changed<CotangentSO3::dim>;
 
 void change(Real* last, const Mat3& matrix) { store(Vec3(matrix * vec3(last)), last); }
 
+/// (R, omega) of (R, m), refined once: the round-off of the inverse, the same at every step, would add up.
+void to_velocity(Real* y, const Mat3& J, const Mat3& J_inverse) {
+    const Vec3 m = vec3(y + momentum_at);
+    const Vec3 omega = J_inverse * m;
+    store(Vec3(omega + J_inverse * (m - J * omega)), y + momentum_at);
+}
+
 }  // namespace
 
 CoadjointAction::CoadjointAction(const Mat3& J_O, const Mat3& J_O_inverse)
@@ -42,11 +49,11 @@ void CoadjointAction::to_tangent(const Real* y, Real* z) const {
 void CoadjointAction::identity(Real* y) const { group_.identity(y); }
 void CoadjointAction::multiply(const Real* a, const Real* b, Real* out) const {
     group_.multiply(State(a, J_), State(b, J_), out);
-    change(out + momentum_at, J_inverse_);
+    to_velocity(out, J_, J_inverse_);
 }
 void CoadjointAction::inverse(const Real* a, Real* out) const {
     group_.inverse(State(a, J_), out);
-    change(out + momentum_at, J_inverse_);
+    to_velocity(out, J_, J_inverse_);
 }
 void CoadjointAction::log(const Real* y, Real* z) const {
     group_.log(State(y, J_), z);
@@ -66,11 +73,11 @@ void CoadjointAction::dexp(const Real* u, const Real* z, Real* out) const {
 }
 void CoadjointAction::append_exp(const Real* y, const Real* u, Real* out) const {
     group_.append_exp(State(y, J_), Slope(u, J_), out);
-    change(out + momentum_at, J_inverse_);
+    to_velocity(out, J_, J_inverse_);
 }
 void CoadjointAction::append_cay(const Real* y, const Real* u, Real* out) const {
     group_.append_cay(State(y, J_), Slope(u, J_), out);
-    change(out + momentum_at, J_inverse_);
+    to_velocity(out, J_, J_inverse_);
 }
 bool CoadjointAction::in_exp_chart(const Real* u) const { return group_.in_exp_chart(u); }
 bool CoadjointAction::dexpinv_left(const Real* u, const Real* z, Real* out) const {
