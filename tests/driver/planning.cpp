@@ -302,15 +302,15 @@ TEST_CASE("a parameter of any kind can be an axis, and axes can vary together") 
     const auto label = [](const std::string& mass, const std::string& lever, const std::string& R) {
         return "top, mass = " + mass + ", lever = " + lever + ", R = " + R;
     };
-    CHECK(plan.cells[0].label == label("1", "[0,0,1]", identity));
-    CHECK(plan.cells[1].label == label("1", "[0,0,1]", turned));
-    CHECK(plan.cells[2].label == label("8", "[0,0,2]", identity));
-    CHECK(plan.cells[3].label == label("8", "[0,0,2]", turned));
-    CHECK(plan.cells[3].cell.parameters.at("mass") == ParameterValue(8.0));
-    CHECK(plan.cells[3].cell.parameters.at("lever") == ParameterValue(Vector3{0, 0, 2}));
+    CHECK(plan.cells[0].label() == label("1", "[0,0,1]", identity));
+    CHECK(plan.cells[1].label() == label("1", "[0,0,1]", turned));
+    CHECK(plan.cells[2].label() == label("8", "[0,0,2]", identity));
+    CHECK(plan.cells[3].label() == label("8", "[0,0,2]", turned));
+    CHECK(plan.cells[3].cell().parameters.at("mass") == ParameterValue(8.0));
+    CHECK(plan.cells[3].cell().parameters.at("lever") == ParameterValue(Vector3{0, 0, 2}));
     const Plan again = plan_from(resolved_config(plan.config));
     REQUIRE(again.cells.size() == 4);
-    for (std::size_t i = 0; i < 4; ++i) { CHECK(again.cells[i].identity == plan.cells[i].identity); }
+    for (std::size_t i = 0; i < 4; ++i) { CHECK(again.cells[i].identity() == plan.cells[i].identity()); }
 }
 
 TEST_CASE("lists of bodies on an axis are told apart by their numbers") {
@@ -322,8 +322,8 @@ TEST_CASE("lists of bodies on an axis are told apart by their numbers") {
             "bodies": {"axis": [)" +
                                 bodies(1) + ", " + bodies(2) + "]}}}]}");
     REQUIRE(plan.cells.size() == 2);
-    CHECK(plan.cells[0].label == "multibody, bodies = #1");
-    CHECK(plan.cells[1].label == "multibody, bodies = #2");
+    CHECK(plan.cells[0].label() == "multibody, bodies = #1");
+    CHECK(plan.cells[1].label() == "multibody, bodies = #2");
 }
 
 TEST_CASE("timed cells differ from those that are not timed") {
