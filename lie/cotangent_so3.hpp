@@ -4,8 +4,8 @@
 //   element   (R, m): R in SO(3), m in so(3)* = R^3; product (R, m) (S, n) = (R S, S^T m + n); stored R column by
 //             column, then m. In space axes, with x = R m, it is SE(3): (R, x) (S, y) = (R S, x + R y)
 //   algebra   (u, n): u in so(3), n in so(3)*, with the bracket of se(3): [(u, n), (v, k)] = (u x v, u x k - v x n)
-//   curves    (R, m)' = (R, m) (u, n) is R' = R hat(u), m' = m x u + n: along (u, 0) the covector moves on its coadjoint
-//             orbit, the sphere |m|, m = R(t)^T R(0) m(0)
+//   curves    (R, m)' = (R, m) (u, n) is R' = R hat(u), m' = m x u + n: along (u, 0) the covector moves on its
+//             coadjoint orbit, the sphere |m|, m = R(t)^T R(0) m(0)
 // exp(u, n) = (exp(u), dexp_{-u}(n)): (u, 0) turns by R = exp(u) and m becomes R^T m, to the last digit without n.
 // Maps of the algebra alone are those of lie/se3.hpp, of which (u, n) is (p, w) = (n, u).
 // Sources: [engofaltinsen2001, Sec. 2], [hairer2006, Sec. VII.5].

@@ -3,8 +3,8 @@
 // States (R, omega) of a body with the inertia J_O about its fixed point, moved as elements (R, m = J_O omega) of
 // T*SO(3) (lie/cotangent_so3.hpp): y' = y z with z = (omega, J_O^{-1} tau) is
 //   R' = R hat(omega),   m' = ad*_omega m + tau = m x omega + tau,
-// tau the torque in body axes [hairer2006, Sec. VII.5]. Where it vanishes, every product of exponentials of such z keeps
-// R m, the momentum in space, and with it |m|, the Casimir of so(3)*, to round-off.
+// tau the torque in body axes [hairer2006, Sec. VII.5]. Where it vanishes, every product of exponentials of such z
+// keeps R m, the momentum in space, and with it |m|, the Casimir of so(3)*, to round-off.
 #pragma once
 
 #include "lie/cotangent_so3.hpp"

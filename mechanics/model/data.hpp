@@ -20,8 +20,8 @@ using Matrix3 = std::array<double, 9>;  ///< row by row
 inline constexpr Matrix3 identity3 = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 /// A rigid body: inertia about its mass centre in body axes (kg m^2), x and v in space axes (m, m/s), R body to
-/// space, omega in body axes (rad/s). A velocity that is not given follows from the joints. A point mass has no inertia;
-/// its R and omega have no meaning.
+/// space, omega in body axes (rad/s). A velocity that is not given follows from the joints. A point mass has no
+/// inertia; its R and omega have no meaning.
 struct BodyData {
     std::string name;
     double mass = 1;

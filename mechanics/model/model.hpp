@@ -113,8 +113,8 @@ struct GivenVelocities {
 };
 
 /// Velocities that are not given, from the joints: among those with C v + b = 0, the ones of least kinetic energy.
-/// Where only v are asked for, of least norm, which is the same where they are unique. A warning says what was free in a
-/// motion that is not rest. What is given may contradict the joints: check_start tells.
+/// Where only v are asked for, of least norm, which is the same where they are unique. A warning says what was free in
+/// a motion that is not rest. What is given may contradict the joints: check_start tells.
 void complete_velocities(Model& model, const GivenVelocities& given);
 /// With all omega given.
 void complete_velocities(Model& model, const std::vector<bool>& given_v);

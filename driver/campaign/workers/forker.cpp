@@ -63,7 +63,8 @@ class Nursery {
         send_answer(control_, {worker, 0}, {ours.number(), printed.number()});
     }
 
-    // The worker has seen that its socket is closed, and what watches it (a profiler, counts of coverage) has work to do.
+    // The worker sees that its socket is closed; what watches it, a profiler or counts of coverage, then has work to
+    // do.
     void release(pid_t worker) {
         const Descriptor process(static_cast<int>(::syscall(SYS_pidfd_open, worker, 0)));
         pollfd end{process.number(), POLLIN, 0};

@@ -132,7 +132,8 @@ TEST_CASE("forces of every type are read") {
         {"type": "damper", "between": ["a", "b"], "point": [1, 0, 0], "damping": 2},
         {"type": "rotational_damper", "between": ["a", "b"], "damping": 2},
         {"type": "bushing", "between": ["a", "b"], "point": [1, 0, 0], "stiffness": [1, 2, 3],
-            "torsional_stiffness": [4, 5, 6], "torsional_damping": [0, 0, 1], "axes": [[0, 0, 1], [1, 0, 0], [0, 1, 0]]},
+            "torsional_stiffness": [4, 5, 6], "torsional_damping": [0, 0, 1],
+            "axes": [[0, 0, 1], [1, 0, 0], [0, 1, 0]]},
         {"type": "gravitation", "between": ["a", "b"], "constant": 2},
         {"type": "central_field", "body": "a", "mu": 3, "centre": [0, 1, 0]}
     ])");

@@ -6,8 +6,8 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// The frames are three vectors each, attached to their bodies: e_i of the first and n_i of the second. The place of the
-/// second in the first has the coordinates p_i = e_i . d, and the angles follow from their rates: with the angular
+/// The frames are three vectors each, attached to their bodies: e_i of the first and n_i of the second. The place of
+/// the second in the first has the coordinates p_i = e_i . d, and the angles follow from their rates: with the angular
 /// velocity w of the second body relative to the first, s = e_1 . n_3, c^2 = 1 - s^2 and m = n_3 x e_1,
 ///   c^2 q_1' = (e_1 - s n_3) . w,   c q_2' = m . w,   c^2 q_3' = (n_3 - s e_1) . w.
 /// A force F on the second body at its place has the power F . (d' - w_first x d), whose components along e_i are p_i'.
