@@ -26,10 +26,12 @@ void for_each_run(F f) {
             }
 }
 
+/// Of an entry, over the larger of 1 and the largest entry: states that are held as momenta are rounded in their unit.
 Real difference(const std::vector<Real>& a, const std::vector<Real>& b) {
-    Real worst = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) worst = max(worst, Real(abs(a[i] - b[i])));
-    return worst;
+    Real worst = 0, size = 1;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        worst = max(worst, Real(abs(a[i] - b[i]))), size = max(size, Real(abs(a[i])));
+    return worst / size;
 }
 
 }  // namespace

@@ -46,7 +46,12 @@ Model divided(Model model, const Parts& parts) {
         if (body == parts.body) r -= parts.first;
     };
     for (Joint& joint : model.joints) shift(joint.first, joint.r_first), shift(joint.second, joint.r_second);
-    for (Spring& spring : model.springs) shift(spring.first, spring.r_first), shift(spring.second, spring.r_second);
+    const auto shift_points = [&](auto& forces) {
+        for (auto& force : forces) shift(force.first, force.r_first), shift(force.second, force.r_second);
+    };
+    shift_points(model.springs), shift_points(model.polynomial_springs);
+    shift_points(model.bushings), shift_points(model.attractions);
+    for (Damper& damper : model.dampers) shift(damper.second, damper.r_second);
     for (Load& load : model.loads) shift(load.body, load.point);
     model.bodies.push_back(second);
     model.joints.push_back({.first = parts.body,
