@@ -33,6 +33,15 @@ Model scaled(Model model, const Real& factor) {
     for (Load& load : model.loads) load.force *= factor, load.torque *= factor;
     for (Spring& spring : model.springs) spring.stiffness *= factor, spring.damping *= factor;
     for (TorsionSpring& spring : model.torsion_springs) spring.stiffness *= factor, spring.damping *= factor;
+    for (PolynomialSpring& spring : model.polynomial_springs) {
+        for (Real& coefficient : spring.coefficients) coefficient *= factor;
+        spring.damping *= factor;
+    }
+    for (Damper& damper : model.dampers) damper.damping *= factor;
+    for (RotationalDamper& damper : model.rotational_dampers) damper.damping *= factor;
+    for (Attraction& attraction : model.attractions) attraction.strength *= factor;
+    for (Bushing& bushing : model.bushings)
+        for (std::size_t i = 0; i < 2; ++i) bushing.stiffness[i] *= factor, bushing.damping[i] *= factor;
     return model;
 }
 
