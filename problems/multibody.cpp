@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Any mechanism: rigid bodies and point masses, joints of every kind (mechanics/joints/joint_rows.hpp), springs and
-// loads (mechanics/forces/), gravity g (1 + A sin(W t)). Bodies without v get it from the joints. The model
+// loads (mechanics/forces/), gravity g (1 + A sin(W t)). Velocities that are not given follow from the joints. The model
 // holds what the config says and nothing else. The demonstration is a crank that turns about the y axis, with a rod on
 // a spherical joint at its end, which a spring holds; the data are our own.
 #include "mechanics/formulation.hpp"
@@ -72,16 +72,15 @@ KREISEL_PROBLEM(
     {.name = "multibody",
      .summary = "any mechanism: bodies, joints and forces as parameters",
      .cites = {},
-     .parameters = {{"bodies", ParameterKind::bodies, "", "rigid bodies and point masses", std::vector<BodyData>(),
-                     true},
-                    {"joints", ParameterKind::joints, "", "what holds bodies to each other or to the ground",
-                     std::vector<JointData>()},
-                    {"forces", ParameterKind::forces, "", "springs and loads", std::vector<ForceData>()},
-                    {"gravity", ParameterKind::vector, "m/s^2", "gravity, space axes", Vector3{0, 0, -9.81}},
-                    {"gravity_amplitude", ParameterKind::scalar, "1", "A in gravity (1 + A sin(W t))", 0.0},
-                    {"gravity_frequency", ParameterKind::scalar, "rad/s", "W in gravity (1 + A sin(W t))", 0.0},
-                    {"project_initial", ParameterKind::flag, "", "move the start onto the joints, and say by how much",
-                     false}},
+     .parameters =
+         {{"bodies", ParameterKind::bodies, "", "rigid bodies and point masses", std::vector<BodyData>(), true},
+          {"joints", ParameterKind::joints, "", "what holds bodies to each other or to the ground",
+           std::vector<JointData>()},
+          {"forces", ParameterKind::forces, "", "springs, dampers, attractions and loads", std::vector<ForceData>()},
+          {"gravity", ParameterKind::vector, "m/s^2", "gravity, space axes", Vector3{0, 0, -9.81}},
+          {"gravity_amplitude", ParameterKind::scalar, "1", "A in gravity (1 + A sin(W t))", 0.0},
+          {"gravity_frequency", ParameterKind::scalar, "rad/s", "W in gravity (1 + A sin(W t))", 0.0},
+          {"project_initial", ParameterKind::flag, "", "move the start onto the joints, and say by how much", false}},
      .demonstration = {{"bodies", crank_and_rod()}, {"joints", pivot_and_ball()}, {"forces", one_spring()}},
      .demonstration_config = "experiments/mechanisms/crank_and_rod.json"});
 
