@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Any mechanism: rigid bodies and point masses, joints of every kind (mechanics/joints/joint_rows.hpp), springs and
-// loads (mechanics/forces/), gravity g (1 + A sin(W t)). Velocities that are not given follow from the joints. The model
-// holds what the config says and nothing else. The demonstration is a crank that turns about the y axis, with a rod on
-// a spherical joint at its end, which a spring holds; the data are our own.
+// loads (mechanics/forces/), gravity g (1 + A sin(W t)). Velocities that are not given follow from the joints. The
+// model holds what the config says and nothing else. The demonstration is a crank that turns about the y axis, with a
+// rod on a spherical joint at its end, which a spring holds; the data are our own.
 #include "mechanics/formulation.hpp"
 #include "mechanics/start.hpp"
 #include "problems/problem.hpp"
