@@ -4,7 +4,8 @@
 
 set -euo pipefail
 
-# Cells and references that are there. Lines of interrupted cells are no results.
+# Cells and references that are there. Lines of interrupted cells are no results. Before the first there is no file, and
+# grep, which still prints 0, ends with 1: that is a count, and no failure.
 achieved() {
     local part=".${SLURM_ARRAY_TASK_ID:-}-of-$parts"
     [[ $parts -gt 1 ]] || part=
@@ -35,6 +36,7 @@ compute() {
     flock --no-fork "$folder/slurm/$1.lock" "$kreisel" run "$folder/config.json" -o "$folder" --resume \
         -j "${SLURM_CPUS_PER_TASK:-1}" "${limits[@]}" "${@:2}" &
     child=$!
+    # The child may have ended by itself when the signal comes: its exit code is what counts, below.
     trap 'kill -TERM "$child" 2>/dev/null || true' TERM
     while
         code=0
