@@ -2,9 +2,9 @@
 //
 // Declared order = observed order where double has only round-off: quad runs with errors down to about 1e-25, for
 // every registered method. The end time T follows from the order p such that T (T/N)^p is that small at the finest N,
-// or as small as quotients over h allow, so that a method of order 1 gets there with a thousand steps too; above
-// order 4 with 256, which keeps steps of many stages affordable. (Accumulation of errors over long times is tested in
-// double, by orders.cpp, up to order 4.)
+// or as small as quotients over h allow, so that a method of order 1 gets there with 512 steps too; above order 4 with
+// 256, which keeps steps of many stages affordable. (Accumulation of errors over long times is tested in double, by
+// orders.cpp, up to order 4.)
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr int levels = 5;
 
-long coarsest(int p) { return p <= highest_order_in_double ? 64 : 16; }
+long coarsest(int p) { return p <= highest_order_in_double ? 32 : 16; }
 
 /// Velocities follow from positions alone: they have the round-off of places over h, and multipliers that over h^2.
 bool has_quotients(const MethodDescription& method) { return method.meets_positions && !method.meets_velocities; }
@@ -46,10 +46,17 @@ const Reference& reference(const std::string& problem, double t_end) {
 
 using ErrorCurves = std::map<std::string, std::vector<ErrorPoint>>;
 
-/// With the steps for order p, or `finer` times as many; empty if the pair does not run.
+struct Grid {
+    double t_end;
+    long coarsest;
+};
+
+Grid grid(int p) { return {end_time(p), coarsest(p)}; }
+
+/// Empty if the pair does not run.
 ErrorCurves measure(const std::string& problem, const std::string& formulation, const MethodDescription& method,
-                    const OptionValues& options, int p, int finer = 1) {
-    const double t_end = end_time(p);
+                    const OptionValues& options, const Grid& grid) {
+    const double t_end = grid.t_end;
     ErrorCurves curves;
     for (int level = 0; level < levels; ++level) {
         const Cell cell{.problem = problem,
@@ -60,7 +67,7 @@ ErrorCurves measure(const std::string& problem, const std::string& formulation, 
                         .projection = "none",
                         .projection_options = {},
                         .t_end = t_end,
-                        .steps = finer * coarsest(p) << level,
+                        .steps = grid.coarsest << level,
                         .samples = 0,
                         .metrics = {"error.*"}};
         if (!engine_binary128().skip_reason(cell).empty()) return {};
@@ -116,29 +123,38 @@ double nearest(const ErrorCurves& curves, const Reference& reference, const Orde
     return least;
 }
 
-/// The first objection to the curves of a method.
+/// The first objection to the curves of a method. If `sharp`, one of them must come near the declared order.
 std::string objection(const ErrorCurves& curves, const Reference& exact, const Order& order,
-                      const MethodDescription& method) {
+                      const MethodDescription& method, bool sharp) {
     const int p = order.configuration;
     for (const auto& [metric, points] : curves)
         if (const std::string found = objection(points, metric, exact, declared(order, metric), p, method);
             !found.empty())
             return metric + ": " + found;
-    return "";
+    const bool near = curves.empty() || nearest(curves, exact, order) <= order_tolerance(p);
+    return near || !sharp ? "" : "no quantity shows the declared order";
 }
 
-/// The number of curves. Above order 4, slopes that have not settled may do so with twice as many steps.
+/// The number of curves. Above order 4, slopes that have not settled may do so with twice as many steps, or at half the
+/// time: the leading error of a method of high order can pass near zero at one T (verner9's of omega as SO3-LiePoisson,
+/// 8.7 at T = 0.33, 9.0 at 0.15 and 0.6).
 int certify(const std::string& problem, const std::string& formulation, const MethodDescription& method,
             const OptionValues& options) {
     const Order order = engine_binary128().method(method.name, options).order;
     const int p = order.configuration;
-    const Reference& exact = reference(problem, end_time(p));
     INFO(method.name << " " << json_value(options) << " on " << problem << " as " << formulation);
-    ErrorCurves curves = measure(problem, formulation, method, options, p);
-    if (p > highest_order_in_double && !objection(curves, exact, order, method).empty())
-        curves = measure(problem, formulation, method, options, p, 2);
-    CHECK(objection(curves, exact, order, method) == "");
-    if (!curves.empty() && problem == "forced_heavy_top") CHECK(nearest(curves, exact, order) <= order_tolerance(p));
+    const Grid standard = grid(p);
+    std::vector<Grid> grids = {standard};
+    if (p > highest_order_in_double)
+        grids.insert(grids.end(), {{standard.t_end, 2 * standard.coarsest}, {standard.t_end / 2, standard.coarsest}});
+    ErrorCurves curves;
+    std::string found;
+    for (const Grid& grid : grids) {
+        curves = measure(problem, formulation, method, options, grid);
+        found = objection(curves, reference(problem, grid.t_end), order, method, problem == "forced_heavy_top");
+        if (found.empty()) break;
+    }
+    CHECK(found == "");
     return static_cast<int>(curves.size());
 }
 
@@ -147,7 +163,7 @@ int certify(const std::string& problem) {
     for (const MethodDescription& method : engine_binary128().methods()) {
         // Their errors of order 2 are brackets, which over so short a time are smaller than those of order 4.
         if (method.name.starts_with("cautionary/")) continue;
-        for (const char* formulation : {"SO3", "SO3xR3", "SE3"})
+        for (const char* formulation : {"SO3", "SO3-LiePoisson", "SO3xR3", "SE3"})
             seen += certify(problem, formulation, method, standard_options(method));
     }
     return seen;
@@ -175,7 +191,7 @@ TEST_CASE("orders declared under other options are observed in quad", "[campaign
 TEST_CASE("quad rejects a method that claims one order more", "[campaign][control]") {
     for (const MethodDescription& method : engine_binary128().methods())
         if (method.name == "rkmk/kutta3") {
-            const ErrorCurves curves = measure("forced_heavy_top", "SO3xR3", method, standard_options(method), 3);
+            const ErrorCurves curves = measure("forced_heavy_top", "SO3xR3", method, standard_options(method), grid(3));
             const Reference& exact = reference("forced_heavy_top", end_time(3));
             CHECK(objection(curves.at("error.rotation"), "error.rotation", exact, 3, 3, method) == "");
             CHECK(objection(curves.at("error.rotation"), "error.rotation", exact, 4, 4, method) != "");
