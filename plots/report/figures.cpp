@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "plots/figures/kind.hpp"
 #include "plots/figures/kinds/panel_kind.hpp"
@@ -36,14 +37,26 @@ std::string fitted_json(const Curve& curve) {
     return fmt::format("[{}]", fmt::join(indices, ","));
 }
 
-std::string curve_json(const Curve& curve) {
+std::string curve_json(const Curve& curve, const std::string& x) {
     ObjectWriter object;
     object.member("label", json_text(curve.label))
         .member("style", std::to_string(curve.style))
-        .member("x", coordinates_json(curve.points, &Point::x))
+        .member("x", x)
         .member("y", coordinates_json(curve.points, &Point::y));
     if (!curve.fitted.empty()) { object.member("fitted", fitted_json(curve)); }
     return object.text();
+}
+
+// Of a panel. Where a curve has the x of an earlier one, which all samples at the same times have, its `x` is the index
+// of that curve.
+std::string curves_json(const std::vector<Curve>& curves) {
+    std::map<std::string, std::string> first;
+    std::size_t count = 0;
+    return json_list(curves, [&](const Curve& curve) {
+        const std::string x = coordinates_json(curve.points, &Point::x);
+        const auto [known, is_new] = first.emplace(x, std::to_string(count++));
+        return curve_json(curve, is_new ? x : known->second);
+    });
 }
 
 std::string guide_json(const std::vector<Point>& guide) {
@@ -99,7 +112,7 @@ std::string json_value(const Panel& panel) {
         .member("log_x", flag_json(panel.log_x))
         .member("log_y", flag_json(panel.log_y))
         .member("from_zero", flag_json(panel.from_zero))
-        .member("curves", json_list(panel.curves, curve_json))
+        .member("curves", curves_json(panel.curves))
         .member("guides", json_list(panel.guides, guide_json))
         .member("marks", json_list(panel.marks, mark_json))
         .text();

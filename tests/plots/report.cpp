@@ -105,6 +105,19 @@ TEST_CASE("a page holds every cell with its numbers as they are, and the curves 
     CHECK(curve.at("label").get<std::string>().find("4.00") != std::string::npos);
 }
 
+TEST_CASE("a curve with the x of an earlier one names it") {
+    Panel panel;
+    panel.curves.resize(3);
+    panel.curves[0].points = {{1, 2}, {3, 4}};
+    panel.curves[1].points = {{1, 2}, {4, 4}};
+    panel.curves[2].points = {{1, 5}, {3, 6}};
+    const nlohmann::json curves = nlohmann::json::parse(json_value(panel)).at("curves");
+    CHECK(curves.at(0).at("x") == nlohmann::json{1, 3});
+    CHECK(curves.at(1).at("x") == nlohmann::json{1, 4});
+    CHECK(curves.at(2).at("x") == 0);
+    CHECK(curves.at(2).at("y") == nlohmann::json{5, 6});
+}
+
 TEST_CASE("quad numbers keep their digits on the page") {
     const std::string digits = "3.611600096117610758135889554237184097e-33";
     const ReportedFolder folder(nlohmann::json{{"precision", "quad"}, {"metrics", {{"error.position", digits}}}});

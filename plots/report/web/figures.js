@@ -50,10 +50,16 @@ function scaleButtons(axis, state, changed) {
       buttons.map(([, button]) => button));
 }
 
+// A curve with the x of an earlier one has the index of that curve in place of numbers.
+const withAbscissae = (panel) => ({
+  ...panel,
+  curves: panel.curves.map((curve) => Array.isArray(curve.x) ? curve : {...curve, x: panel.curves[curve.x].x})
+});
+
 function panelsView(figure) {
   const first = figure.panels[0], state = {log: {x: first.log_x, y: first.log_y}, hidden: new Set()};
   const updates = [], changed = () => updates.forEach((update) => update());
-  const panels = figure.panels.map((panel) => {
+  const panels = figure.panels.map(withAbscissae).map((panel) => {
     const plot = plotView(panel, figure, state), legend = legendView(panel, figure, state, changed);
     updates.push(plot.update);
     if (legend) updates.push(legend.update);
