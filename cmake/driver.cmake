@@ -38,8 +38,9 @@ target_sources(kreisel_driver PRIVATE ${jobs_source})
 set_source_files_properties(${jobs_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 target_include_directories(kreisel_driver PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
 find_library(KREISEL_NETTLE nettle REQUIRED)  # SHA-256
+find_library(KREISEL_TINYXML2 tinyxml2 REQUIRED)  # URDF
 target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 GSL::gsl Threads::Threads
-                                            ${KREISEL_NETTLE})
+                                            Boost::headers ${KREISEL_NETTLE} ${KREISEL_TINYXML2})
 
 if(KREISEL_BINARY128)
   # Objects only, no usage requirements: main.cpp belongs to neither precision.

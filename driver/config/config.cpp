@@ -108,7 +108,8 @@ Config read_config(const Document& document, const Catalogue& catalogue) {
     if (const auto time = root.require("time", time_expectation)) { read_time(*time, config); }
     read_measurements(root, config);
     sink.raise();
-    config.warnings = sink.warnings();
+    config.warnings = document.remarks;
+    config.warnings.insert(config.warnings.end(), sink.warnings().begin(), sink.warnings().end());
     return config;
 }
 

@@ -44,8 +44,8 @@ std::string number_text(const Document& document, const std::string& pointer) {
     return cut(std::string_view(document.text).substr(start, end == std::string::npos ? end : end - start));
 }
 
-// The layer that wrote what is at `pointer`, and the pointer there; null if no layer has it.
-std::pair<const Document*, std::string> writer_of(const Document& document, const std::string& pointer) {
+// The layer that wrote what is at `pointer`, and the pointer there; the document itself if no layer has it.
+std::pair<const Document*, std::string> source_of(const Document& document, const std::string& pointer) {
     for (auto layer = document.layers.rbegin(); layer != document.layers.rend(); ++layer) {
         const std::string& top = layer->pointer;
         const bool below = pointer.starts_with(top) && (pointer.size() == top.size() || pointer[top.size()] == '/');
@@ -55,10 +55,14 @@ std::pair<const Document*, std::string> writer_of(const Document& document, cons
             return {layer->source.get(), std::move(rest)};
         }
     }
-    return {nullptr, ""};
+    return {&document, pointer};
 }
 
 }  // namespace
+
+const Document& writer_of(const Document& document, const std::string& pointer) {
+    return *source_of(document, pointer).first;
+}
 
 std::string in_quotes(std::string_view text) { return "\"" + escaped(cut(text)) + "\""; }
 
@@ -93,10 +97,8 @@ std::string message_at(const Document& document, std::size_t byte, const std::st
 
 // The place of a value: its pointer in the whole document, line and column in the file that wrote it.
 static std::string message_in(const Document& document, const Issue& issue, const std::string& text) {
-    const auto [writer, pointer] = writer_of(document, issue.pointer);
-    const Document& source = writer != nullptr ? *writer : document;
-    const std::string& there = writer != nullptr ? pointer : issue.pointer;
-    return message_at(source, locate(source.text, there, issue.target, issue.occurrence), issue.pointer, text);
+    const auto [source, there] = source_of(document, issue.pointer);
+    return message_at(*source, locate(source->text, there, issue.target, issue.occurrence), issue.pointer, text);
 }
 
 std::string message(const Document& document, const Issue& issue) {

@@ -27,6 +27,7 @@ struct Document {
     std::string text;
     nlohmann::json value;
     std::vector<Layer> layers = {};  ///< of a document that was put together; messages point into the last that fits
+    std::vector<std::string> remarks = {};  ///< of those who made it, for its reader
 };
 
 /// One error at a JSON pointer: `expected ..., got ...; did you mean "..."?`, without its empty parts, or a
@@ -40,6 +41,9 @@ struct Issue {
     int occurrence = 1;
     std::string sentence = {};
 };
+
+/// The layer of a document that wrote the value at `pointer`, or the document itself.
+const Document& writer_of(const Document& document, const std::string& pointer);
 
 /// `file:line:column: /pointer: expected ..., got ...; did you mean "..."?`, on one line whatever the file holds.
 std::string message(const Document& document, const Issue& issue);

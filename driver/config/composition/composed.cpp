@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "driver/config/composition/mechanism_files.hpp"
 #include "records/json/node.hpp"
 #include "records/json/strict.hpp"
 #include "records/manifest.hpp"
@@ -123,9 +124,7 @@ void apply(const std::string& setting, Document& document) {
     document.layers.push_back({place, std::make_shared<const Document>(Document{"--set " + setting, text, value})});
 }
 
-}  // namespace
-
-Document composed_config(const std::filesystem::path& file, const std::vector<std::string>& settings) {
+Document merged_config(const std::filesystem::path& file, const std::vector<std::string>& settings) {
     std::vector<Document> chain = chain_from(file);
     if (chain.size() == 1 && settings.empty()) { return chain.front(); }
     Document whole{chain.back().file, "", chain.front().value};
@@ -139,6 +138,14 @@ Document composed_config(const std::filesystem::path& file, const std::vector<st
     for (const std::string& setting : settings) { apply(setting, whole); }
     whole.text = whole.value.dump(2);
     return whole;
+}
+
+}  // namespace
+
+Document composed_config(const std::filesystem::path& file, const std::vector<std::string>& settings) {
+    Document config = merged_config(file, settings);
+    insert_mechanism_files(config);
+    return config;
 }
 
 }  // namespace kreisel

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "records/json/model_keys.hpp"
@@ -34,10 +35,12 @@ double largest(Numbers numbers) {
     return size;
 }
 
-double largest_change_of_text(Numbers numbers) {
+// Of the text, or of the arithmetic that computed what all digits are printed of.
+double largest_change_of_round_off(Numbers numbers) {
     int most = 0;
     for (const double number : numbers) { most = std::max(most, decimals(number)); }
-    return std::min(2 * std::pow(10.0, -most), largest_relative_change * largest(numbers));
+    const double size = largest(numbers), of_arithmetic = 16 * std::numeric_limits<double>::epsilon() * size;
+    return std::min(std::max(2 * std::pow(10.0, -most), of_arithmetic), largest_relative_change * size);
 }
 
 double difference(Numbers a, Numbers b) {
@@ -124,7 +127,7 @@ Matrix3 PrintedNumbers::rotation(const Node& node, const Matrix3& R) const {
     if (exact_ || defect < accepted / 10 || !(defect < 0.01)) { return R; }
     const Matrix3 nearest = polar_factor(R);
     const double change = difference(R, nearest);
-    if (!(change <= largest_change_of_text(R))) { return R; }
+    if (!(change <= largest_change_of_round_off(R))) { return R; }
     warn(node, "not orthogonal", "the nearest rotation", change);
     return nearest;
 }
@@ -134,7 +137,7 @@ std::optional<std::array<double, 4>> PrintedNumbers::quaternion(const Node& node
     const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
     const std::array<double, 4> unit = {q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm};
     if (std::abs(norm - 1) <= accepted) { return unit; }
-    const double change = difference(q, unit), most = largest_change_of_text(q);
+    const double change = difference(q, unit), most = largest_change_of_round_off(q);
     if (exact_ || !(norm > 0) || !(change <= most)) {
         node.error("a unit quaternion (norm 1 within 1e-9, or as its decimals allow)", fmt::format("norm {}", norm));
         return std::nullopt;
@@ -145,7 +148,7 @@ std::optional<std::array<double, 4>> PrintedNumbers::quaternion(const Node& node
 
 std::optional<Matrix3> PrintedNumbers::inertia(const Node& node, const Matrix3& J) const {
     const Matrix3 symmetric = symmetric_part(J);
-    const double asymmetry = difference(J, symmetric), most = largest_change_of_text(J);
+    const double asymmetry = difference(J, symmetric), most = largest_change_of_round_off(J);
     if (asymmetry > 0 && (exact_ || !(asymmetry <= most))) {
         node.error(expectation(ValueKind::inertia),
                    fmt::format("a matrix that is not symmetric: an entry is {:.2g} off its symmetric part, {:.2g} are "

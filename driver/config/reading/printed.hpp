@@ -11,9 +11,9 @@
 
 namespace kreisel {
 
-/// Takes for a value that round-off of its text made invalid the nearest valid one, with a warning that gives the size
+/// Takes for a value that round-off made invalid the nearest valid one, with a warning that gives the size
 /// of the change: for the largest entry L and the last printed decimal u of the entry with most decimals, at most
-/// min(2 u, 1e-5 L) in any entry. Other values are returned as they are, for the engine to judge.
+/// min(max(2 u, 16 eps L), 1e-5 L) in any entry, eps that of double. Other values are returned as they are, for the engine to judge.
 class PrintedNumbers {
   public:
     /// `exact`: changes nothing.

@@ -117,6 +117,20 @@ Schema value_or_axis(ParameterKind kind) {
     return {{"anyOf", choices}};
 }
 
+// Parameters in the config, or from a file (driver/config/composition/mechanism_files.hpp).
+Schema written_or_from_file(Schema parameters, const std::vector<std::string>& required) {
+    const Schema coordinates = {{"type", "object"}, {"additionalProperties", number()}};
+    parameters["file"] = text(4096);
+    parameters["file"]["description"] =
+        "path of a JSON file with these keys, or of a robot (URDF), relative to the config";
+    parameters["positions"] = parameters["rates"] = coordinates;
+    parameters["root"] = choice({"ground", "free"});
+    Schema schema = object(parameters, {});
+    for (const char* key : {"positions", "rates", "root"}) { schema["dependencies"][key] = {"file"}; }
+    if (!required.empty()) { schema["anyOf"] = {has(required), has({"file"})}; }
+    return schema;
+}
+
 }  // namespace
 
 Schema problem_object(const ProblemDescription& problem) {
@@ -130,7 +144,7 @@ Schema problem_object(const ProblemDescription& problem) {
     const std::vector<std::string> required = required_parameters(problem);
     return object({{"name", {{"const", problem.name}}},
                    {"label", label},
-                   {"parameters", object(parameters, required)},
+                   {"parameters", written_or_from_file(parameters, required)},
                    {"exact", {{"type", "boolean"}}}},
                   required.empty() ? std::vector<std::string>{"name"} : std::vector<std::string>{"name", "parameters"});
 }

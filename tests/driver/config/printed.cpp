@@ -92,6 +92,14 @@ TEST_CASE("a quaternion of few digits is normalised, with a warning") {
                Contains("norm 1.0000000266"));
 }
 
+TEST_CASE("an inertia that differs from its transpose by round-off of doubles becomes symmetric") {
+    // All digits of R J R^T, where the entries beside the diagonal are zero but for round-off.
+    const Config config = read_body_with(R"("inertia": [[0.49, 9.1e-18, 0], [-9.1e-18, 0.49, 1.1e-17], [0, 0, 0.2]])");
+    CHECK(config.warnings.size() == 1);
+    CHECK_THAT(refusal_of_body(R"("inertia": [[0.49, 9.1e-15, 0], [-9.1e-15, 0.49, 0], [0, 0, 0.2]])"),
+               Contains("not symmetric"));
+}
+
 TEST_CASE("an inertia whose entries differ by round-off becomes symmetric, with a warning") {
     const Config config = read_body_with(R"("inertia": [[2.5, 0.1234567, 0], [0.1234569, 2.5, 0], [0, 0, 2.5]])");
     const Matrix3 J = body_of(config).inertia;

@@ -27,7 +27,7 @@ std::string of_masses(const nlohmann::json& masses) {
         .dump();
 }
 
-std::vector<nlohmann::json> lines_of(const std::filesystem::path& folder) {
+std::vector<nlohmann::json> journal_entries(const std::filesystem::path& folder) {
     std::vector<nlohmann::json> lines;
     std::istringstream stream(contents(folder / "results.jsonl"));
     for (std::string line; std::getline(stream, line);) { lines.push_back(nlohmann::json::parse(line)); }
@@ -52,7 +52,7 @@ TEST_CASE("a reference that ends badly gives its cells no_reference with the rea
                                         engine);
         CHECK(result.code == 1);
         CHECK_THAT(result.messages, Catch::Contains("crashed(SIGSEGV): reference of free_top at t = 1 s: its process"));
-        const auto lines = lines_of(folder);
+        const auto lines = journal_entries(folder);
         REQUIRE(lines.size() == 48);
         for (const auto& line : lines) {
             const int mass = line["problem"] == "free_top" ? line["parameters"]["mass"].get<int>() : 5;
