@@ -123,7 +123,7 @@ const std::vector<Room>& rooms() {
          talks},
         {"plots", {"plots", "records", "support"}, {"fmt/"}, talks},
         {"driver/config",
-         {"plots/figures/spec.hpp", "plots/figures/schema.hpp", "records", interface,
+         {"plots/figures/kind.hpp", "plots/figures/spec.hpp", "plots/figures/schema.hpp", "records", interface,
           "methods/contract/description.hpp", "problems/description.hpp", "support"},
          {"fmt/", "gsl/", "nlohmann/"},
          talks},

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "driver/config/figure_demands.hpp"
 #include "plots/figures/spec.hpp"
 #include "records/kinds/kind.hpp"
+#include "records/metrics/catalogue.hpp"
+#include "support/nearest.hpp"
 
 namespace kreisel {
 
@@ -23,12 +26,24 @@ void read_output(const Node& root, Config& config) {
     config.samples = samples.value_or(0);
     for (const long steps : config.steps) {
         if (config.samples > 0 && steps % config.samples != 0) {
-            node->error(
+            node->violates(
+                Rule::whole_strides,
                 "a number that divides every number of steps, since samples of constant steps are not interpolated",
                 fmt::format("{}, which does not divide {}", config.samples, steps));
             return;
         }
     }
+}
+
+// A name of the engine, of a first integral, which problems have, or a pattern.
+std::optional<std::string> read_metric(const Node& entry) {
+    const std::string expected = "a metric (see kreisel list metrics), or a pattern such as \"error.*\"";
+    auto metric = entry.text(expected, 100);
+    if (!metric || metric->find('*') != std::string::npos || metric->starts_with("invariant.")) { return metric; }
+    const auto& names = names_of_metrics();
+    if (std::find(names.begin(), names.end(), *metric) != names.end()) { return metric; }
+    entry.mismatch(expected, nearest_name(*metric, names));
+    return std::nullopt;
 }
 
 void read_metrics(const Node& root, Config& config) {
@@ -42,13 +57,8 @@ void read_metrics(const Node& root, Config& config) {
         node->mismatch("a list of metrics or patterns such as \"error.*\" (an empty list measures nothing)");
         return;
     }
-    for (const Node& entry : node->elements_or_self()) {
-        const auto pattern = entry.text("a metric or a pattern such as \"error.*\"", 100);
-        if (pattern && std::find(config.metrics.begin(), config.metrics.end(), *pattern) != config.metrics.end()) {
-            entry.error("each metric once", in_quotes(*pattern) + " again");
-        } else if (pattern) {
-            config.metrics.push_back(*pattern);
-        }
+    for (const Node& entry : distinct(node->elements_or_self(), "metric")) {
+        if (const auto metric = read_metric(entry)) { config.metrics.push_back(*metric); }
     }
 }
 
@@ -68,10 +78,21 @@ void check_timed(const Node& root, const Config& config) {
     }
 }
 
+// Whether the experiment is of a kind, and has steps and samples, that a figure can draw.
+void check_demands(const Node& root, const Figure& figure) {
+    const nlohmann::json& shown = root.json().at(nlohmann::json::json_pointer(figure.pointer));
+    for (const FigureDemand& demand : figure_demands()) {
+        if (!demand.concerns(figure.kind, figure.drawn_against()) || provides(root.json(), demand.needs)) { continue; }
+        const Node at(shown.at(demand.key()), pointer_below(figure.pointer, demand.key()), root.sink());
+        at.mismatch(demand.expected);
+        return;
+    }
+}
+
 void read_figure(const Node& root, Config& config) {
     const auto node = root.find("figure");
     if (!node) { return; }
-    read_figures(*node, config.name);
+    for (const auto& figure : read_figures(*node, config.name)) { check_demands(root, *figure); }
     config.figure = node->json().dump();
 }
 
