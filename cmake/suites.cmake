@@ -207,6 +207,12 @@ if(TARGET kreisel)
   set_tests_properties(scaffolds.new PROPERTIES LABELS scaffolds TIMEOUT 600)
 endif()
 
+# Labels come out of every sink as they went in.
+if(TARGET kreisel)
+  add_test(NAME labels.sinks COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/labels/run.py $<TARGET_FILE:kreisel>)
+  set_tests_properties(labels.sinks PROPERTIES LABELS labels TIMEOUT 600)
+endif()
+
 include(cmake/docs.cmake)
 
 # The table of controls that ./check writes at its end, which runs every check on every control.

@@ -100,7 +100,7 @@ Config read_config(const Document& document, const Catalogue& catalogue) {
     config.formulations = read_names(root, "formulations", "formulation", names_of(catalogue.formulations), {"SO3xR3"});
     read_methods(root, catalogue, config);
     if (const auto time = root.require("time", time_expectation)) { read_time(*time, config); }
-    read_measurements(root, config);
+    read_measurements(root, catalogue, config);
     sink.raise();
     config.warnings = sink.warnings();
     return config;

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "driver/config/config.hpp"
-#include "driver/config/figure_demands.hpp"
 #include "driver/config/options.hpp"
+#include "driver/config/reading/figure_demands.hpp"
 #include "driver/config/reading/measurements.hpp"
 #include "driver/config/schema/figures.hpp"
 #include "driver/config/schema/problem.hpp"
@@ -112,6 +112,21 @@ Schema measures_nothing_else() {
               {"time", {{"not", {{"required", Schema::array({"tolerance"})}}}}}}}};
 }
 
+// With the names that there are to select; of a projection with options it is not known before the run.
+Schema figure_of(const Catalogue& catalogue) {
+    const auto one_or_several = [](const Schema& one) { return Schema{{"anyOf", {one, list(one)}}}; };
+    const Schema formulation = choice(names_of(catalogue.formulations));
+    Schema projection = text(200);
+    projection["anyOf"] = {choice(names_of(catalogue.projections)), {{"pattern", " "}}};
+    Schema figure = figure_schema();
+    for (Schema& kind : figure["anyOf"]) {
+        Schema& selected = kind["properties"]["select"]["properties"];
+        selected["formulation"] = one_or_several(formulation);
+        selected["projection"] = one_or_several(projection);
+    }
+    return figure;
+}
+
 // A config that extends another: any part of a config, since the rest of it stands in the other file.
 Schema change_of_another() {
     Schema keys = {{"extends", text(4096)}};
@@ -126,7 +141,7 @@ Schema change_of_another() {
 nlohmann::ordered_json config_schema(const Catalogue& catalogue) {
     using namespace schema;
     const Schema precision = choice({"double", "quad"});
-    const Schema figure = figure_schema();
+    const Schema figure = figure_of(catalogue);
     Schema config =
         object({{"name", {{"type", "string"}, {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]*$"}, {"maxLength", 100}}},
                 {"description", text(2000)},

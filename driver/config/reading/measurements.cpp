@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "driver/config/figure_demands.hpp"
+#include "driver/config/reading/figure_demands.hpp"
 #include "plots/figures/spec.hpp"
 #include "records/kinds/kind.hpp"
 #include "records/metrics/catalogue.hpp"
@@ -89,19 +89,36 @@ void check_demands(const Node& root, const Figure& figure) {
     }
 }
 
-void read_figure(const Node& root, Config& config) {
+// That what a figure selects is a name that there is; of what has options it is not known before the run.
+void check_selected(const Node& root, const Figure& figure, const std::string& axis,
+                    const std::vector<std::string>& names) {
+    if (!figure.select.contains(axis)) { return; }
+    const std::string pointer = figure.pointer + "/select/" + axis;
+    const Node selected(root.json().at(nlohmann::json::json_pointer(pointer)), pointer, root.sink());
+    for (const Node& entry : selected.elements_or_self()) {
+        const bool with_options =
+            entry.is_string() && entry.json().get_ref<const std::string&>().find(' ') != std::string::npos;
+        if (axis == "formulation" || !with_options) { entry.name("a " + axis, names); }
+    }
+}
+
+void read_figure(const Node& root, const Catalogue& catalogue, Config& config) {
     const auto node = root.find("figure");
     if (!node) { return; }
-    for (const auto& figure : read_figures(*node, config.name)) { check_demands(root, *figure); }
+    for (const auto& figure : read_figures(*node, config.name)) {
+        check_demands(root, *figure);
+        check_selected(root, *figure, "formulation", names_of(catalogue.formulations));
+        check_selected(root, *figure, "projection", names_of(catalogue.projections));
+    }
     config.figure = node->json().dump();
 }
 
 }  // namespace
 
-void read_measurements(const Node& root, Config& config) {
+void read_measurements(const Node& root, const Catalogue& catalogue, Config& config) {
     read_output(root, config);
     read_metrics(root, config);
-    read_figure(root, config);
+    read_figure(root, catalogue, config);
     check_timed(root, config);
 }
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "driver/config/figure_demands.hpp"
+#include "driver/config/reading/figure_demands.hpp"
 
 namespace kreisel::schema {
 

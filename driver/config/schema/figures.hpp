@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What figures demand of the rest of a config (driver/config/figure_demands.hpp), as JSON Schema.
+// What figures demand of the rest of a config (driver/config/reading/figure_demands.hpp), as JSON Schema.
 #pragma once
 
 #include "driver/config/schema/terms.hpp"

@@ -227,7 +227,7 @@ const std::vector<BadConfig>& bad_configs() {
          "kreisel list metrics"},
         {R"({"metrics": ["defect.*"], "figure": {"kind": "convergence"}})", "/figure", "this experiment measures"},
         {R"({"figure": {"kind": "convergence", "select": {"formulation": "SE4"}}})", "/figure/select/formulation",
-         "a formulation of this experiment"},
+         "a formulation (\"SO3xR3\""},
         {R"({"figure": {"kind": "convergence", "select": {"steps": [8, 9]}}})", "/figure/select/steps/1",
          "steps of this experiment"},
         {R"({"time": {"tolerance": 1e-3}, "figure": {"kind": "convergence", "select": {"tolerance": 1e-4}}})",

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -15,7 +16,9 @@ namespace kreisel {
 
 class SchemaChecker {
   public:
-    explicit SchemaChecker(const Catalogue& catalogue) : text_(nlohmann::json::parse(config_schema(catalogue).dump())) {
+    explicit SchemaChecker(const Catalogue& catalogue)
+        : SchemaChecker(nlohmann::json::parse(config_schema(catalogue).dump())) {}
+    explicit SchemaChecker(nlohmann::json text) : text_(std::move(text)) {
         valijson::SchemaParser(valijson::SchemaParser::kDraft7)
             .populateSchema(valijson::adapters::NlohmannJsonAdapter(text_), schema_);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "driver/config/figure_demands.hpp"
+#include "driver/config/reading/figure_demands.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
