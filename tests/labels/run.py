@@ -141,9 +141,13 @@ class Sinks(unittest.TestCase):
         done = run("pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stdout[-2000:])
         text = run("pdftotext", "-layout", "t.pdf", "-", cwd=self.folder).stdout
-        for label in LABELS:
-            if label in BEYOND_GLYPHS:
-                self.assertIn("".join(f"[U+{ord(c):04X}]" for c in label), text)
+        lines = [re.sub(r"\s+", " ", line).strip() for line in text.splitlines()]
+        # pdftotext does not tell letters with accents, Greek and typographic signs of all fonts.
+        shown = {label: label for label in LABELS if label.isascii()}
+        shown.update({label: "".join(f"[U+{ord(c):04X}]" for c in label) for label in BEYOND_GLYPHS})
+        for label, text in shown.items():
+            with self.subTest(label=label):
+                self.assertTrue(any(line.startswith(re.sub(r"\s+", " ", text) + " ") for line in lines), lines)
 
 
 class Reading(unittest.TestCase):
