@@ -31,7 +31,9 @@ void CommandLine::add_beginnings() {
     });
     doctor->add_option("-o,--output", arguments_.output, "Folder that results are to go to (default: results)");
     doctor->add_flag("--json", arguments_.json, "Print JSON instead of a table");
-    doctor->footer("Exit codes: 0 well; 1 what is required is missing, or the self-test failed.");
+    doctor->footer(
+        "Exit codes: 0 well, or only missing what some commands need; 1 what is there does not work, results cannot\n"
+        "be written, or the self-test failed.");
 }
 
 }  // namespace kreisel
