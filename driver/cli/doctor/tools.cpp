@@ -15,6 +15,7 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "records/json/diagnostics.hpp"
 #include "support/files.hpp"
@@ -25,7 +26,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds patience{10000};
 constexpr std::size_t longest_answer = 4096;
 
 struct Tool {
@@ -86,21 +86,24 @@ class Asked {
         posix_spawn_file_actions_destroy(&actions);
     }
 
-    Answer answer() {
+    Answer answer_within(std::chrono::milliseconds patience) {
         Answer answer{.started = started_};
         if (!started_) { return answer; }
-        answer.in_time = read(answer.text);
-        if (!answer.in_time) { ::kill(child_, SIGKILL); }
-        int status = 0;
-        while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {}
-        answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        const auto end = Clock::now() + patience;
+        const auto status = read_until(end, answer.text) ? status_until(end) : std::nullopt;
+        answer.in_time = status.has_value();
+        if (status) {
+            answer.code = WIFEXITED(*status) ? WEXITSTATUS(*status) : 128 + WTERMSIG(*status);
+        } else {
+            ::kill(child_, SIGKILL);
+            while (::waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {}
+        }
         return answer;
     }
 
   private:
-    // Up to its end; false if that does not come in time.
-    bool read(std::string& text) const {
-        const auto end = Clock::now() + patience;
+    // All that it writes; false if the end of it does not come in time.
+    bool read_until(Clock::time_point end, std::string& text) const {
         std::array<char, 512> part{};
         for (;;) {
             const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
@@ -114,24 +117,42 @@ class Asked {
         }
     }
 
+    // How it ended; nothing if it does not in time, for it may go on after its last word.
+    std::optional<int> status_until(Clock::time_point end) const {
+        int status = 0;
+        while (::waitpid(child_, &status, WNOHANG) != child_) {
+            if (Clock::now() > end) { return std::nullopt; }
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        return status;
+    }
+
     Descriptor answer_;
     pid_t child_ = 0;
     bool started_ = false;
 };
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+// A terminal may obey control characters.
+std::string printable(std::string line) {
+    std::erase_if(line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+    return line;
+}
+std::string first_line(const std::string& text) { return printable(text.substr(0, text.find('\n'))); }
 std::string last_line(const std::string& text) {
     const std::string trimmed = text.substr(0, text.find_last_not_of('\n') + 1);
-    return trimmed.substr(trimmed.rfind('\n') + 1);
+    return printable(trimmed.substr(trimmed.rfind('\n') + 1));
 }
 
-Finding finding_of(const Tool& tool) {
+Finding finding_of(const Tool& tool, std::chrono::milliseconds patience) {
     const std::string remedy = fmt::format("tools/setup {} ({})", tool.purpose, tool.use);
-    const Answer answer = Asked(tool.question, false).answer();
+    const Answer answer = Asked(tool.question, false).answer_within(patience);
     if (!answer.started) { return {tool.topic, Health::missing, "not on the PATH", remedy}; }
-    if (!answer.in_time) { return {tool.topic, Health::failed, "no answer within 10 s", remedy}; }
+    if (!answer.in_time) {
+        return {tool.topic, Health::failed,
+                fmt::format("no answer within {} s", std::chrono::duration<double>(patience).count()), remedy};
+    }
     if (answer.code == 0 && !answer.text.empty()) { return {tool.topic, Health::well, first_line(answer.text), ""}; }
-    const std::string said = last_line(Asked(tool.question, true).answer().text);
+    const std::string said = last_line(Asked(tool.question, true).answer_within(patience).text);
     // Python without pandas is there, and lacks what is wanted.
     if (said.starts_with("ModuleNotFoundError")) { return {tool.topic, Health::missing, said, remedy}; }
     return {tool.topic, tool.in_error,
@@ -141,9 +162,9 @@ Finding finding_of(const Tool& tool) {
 
 }  // namespace
 
-std::vector<Finding> find_tools() {
+std::vector<Finding> find_tools(std::chrono::milliseconds patience) {
     std::vector<Finding> findings;
-    for (const Tool& tool : all_tools()) { findings.push_back(finding_of(tool)); }
+    for (const Tool& tool : all_tools()) { findings.push_back(finding_of(tool, patience)); }
     return findings;
 }
 

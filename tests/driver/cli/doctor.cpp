@@ -2,11 +2,13 @@
 //
 // kreisel doctor: what it finds on a PATH of our own, in folders that cannot be written, and of engines that err.
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "driver/cli/doctor/tools.hpp"
 #include "support/errors.hpp"
 #include "tests/driver/command_line.hpp"
 #include "tests/driver/other_engine.hpp"
@@ -99,6 +101,18 @@ TEST_CASE("versions are shown; a broken program is a failure, and Python without
     CHECK(broken.code == static_cast<int>(Exit::cells_failed));
     CHECK(line_about(broken.out, "gnuplot").find("exit code 3, and it said \"undefined symbol: x\"") !=
           std::string::npos);
+}
+
+TEST_CASE("what does not end is ended, and has failed, whether it still writes or not") {
+    const OwnPath path;
+    path.add("gnuplot", "while :; do :; done");
+    path.add("pdflatex", "echo 'pdfTeX 3'; exec >&- 2>&-; while :; do :; done");
+    path.add("valgrind", "printf 'valgrind\\033[2J-3\\n'");
+    const auto findings = find_tools(std::chrono::milliseconds(300));
+    CHECK(findings.at(0).health == Health::failed);
+    CHECK(findings.at(0).found == "no answer within 0.3 s");
+    CHECK(findings.at(1).health == Health::failed);
+    CHECK(findings.at(5).found == "valgrind[2J-3");
 }
 
 TEST_CASE("a folder that cannot be written is a failure") {
