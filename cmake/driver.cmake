@@ -36,6 +36,14 @@ add_custom_command(OUTPUT ${jobs_source} DEPENDS ${jobs} ${CMAKE_SOURCE_DIR}/cma
                            -P ${CMAKE_SOURCE_DIR}/cmake/embedded.cmake)
 target_sources(kreisel_driver PRIVATE ${jobs_source})
 set_source_files_properties(${jobs_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+# What `kreisel new` starts from.
+file(GLOB scaffolds CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/driver/scaffolds/*.in)
+set(scaffold_source ${CMAKE_BINARY_DIR}/generated/kreisel_scaffolds.cpp)
+add_custom_command(OUTPUT ${scaffold_source} DEPENDS ${scaffolds} ${CMAKE_SOURCE_DIR}/cmake/scaffolds.cmake
+                   COMMAND ${CMAKE_COMMAND} -D "FROM=${scaffolds}" -D TO=${scaffold_source}
+                           -P ${CMAKE_SOURCE_DIR}/cmake/scaffolds.cmake VERBATIM)
+target_sources(kreisel_driver PRIVATE ${scaffold_source})
+set_source_files_properties(${scaffold_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 target_include_directories(kreisel_driver PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
 find_library(KREISEL_NETTLE nettle REQUIRED)  # SHA-256
 find_library(KREISEL_TINYXML2 tinyxml2 REQUIRED)  # URDF

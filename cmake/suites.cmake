@@ -200,6 +200,19 @@ if(TARGET kreisel)
   set_tests_properties(cluster.slurm PROPERTIES LABELS cluster SKIP_RETURN_CODE 77 TIMEOUT 600)
 endif()
 
+# What `kreisel new` writes compiles as the objects beside it do, and runs.
+if(TARGET kreisel)
+  add_test(NAME scaffolds.new COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/scaffolds/run.py $<TARGET_FILE:kreisel>
+                                      ${CMAKE_BINARY_DIR})
+  set_tests_properties(scaffolds.new PROPERTIES LABELS scaffolds TIMEOUT 600)
+endif()
+
+# Labels come out of every sink as they went in.
+if(TARGET kreisel)
+  add_test(NAME labels.sinks COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/labels/run.py $<TARGET_FILE:kreisel>)
+  set_tests_properties(labels.sinks PROPERTIES LABELS labels TIMEOUT 600)
+endif()
+
 include(cmake/docs.cmake)
 
 # The table of controls that ./check writes at its end, which runs every check on every control.

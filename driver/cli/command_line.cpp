@@ -31,7 +31,7 @@ constexpr const char* description =
 constexpr const char* exit_codes =
     "Exit codes: 0 all cells ok or skipped with a reason; 1 some cells failed, a figure could not be drawn, or "
     "results\n"
-    "differ (verify, diff);\n"
+    "differ (verify, diff), or something fails (doctor);\n"
     "2 bad config or usage, nothing was run; 3 a file or folder could not be read or written, or is damaged, no\n"
     "process could be started, memory ran out, or cells are missing (merge);\n"
     "4 internal error; 130 interrupted.";
@@ -46,6 +46,7 @@ CommandLine::CommandLine(const Engines& engines, const Terminal& terminal)
                                                    build::compiler, build::build_type, build::flags));
     add_catalogue();
     add_inquiries();
+    add_beginnings();
     add_planning();
     add_run();
     add_slurm();

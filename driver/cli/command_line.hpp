@@ -35,7 +35,7 @@ class CommandLine {
 
     /// The values set by the command line.
     struct Arguments {
-        std::string topic, name, shard = "1/1";
+        std::string topic, name, kind, shard = "1/1";
         MethodFilter filter;
         Paths configs, folders;
         ConfigChanges changes;
@@ -52,6 +52,7 @@ class CommandLine {
     void add_catalogue();
     void add_filter(CLI::App& list);
     void add_inquiries();
+    void add_beginnings();
     void add_changes(CLI::App& sub);
     void add_planning();
     void add_run();

@@ -45,14 +45,8 @@ std::vector<std::string> read_names(const Node& root, const std::string& key, co
     const auto node = root.find(key);
     if (!node) { return standard; }
     std::vector<std::string> result;
-    const auto entries = node->elements("a list of at least one " + what);
-    for (const Node& entry : entries.value_or(std::vector<Node>())) {
-        const auto name = entry.name("a " + what, names);
-        if (name && std::find(result.begin(), result.end(), *name) != result.end()) {
-            entry.error("each " + what + " once", in_quotes(*name) + " again");
-        } else if (name) {
-            result.push_back(*name);
-        }
+    for (const Node& entry : node->distinct_elements("a list of at least one " + what, what)) {
+        if (const auto name = entry.name("a " + what, names)) { result.push_back(*name); }
     }
     return result;
 }
@@ -106,7 +100,7 @@ Config read_config(const Document& document, const Catalogue& catalogue) {
     config.formulations = read_names(root, "formulations", "formulation", names_of(catalogue.formulations), {"SO3xR3"});
     read_methods(root, catalogue, config);
     if (const auto time = root.require("time", time_expectation)) { read_time(*time, config); }
-    read_measurements(root, config);
+    read_measurements(root, catalogue, config);
     sink.raise();
     config.warnings = document.remarks;
     config.warnings.insert(config.warnings.end(), sink.warnings().begin(), sink.warnings().end());

@@ -101,10 +101,23 @@ std::optional<Matrix3> read_quaternion(const Node& node, const PrintedNumbers& p
                    2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
 }
 
+std::optional<std::string> read_body_name(const Node& entry) {
+    const auto name = name_at(entry, "name");
+    const bool plain =
+        name && std::all_of(name->begin(), name->end(), [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+        });
+    if (name && (!plain || *name == "ground")) {
+        entry.find("name")->mismatch("a name of letters, digits, _ and - other than \"ground\"");
+        return std::nullopt;
+    }
+    return name;
+}
+
 BodyData read_body(const Node& node, const ElementType& type, const PrintedNumbers& printed) {
     BodyData body;
     body.point = type.name == "point";
-    assign(body.name, name_at(node, "name"));
+    assign(body.name, read_body_name(node));
     assign(body.mass, positive_at(node, "mass", "kg"));
     assign(body.x, vector_at(node, "x"));
     body.v = vector_at(node, "v");
@@ -254,7 +267,7 @@ void check_names(const Node& node, const std::vector<Data>& named, const std::st
     const auto entries = node.elements_or_self();
     for (std::size_t i = 0; i < named.size(); ++i) {
         if (!named[i].name.empty() && !names.insert(named[i].name).second) {
-            entries[i].error(what + " with different names", "a second " + in_quotes(named[i].name));
+            entries[i].violates(Rule::own_name, what + " with different names", "a second " + in_quotes(named[i].name));
         }
     }
 }

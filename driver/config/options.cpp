@@ -7,7 +7,6 @@
 
 #include "driver/config/catalogue.hpp"
 #include "driver/config/reading/text_options.hpp"
-#include "records/json/writer.hpp"
 #include "support/nearest.hpp"
 
 namespace kreisel {
@@ -57,16 +56,10 @@ std::vector<OptionValue> read_axis(const Node& node, const OptionDescription& op
         const auto text = read_text_option(node, option);
         return text ? std::vector<OptionValue>{*text} : std::vector<OptionValue>();
     }
-    const auto entries = node.is_array() ? node.elements(expectation(option)) : node.elements_or_self();
     std::vector<OptionValue> values;
-    for (const Node& entry : entries.value_or(std::vector<Node>())) {
-        const auto value = read_value(entry, option);
-        if (!value) { continue; }
-        if (std::find(values.begin(), values.end(), *value) != values.end()) {
-            entry.error("each value once", json_value(*value) + " again");
-            continue;
-        }
-        values.push_back(*value);
+    for (const Node& entry :
+         node.is_array() ? node.distinct_elements(expectation(option), "value") : std::vector<Node>{node}) {
+        if (const auto value = read_value(entry, option)) { values.push_back(*value); }
     }
     return values;
 }

@@ -67,11 +67,12 @@ std::vector<ParameterValue> read_list(const Node& list, ParameterKind kind, cons
                                       const PrintedNumbers& printed) {
     std::vector<ParameterValue> values;
     std::unordered_set<std::string> known;
-    for (const Node& entry : list.elements(expected).value_or(std::vector<Node>())) {
+    const std::vector<Node> entries = list.elements(expected).value_or(std::vector<Node>());
+    for (const Node& entry : each_once ? distinct(entries, "value") : entries) {
         const auto value = read_value(entry, kind, printed);
         if (!value) { continue; }
         if (std::string text = json_value(*value); each_once && !known.insert(text).second) {
-            entry.error("each value once", text + " again");
+            entry.violates(Rule::each_once, "each value once", text + " again");
         } else {
             values.push_back(*value);
         }
@@ -106,8 +107,9 @@ bool fit_together(const Axes& axes) {
     const std::size_t count = axes.front().values.size();
     for (const Axis& axis : axes) {
         if (axis.values.size() == count) { continue; }
-        axis.node.error(fmt::format("{} values, as many as {} has, with which it varies", count, axes.front().name),
-                        std::to_string(axis.values.size()));
+        axis.node.violates(Rule::zipped,
+                           fmt::format("{} values, as many as {} has, with which it varies", count, axes.front().name),
+                           std::to_string(axis.values.size()));
         return false;
     }
     std::unordered_map<std::string, std::size_t> combinations;
@@ -116,8 +118,8 @@ bool fit_together(const Axes& axes) {
         for (const Axis& axis : axes) { text += json_value(axis.values[i]) + ";"; }
         const auto [first, is_new] = combinations.emplace(text, i);
         if (is_new) { continue; }
-        axes.front().node.error("each combination once",
-                                fmt::format("those at {} and {} are the same", first->second, i));
+        axes.front().node.violates(Rule::each_once, "each combination once",
+                                   fmt::format("those at {} and {} are the same", first->second, i));
         return false;
     }
     return true;

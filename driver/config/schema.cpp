@@ -5,7 +5,9 @@
 
 #include "driver/config/config.hpp"
 #include "driver/config/options.hpp"
+#include "driver/config/reading/figure_demands.hpp"
 #include "driver/config/reading/measurements.hpp"
+#include "driver/config/schema/figures.hpp"
 #include "driver/config/schema/problem.hpp"
 #include "driver/config/schema/terms.hpp"
 #include "driver/config/schema/text_option.hpp"
@@ -13,6 +15,7 @@
 #include "plots/figures/schema.hpp"
 #include "records/json/node.hpp"
 #include "records/kinds/kind.hpp"
+#include "records/metrics/catalogue.hpp"
 
 namespace kreisel {
 
@@ -45,7 +48,7 @@ Schema optioned_object(const Description& description) {
     Schema properties = {{"name", {{"const", description.name}}}};
     for (const OptionDescription& option : description.options) {
         const bool text = option.text != OptionText::none;
-        properties[option.name] = text ? text_option(option.text) : one_or_list(option_value(option));
+        properties[option.name] = text ? text_option(option.text) : one_or_set(option_value(option));
         properties[option.name]["description"] = option.summary;
     }
     return object(properties, {"name"});
@@ -57,7 +60,7 @@ Schema entries(const std::vector<std::string>& names, const std::vector<Descript
                const MakeObject& make_object) {
     Schema alternatives = Schema::array({choice(names)});
     for (const Description& description : all) { alternatives.push_back(make_object(description)); }
-    return list({{"anyOf", alternatives}});
+    return set({{"anyOf", alternatives}});
 }
 
 template <class Description>
@@ -69,20 +72,20 @@ Schema optioned_entries(const std::vector<Description>& all) {
 }
 
 Schema tolerance() {
-    const Schema one = {{"type", "number"}, {"exclusiveMinimum", 0}, {"exclusiveMaximum", 1}};
+    const Schema one = {{"type", "number"}, {"minimum", least_positive}, {"exclusiveMaximum", 1}};
     const Schema geometric =
         object({{"from", one}, {"levels", integer(1, 64)}, {"factor", integer(2, 1000)}}, {"from", "levels"});
-    return {{"anyOf", {one, list(one), geometric}}};
+    return {{"anyOf", {one, set(one), geometric}}};
 }
 
 Schema time() {
     const Schema geometric =
         object({{"from", integer(1, largest_count)}, {"levels", integer(1, 64)}, {"factor", integer(2, 1000)}},
                {"from", "levels"});
-    const Schema steps = {{"anyOf", {integer(1, largest_count), list(integer(1, largest_count)), geometric}}};
+    const Schema steps = {{"anyOf", {integer(1, largest_count), set(integer(1, largest_count)), geometric}}};
     Schema time = object({{"end", positive()},
                           {"steps", steps},
-                          {"step", one_or_list(positive())},
+                          {"step", one_or_set(positive())},
                           {"tolerance", tolerance()},
                           {"controller", choice(step_controllers())}},
                          {"end"});
@@ -93,12 +96,11 @@ Schema time() {
     return time;
 }
 
-std::vector<std::string> timed_kinds() {
-    std::vector<std::string> names;
-    for (const ExperimentKind& kind : experiment_kinds()) {
-        if (kind.timed) { names.push_back(kind.name); }
-    }
-    return names;
+// A name of the engine, of a first integral, which problems have, or a pattern.
+Schema metric() {
+    Schema metric = text(100);
+    metric["anyOf"] = {{{"enum", names_of_metrics()}}, {{"pattern", "^invariant[.]"}}, {{"pattern", "[*]"}}};
+    return metric;
 }
 
 // A kind whose cells are not timed, or no measurements besides the steps, which are of one size.
@@ -108,6 +110,21 @@ Schema measures_nothing_else() {
              {{"metrics", {{"maxItems", 0}}},
               {"output", {{"properties", {{"samples", {{"maximum", 0}}}}}}},
               {"time", {{"not", {{"required", Schema::array({"tolerance"})}}}}}}}};
+}
+
+// With the names that there are to select; of a projection with options it is not known before the run.
+Schema figure_of(const Catalogue& catalogue) {
+    const auto one_or_several = [](const Schema& one) { return Schema{{"anyOf", {one, list(one)}}}; };
+    const Schema formulation = choice(names_of(catalogue.formulations));
+    Schema projection = text(200);
+    projection["anyOf"] = {choice(names_of(catalogue.projections)), {{"pattern", " "}}};
+    Schema figure = figure_schema();
+    for (Schema& kind : figure["anyOf"]) {
+        Schema& selected = kind["properties"]["select"]["properties"];
+        selected["formulation"] = one_or_several(formulation);
+        selected["projection"] = one_or_several(projection);
+    }
+    return figure;
 }
 
 // A config that extends another: any part of a config, since the rest of it stands in the other file.
@@ -124,22 +141,23 @@ Schema change_of_another() {
 nlohmann::ordered_json config_schema(const Catalogue& catalogue) {
     using namespace schema;
     const Schema precision = choice({"double", "quad"});
-    const Schema figure = figure_schema();
+    const Schema figure = figure_of(catalogue);
     Schema config =
         object({{"name", {{"type", "string"}, {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]*$"}, {"maxLength", 100}}},
                 {"description", text(2000)},
                 {"kind", choice(names_of(experiment_kinds()))},
-                {"precision", one_or_list(precision)},
+                {"precision", one_or_set(precision)},
                 {"problems", entries(names_of_complete(catalogue.problems), catalogue.problems, problem_object)},
-                {"formulations", list(choice(names_of(catalogue.formulations)))},
+                {"formulations", set(choice(names_of(catalogue.formulations)))},
                 {"methods", optioned_entries(catalogue.methods)},
                 {"projections", optioned_entries(catalogue.projections)},
                 {"time", time()},
-                {"metrics", list(text(100), 0)},
+                {"metrics", set(metric(), 0)},
                 {"output", object({{"samples", integer(0, most_samples)}, {"dense", {{"type", "boolean"}}}}, {})},
-                {"figure", {{"anyOf", {figure, list(figure, 0)}}}}},
+                {"figure", {{"anyOf", {figure, set(figure, 0)}}}}},
                {"name", "kind", "problems", "methods", "time"});
     config["anyOf"] = Schema::array({not_timed(), measures_nothing_else()});
+    config["allOf"] = demands_of_figures();
     return {{"$schema", "http://json-schema.org/draft-07/schema#"},
             {"title", "kreisel config"},
             {"anyOf", {config, change_of_another()}}};

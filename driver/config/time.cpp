@@ -24,7 +24,7 @@ class StepList {
         if (known_.insert(steps).second) {
             config_.steps.push_back(steps);
         } else {
-            node.error("each number of steps once", fmt::format("{} again", steps));
+            node.violates(Rule::each_once, "each number of steps once", fmt::format("{} again", steps));
         }
     }
     double t_end() const { return config_.t_end; }
@@ -33,6 +33,13 @@ class StepList {
     Config& config_;
     std::unordered_set<long> known_;
 };
+
+// The value itself, or the different ones of a list.
+std::vector<Node> one_or_several(const Node& node, const std::string& what) {
+    if (!node.is_array()) { return {node}; }
+    const std::string bare = what.substr(what.find(' ') + 1);
+    return node.distinct_elements(what + ", or a list of them", bare);
+}
 
 void read_geometric(const Node& node, StepList& list) {
     node.only_keys({"from", "levels", "factor"});
@@ -46,8 +53,8 @@ void read_geometric(const Node& node, StepList& list) {
     long steps = from;
     for (long level = 0; level < levels; ++level) {
         if (level > 0 && steps > largest_count / factor) {
-            node.error(fmt::format("at most {} steps at the finest level", largest_count),
-                       fmt::format("{} * {}^{}", from, factor, levels - 1));
+            node.violates(Rule::finest_level, fmt::format("at most {} steps at the finest level", largest_count),
+                          fmt::format("{} * {}^{}", from, factor, levels - 1));
             return;
         }
         steps *= level > 0 ? factor : 1;
@@ -60,25 +67,23 @@ void read_steps(const Node& node, StepList& list) {
         read_geometric(node, list);
         return;
     }
-    const auto entries =
-        node.is_array() ? node.elements("a number of steps, or a list of them") : node.elements_or_self();
-    for (const Node& entry : entries.value_or(std::vector<Node>())) {
+    for (const Node& entry : one_or_several(node, "a number of steps")) {
         if (const auto steps = entry.count(1, largest_count, "a number of steps")) { list.add(entry, *steps); }
     }
 }
 
 void read_step_sizes(const Node& node, StepList& list) {
-    const auto entries = node.is_array() ? node.elements("a step in s, or a list of them") : node.elements_or_self();
-    for (const Node& entry : entries.value_or(std::vector<Node>())) {
+    for (const Node& entry : one_or_several(node, "a step in s")) {
         const auto step = entry.positive("a step greater than 0 (s)");
         if (!step || !(list.t_end() > 0)) { continue; }
         const double ratio = list.t_end() / *step;
         const double steps = std::round(ratio);
         if (!(ratio <= static_cast<double>(largest_count)) || steps < 1 ||
             std::abs(ratio - steps) > whole_tolerance * steps) {
-            entry.error(fmt::format("a step that divides the end time {} into 1 to {} equal steps", list.t_end(),
-                                    largest_count),
-                        fmt::format("{}, which gives {} steps", *step, ratio));
+            entry.violates(Rule::whole_steps,
+                           fmt::format("a step that divides the end time {} into 1 to {} equal steps", list.t_end(),
+                                       largest_count),
+                           fmt::format("{}, which gives {} steps", *step, ratio));
             continue;
         }
         list.add(entry, static_cast<long>(steps));
@@ -87,7 +92,7 @@ void read_step_sizes(const Node& node, StepList& list) {
 
 void add_tolerance(const Node& node, double tolerance, Config& config) {
     if (std::find(config.tolerances.begin(), config.tolerances.end(), tolerance) != config.tolerances.end()) {
-        node.error("each tolerance once", fmt::format("{} again", tolerance));
+        node.violates(Rule::each_once, "each tolerance once", fmt::format("{} again", tolerance));
         return;
     }
     config.tolerances.push_back(tolerance);
@@ -115,8 +120,10 @@ void read_geometric_tolerances(const Node& node, Config& config) {
     for (long level = 0; level < *levels; ++level) {
         const double divisor = std::pow(static_cast<double>(*factor), static_cast<double>(level));
         const double tolerance = level == 0 ? *from : to_15_digits(*from / divisor);
-        if (!(tolerance > 0)) {
-            node.error("a tolerance above 0 at the finest level", fmt::format("{} / {}^{}", *from, *factor, level));
+        if (!(tolerance >= least_positive)) {
+            node.violates(Rule::finest_level,
+                          fmt::format("a tolerance of at least {} at the finest level", least_positive),
+                          fmt::format("{} / {}^{}", *from, *factor, level));
             return;
         }
         add_tolerance(node, tolerance, config);
@@ -125,8 +132,7 @@ void read_geometric_tolerances(const Node& node, Config& config) {
 
 void read_tolerances(const Node& node, Config& config) {
     if (node.is_object()) { return read_geometric_tolerances(node, config); }
-    const auto entries = node.is_array() ? node.elements("a tolerance, or a list of them") : node.elements_or_self();
-    for (const Node& entry : entries.value_or(std::vector<Node>())) {
+    for (const Node& entry : one_or_several(node, "a tolerance")) {
         if (const auto tolerance = read_tolerance(entry)) { add_tolerance(entry, *tolerance, config); }
     }
 }

@@ -80,7 +80,14 @@ std::optional<Matrix3> read_inertia(const Node& node, const PrintedNumbers& prin
     } else {
         matrix = read_matrix(node, expected);
     }
-    return matrix ? printed.inertia(node, *matrix) : std::nullopt;
+    if (!matrix) { return std::nullopt; }
+    for (const std::size_t i : {0U, 4U, 8U}) {
+        if ((*matrix)[i] < least_positive) {
+            node.mismatch(expected + ", with moments greater than 0");
+            return std::nullopt;
+        }
+    }
+    return printed.inertia(node, *matrix);
 }
 
 }  // namespace kreisel

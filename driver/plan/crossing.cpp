@@ -128,16 +128,16 @@ class Crossing {
         try {
             return engines_.of(planned.precision()).skip_reason(planned.cell());
         } catch (const ParameterError& error) {
-            report(problem.parameter_pointer(error.path), error.what());
+            report(problem.parameter_pointer(error.path), error.what(), Rule::model);
         } catch (const OptionError& error) {
             const OptionedEntry& owner = planned.run->cell.options.contains(error.option) ? method : projection;
-            report(pointer_below(owner.pointer, error.option), error.what());
+            report(pointer_below(owner.pointer, error.option), error.what(), Rule::options);
         }
         return "";
     }
 
-    void report(const std::string& pointer, const std::string& what) {
-        if (reported_.insert(pointer + what).second) { sink_.add_sentence(pointer, what); }
+    void report(const std::string& pointer, const std::string& what, Rule rule) {
+        if (reported_.insert(pointer + what).second) { sink_.add_sentence(pointer, what, rule); }
     }
 
     const Engines& engines_;

@@ -48,38 +48,61 @@ std::vector<std::string> selectable(const std::string& key, const Config& config
     return values;
 }
 
-std::vector<std::string> timed_figures() {
+bool is_selected(const Figure& figure, const std::string& key, const std::vector<std::string>& names) {
+    const auto wanted = figure.select.find(key);
+    if (wanted == figure.select.end()) { return true; }
+    return std::any_of(wanted->second.begin(), wanted->second.end(), [&](const std::string& value) {
+        // What a method with options is called is not known before the run.
+        const bool with_options = (key == "method" || key == "projection") && value.find(' ') != std::string::npos;
+        return with_options || in_list(names, value);
+    });
+}
+
+bool fits(const Figure& figure, const PlannedCell& cell) {
+    const CellIdentity& of = cell.run->identity;
+    return is_selected(figure, "problem", {of.label, of.series, of.problem}) &&
+           is_selected(figure, "formulation", {of.formulation}) && is_selected(figure, "method", {of.method}) &&
+           is_selected(figure, "projection", {of.projection}) && is_selected(figure, "precision", {of.precision}) &&
+           is_selected(figure, "steps", {fmt::format("{}", cell.steps)}) &&
+           is_selected(figure, "tolerance", {fmt::format("{}", cell.tolerance)});
+}
+
+std::vector<std::string> bodies_of(const Figure& figure, const Config& config, const Engine& engine) {
     std::vector<std::string> names;
-    for (const FigureKind& kind : figure_kinds()) {
-        if (kind.draws == FigureData::timed_cells) { names.push_back(kind.name); }
+    for (const ProblemEntry& problem : config.problems) {
+        if (!is_selected(figure, "problem", {problem.label, problem.series, problem.name})) { continue; }
+        for (const BodyGeometry& body : engine.geometry(problem.name, problem.parameters).bodies) {
+            if (!in_list(names, body.name)) { names.push_back(body.name); }
+        }
     }
     return names;
 }
 
 class FigureCheck {
   public:
-    FigureCheck(const Document& document, const Plan& plan, const std::vector<std::string>& metrics, Diagnostics& sink)
-        : document_(document), config_(plan.config), metrics_(metrics), sink_(sink) {}
+    FigureCheck(const Document& document, const Plan& plan, const std::vector<std::string>& metrics,
+                const Engine& engine, Diagnostics& sink)
+        : document_(document), config_(plan.config), metrics_(metrics), engine_(engine), sink_(sink) {}
 
     void check(const Figure& figure) {
         const FigureKind& kind = *find_figure_kind(figure.kind);
-        if ((kind.draws == FigureData::timed_cells) != config_.is_timed()) { return refuse_kind(figure); }
-        if (kind.draws == FigureData::samples && config_.samples == 0) {
-            sink_.add({figure.pointer + "/kind",
-                       "an experiment that stores samples (\"output\": {\"samples\": K}), since this figure draws them",
-                       fmt::format("{} and no samples", in_quotes(figure.kind))});
-        }
         const std::vector<std::string> drawn = figure.drawn_metrics();
         for (std::size_t i = 0; i < drawn.size(); ++i) {
-            check_metric(kind, drawn[i], place(figure.pointer + "/metric", i));
+            if (kind.metrics.empty()) { check_metric(drawn[i], place(figure.pointer + "/metric", i)); }
         }
-        check_abscissa(kind, figure);
+        check_body(figure);
+        check_until(figure);
         for (const auto& [key, values] : figure.select) {
             for (std::size_t i = 0; i < values.size(); ++i) { check_selection(figure, key, values[i], i); }
         }
     }
 
   private:
+    void refuse(Rule rule, const std::string& pointer, const std::string& expected, const std::string& got,
+                const std::string& suggestion = "") {
+        sink_.add({.pointer = pointer, .expected = expected, .got = got, .suggestion = suggestion, .rule = rule});
+    }
+
     // The place of entry i under a key that holds one value or a list, or is left out.
     std::string place(const std::string& pointer, std::size_t i) const {
         const nlohmann::json::json_pointer path(pointer);
@@ -87,81 +110,81 @@ class FigureCheck {
         return document_.value.at(path).is_array() ? fmt::format("{}/{}", pointer, i) : pointer;
     }
 
-    void refuse_kind(const Figure& figure) {
-        const std::string kind = in_quotes(figure.kind);
-        sink_.add({figure.pointer + "/kind",
-                   config_.is_timed() ? listed(timed_figures()) + ", the figure of an experiment of this kind"
-                                      : "a figure of states or errors (" + kind + " draws experiments of that kind)",
-                   kind});
-    }
-
-    void check_metric(const FigureKind& kind, const std::string& metric, const std::string& pointer) {
-        if (!kind.metrics.empty()) { return check_own_metric(kind, metric, pointer); }
+    void check_metric(const std::string& metric, const std::string& pointer) {
         if (!in_list(metrics_, metric)) {
-            sink_.add({pointer, "a metric of these problems (see kreisel list metrics)", in_quotes(metric),
-                       nearest_name(metric, metrics_)});
+            refuse(Rule::figure_metric, pointer, "a metric of these problems (see kreisel list metrics)",
+                   in_quotes(metric), nearest_name(metric, metrics_));
         } else if (!matches_any(config_.metrics, metric)) {
-            sink_.add({pointer,
-                       "a metric that this experiment measures (key \"metrics\"; here " +
-                           (config_.metrics.empty() ? "none" : listed(config_.metrics)) + ")",
-                       in_quotes(metric)});
+            refuse(Rule::figure_metric, pointer,
+                   "a metric that this experiment measures (key \"metrics\"; here " +
+                       (config_.metrics.empty() ? "none" : listed(config_.metrics)) + ")",
+                   in_quotes(metric));
         } else if (is_largest_error(metric) && config_.samples == 0) {
-            sink_.add({pointer,
-                       "a metric that is measured without samples (a maximum over them needs \"output\": {\"samples\": "
-                       "K})",
-                       in_quotes(metric)});
+            refuse(Rule::figure_metric, pointer,
+                   "a metric that is measured without samples (a maximum over them needs \"output\": {\"samples\": "
+                   "K})",
+                   in_quotes(metric));
         }
     }
 
-    void check_own_metric(const FigureKind& kind, const std::string& metric, const std::string& pointer) {
-        if (in_list(kind.metrics, metric)) { return; }
-        sink_.add({pointer, "one of " + listed(kind.metrics), in_quotes(metric), nearest_name(metric, kind.metrics)});
+    void check_body(const Figure& figure) {
+        if (figure.drawn_body().empty()) { return; }
+        const std::vector<std::string> bodies = bodies_of(figure, config_, engine_);
+        if (in_list(bodies, figure.drawn_body())) { return; }
+        refuse(Rule::figure_body, figure.pointer + "/body", "a body of the problem (" + listed(bodies) + ")",
+               in_quotes(figure.drawn_body()), nearest_name(figure.drawn_body(), bodies));
     }
 
-    // Whether some cell of the experiment will have what is drawn against.
-    void check_abscissa(const FigureKind& kind, const Figure& figure) {
-        const std::string x = figure.drawn_against();
-        const bool sampled = kind.draws == FigureData::samples;
-        const bool counted = config_.is_repeated() || (!config_.tolerances.empty() && !sampled);
-        std::string expected;
-        if (x == "cpu" && !config_.is_repeated()) { expected = "a kind of experiment that measures it"; }
-        if (in_list({"exponentials", "brackets", "newton_iterations"}, x) && !counted) {
-            expected = "a kind of experiment that counts them, or tolerances";
-        }
-        if (sampled && !x.empty() && !config_.is_repeated()) {
-            expected = "a kind of experiment whose samples tell their cost (work_precision)";
-        }
-        if (in_list({"tolerance", "rejected"}, x) && config_.tolerances.empty()) {
-            expected = "tolerances in \"time\"";
-        }
-        if (x == "h" && config_.steps.empty()) { expected = "steps of one size in \"time\""; }
-        if (!expected.empty()) { sink_.add({place(figure.pointer + "/x", 0), expected, in_quotes(x)}); }
+    void check_until(const Figure& figure) {
+        if (figure.drawn_until().value_or(0) <= config_.t_end) { return; }
+        refuse(Rule::figure_until, figure.pointer + "/until",
+               fmt::format("a time up to the end of the run, {} s", config_.t_end),
+               fmt::format("{}", *figure.drawn_until()));
     }
 
     void check_selection(const Figure& figure, const std::string& key, const std::string& value, std::size_t i) {
         const auto values = selectable(key, config_);
         const bool with_options = (key == "method" || key == "projection") && value.find(' ') != std::string::npos;
         if (in_list(values, value) || with_options) { return; }
-        sink_.add({place(fmt::format("{}/select/{}", figure.pointer, key), i),
-                   fmt::format("a {} of this experiment", key),
-                   key == "steps" || key == "tolerance" ? value : in_quotes(value), nearest_name(value, values)});
+        refuse(Rule::figure_selection, place(fmt::format("{}/select/{}", figure.pointer, key), i),
+               fmt::format("a {} of this experiment", key),
+               key == "steps" || key == "tolerance" ? value : in_quotes(value), nearest_name(value, values));
     }
 
     const Document& document_;
     const Config& config_;
     const std::vector<std::string>& metrics_;
+    const Engine& engine_;
     Diagnostics& sink_;
 };
+
+// Their shape was checked when the config was read.
+std::vector<std::unique_ptr<Figure>> figures_in(const Document& document, const Plan& plan) {
+    if (plan.config.figure.empty()) { return {}; }
+    Diagnostics quiet(document);
+    return read_figures(Node(document.value.at("figure"), "/figure", quiet), plan.config.name);
+}
 
 }  // namespace
 
 void check_figures(const Document& document, const Plan& plan, const std::vector<std::string>& metrics,
-                   Diagnostics& sink) {
-    if (plan.config.figure.empty()) { return; }
-    Diagnostics quiet(document);  // the shape was checked when the config was read
-    const auto figures = read_figures(Node(document.value.at("figure"), "/figure", quiet), plan.config.name);
-    FigureCheck check(document, plan, metrics, sink);
-    for (const auto& figure : figures) { check.check(*figure); }
+                   const Engine& engine, Diagnostics& sink) {
+    FigureCheck check(document, plan, metrics, engine, sink);
+    for (const auto& figure : figures_in(document, plan)) { check.check(*figure); }
+}
+
+void check_selections(const Document& document, const Plan& plan, Diagnostics& sink) {
+    if (plan.skipped() == plan.cells.size()) { return; }
+    for (const auto& figure : figures_in(document, plan)) {
+        const bool some = std::any_of(plan.cells.begin(), plan.cells.end(), [&](const PlannedCell& cell) {
+            return cell.skip_reason().empty() && fits(*figure, cell);
+        });
+        if (some || figure->select.empty()) { continue; }
+        sink.add({.pointer = figure->pointer + "/select",
+                  .expected = "a choice that fits a cell which is run (see kreisel plan)",
+                  .got = "one that fits none",
+                  .rule = Rule::figure_selection});
+    }
 }
 
 }  // namespace kreisel

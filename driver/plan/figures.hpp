@@ -7,10 +7,13 @@
 
 namespace kreisel {
 
-/// Reports to `sink` each figure of the config that could not be drawn whatever the outcome of the cells: trajectories
-/// where no samples are stored, metrics that do not exist or are not measured, a selection that matches nothing in the
-/// experiment. `metrics` are the names of all metrics the problems of the plan have.
+/// Reports to `sink` each figure of the config that could not be drawn whatever the outcome of the cells: metrics that
+/// the problems do not have or that are not measured, bodies that there are not, an end after that of the run, values
+/// under `select` that the experiment has not. `metrics` are the names of all metrics the problems of the plan have.
 void check_figures(const Document& document, const Plan& plan, const std::vector<std::string>& metrics,
-                   Diagnostics& sink);
+                   const Engine& engine, Diagnostics& sink);
+
+/// Reports each figure whose selection fits no cell that is run. The plan has its cells.
+void check_selections(const Document& document, const Plan& plan, Diagnostics& sink);
 
 }  // namespace kreisel

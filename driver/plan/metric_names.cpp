@@ -9,10 +9,7 @@
 namespace kreisel {
 
 std::vector<std::string> metric_names(const std::vector<std::string>& integrals) {
-    std::vector<std::string> names;
-    for (const MetricDescription& metric : metric_catalogue()) {
-        for (std::string& name : names_of_metric(metric)) { names.push_back(std::move(name)); }
-    }
+    std::vector<std::string> names = names_of_metrics();
     for (const std::string& integral : integrals) {
         for (const IntegralSuffix& suffix : integral_suffixes) {
             names.push_back("invariant." + integral + suffix.name);

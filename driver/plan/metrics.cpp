@@ -56,7 +56,7 @@ std::vector<std::string> known_metrics(const Plan& plan) {
     return metric_names({integrals.begin(), integrals.end()});
 }
 
-void check_metrics(const Document& document, const std::vector<std::string>& names, Diagnostics& sink, Plan& plan) {
+void check_metrics(const std::vector<std::string>& names, Diagnostics& sink, Plan& plan) {
     if (!plan.config.metrics_given) { return; }
     std::vector<std::string> suggestions = names;
     suggestions.insert(suggestions.end(), {"error.*", "defect.*", "structure.*", "invariant.*"});
@@ -66,9 +66,11 @@ void check_metrics(const Document& document, const std::vector<std::string>& nam
         const std::string pointer = fmt::format("/metrics/{}", i);
         const auto fits = [&](const std::string& name) { return matches(pattern, name); };
         if (plain && std::none_of(names.begin(), names.end(), fits)) {
-            sink.mismatch(pointer, document.value["metrics"][i],
-                          "a metric of these problems, or a pattern that fits one (see kreisel list metrics)",
-                          nearest_name(pattern, names));
+            sink.add({.pointer = pointer,
+                      .expected = "a metric of these problems, or a pattern that fits one (see kreisel list metrics)",
+                      .got = in_quotes(pattern),
+                      .suggestion = nearest_name(pattern, names),
+                      .rule = Rule::metric});
         } else if (std::none_of(names.begin(), names.end(),
                                 [&](const auto& name) { return fits(name) && can_be_measured(plan, name); })) {
             const std::string nearest = plain ? "" : nearest_name(pattern, suggestions);

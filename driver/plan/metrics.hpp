@@ -15,6 +15,6 @@ std::vector<std::string> known_metrics(const Plan& plan);
 
 /// A plain name must be one of `names`, all metrics; a pattern that matches nothing and a metric that cannot be
 /// measured here give warnings.
-void check_metrics(const Document& document, const std::vector<std::string>& names, Diagnostics& sink, Plan& plan);
+void check_metrics(const std::vector<std::string>& names, Diagnostics& sink, Plan& plan);
 
 }  // namespace kreisel

@@ -66,7 +66,8 @@ void summarise(const Config& config, const Engines& engines, Diagnostics& sink, 
                     plan.systems.insert_or_assign({problem.label, formulation}, std::move(summary));
                 } catch (const ParameterError& error) {
                     if (said.insert(error.path + error.what()).second) {
-                        sink.add_sentence(problem.parameter_pointer(error.path), error.what() + suggestion(error));
+                        sink.add_sentence(problem.parameter_pointer(error.path), error.what() + suggestion(error),
+                                          Rule::model);
                     }
                 }
             }
@@ -100,9 +101,11 @@ Plan make_plan(const Document& document, const Config& config, const Engines& en
     summarise(config, engines, sink, plan);
     sink.raise();
     const auto metrics = known_metrics(plan);
-    check_metrics(document, metrics, sink, plan);
-    check_figures(document, plan, metrics, sink);
+    check_metrics(metrics, sink, plan);
+    check_figures(document, plan, metrics, engines.binary64, sink);
     cross_axes(engines, sink, plan);
+    sink.raise();
+    check_selections(document, plan, sink);
     sink.raise();
     warn(plan);
     return plan;

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -43,6 +44,12 @@ class Figure : public FigureSpec {
     /// What it draws them against, of those of plots/laws/abscissa.hpp; empty: the standard one of the kind, or its
     /// own.
     virtual std::string drawn_against() const { return ""; }
+
+    /// The body that it draws; empty: the first, or no single one.
+    virtual std::string drawn_body() const { return ""; }
+
+    /// The time up to which it draws, s; nothing: all.
+    virtual std::optional<double> drawn_until() const { return std::nullopt; }
 
     /// Writes plotdata/<name>.gp, the settings for the script of the kind, and its data files. Throws FigureError,
     /// FileError.

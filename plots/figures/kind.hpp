@@ -20,7 +20,7 @@ struct FigureKey {
     std::string values;  ///< what it may be, in words
     std::string meaning;
     std::string absent;  ///< what is drawn without it, where its default is no value: "all"
-    nlohmann::ordered_json schema;
+    std::function<nlohmann::ordered_json()> schema;
     std::function<void(const Node&, Figure&)> read;
     std::function<nlohmann::ordered_json(const Figure&)> value;  ///< null: none; of a new figure it is the default
 };

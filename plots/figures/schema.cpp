@@ -10,7 +10,7 @@ namespace kreisel {
 namespace {
 
 nlohmann::ordered_json schema_of(const FigureKey& key, const Figure& standard) {
-    nlohmann::ordered_json schema = key.schema;
+    nlohmann::ordered_json schema = key.schema();
     schema["description"] = key.meaning + (key.absent.empty() ? "" : "; default: " + key.absent);
     const nlohmann::ordered_json value = key.value(standard);
     if (!value.is_null()) { schema["default"] = value; }

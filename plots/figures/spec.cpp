@@ -67,11 +67,11 @@ std::unique_ptr<Figure> standard_figure(const std::string& kind, const std::stri
 std::vector<std::unique_ptr<Figure>> read_figures(const Node& figure, const std::string& experiment) {
     std::vector<std::unique_ptr<Figure>> figures;
     std::set<std::string> names;
-    for (const Node& node : figure.elements_or_self()) {
+    for (const Node& node : distinct(figure.elements_or_self(), "figure")) {
         auto one = read_figure(node, experiment);
         if (one == nullptr) { continue; }
         if (!names.insert(one->name).second) {
-            node.error("figures with different names", fmt::format("\"{}\" twice", one->name));
+            node.violates(Rule::own_name, "figures with different names", fmt::format("\"{}\" twice", one->name));
         }
         figures.push_back(std::move(one));
     }

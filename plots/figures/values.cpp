@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "plots/tables/names.hpp"
+#include "records/metrics/catalogue.hpp"
+#include "support/nearest.hpp"
 
 namespace kreisel {
 
@@ -23,19 +25,65 @@ Schema text_schema() {
         {"type", "string"}, {"minLength", 1}, {"maxLength", longest_text}, {"pattern", "^[^\\u0000-\\u001F\\u007F]*$"}};
 }
 
-Schema one_or_many(const Schema& one) { return {{"anyOf", {one, {{"type", "array"}, {"items", one}}}}}; }
+Schema positive_schema() { return {{"type", "number"}, {"minimum", least_positive}, {"maximum", largest_number}}; }
 
-std::optional<std::string> read_metric(const Node& node, const Names& families, const std::string& expected) {
+Schema one_or_many(const Schema& one) {
+    return {{"anyOf", {one, {{"type", "array"}, {"items", one}, {"minItems", 1}}}}};
+}
+
+std::function<Schema()> fixed(const Schema& schema) {
+    return [=] { return schema; };
+}
+
+// The value itself, or the elements of a list that is not empty.
+std::vector<Node> read_one_or_many(const Node& node, const std::string& expected) {
+    if (!node.is_array()) { return {node}; }
+    return node.elements(expected).value_or(std::vector<Node>());
+}
+
+/// Which metrics a figure draws.
+struct MetricChoice {
+    Names families, own;
+
+    /// Those that are known before there is a problem: all but first integrals.
+    Names known() const {
+        Names names = own;
+        for (const std::string& name : names_of_metrics()) {
+            const auto begins = [&](const std::string& family) { return name.starts_with(family); };
+            if (std::any_of(families.begin(), families.end(), begins)) { names.push_back(name); }
+        }
+        return names;
+    }
+    bool integrals() const { return std::find(families.begin(), families.end(), "invariant.") != families.end(); }
+};
+
+bool is_integral_name(const std::string& metric) {
+    const std::string prefix = "invariant.";
+    return metric.starts_with(prefix) && metric.size() > prefix.size() &&
+           metric.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.") == std::string::npos;
+}
+
+std::optional<std::string> read_metric(const Node& node, const MetricChoice& choice, const std::string& expected) {
     const auto metric = node.text(expected, longest_metric);
     if (!metric) { return std::nullopt; }
-    const bool of_family = std::any_of(families.begin(), families.end(), [&](const std::string& family) {
-        return metric->starts_with(family) && metric->size() > family.size();
-    });
-    const bool plain =
-        of_family && metric->find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.") == std::string::npos;
-    if (plain) { return metric; }
-    node.mismatch(expected);
+    const Names known = choice.known();
+    const bool fits = std::find(known.begin(), known.end(), *metric) != known.end() ||
+                      (choice.integrals() && is_integral_name(*metric));
+    if (fits) { return metric; }
+    node.mismatch(expected, nearest_name(*metric, known));
     return std::nullopt;
+}
+
+Schema metric_schema(const MetricChoice& choice) {
+    Schema one = {{"type", "string"}, {"maxLength", longest_metric}};
+    one["anyOf"] = Schema::array({{{"enum", choice.known()}}});
+    if (choice.integrals()) { one["anyOf"].push_back({{"pattern", "^invariant\\.[a-z0-9_.]+$"}}); }
+    return one_or_many(one);
+}
+
+const Names& precisions() {
+    static const Names names = {"double", "quad"};
+    return names;
 }
 
 std::optional<std::string> read_selected(const Node& node, const std::string& key) {
@@ -43,6 +91,7 @@ std::optional<std::string> read_selected(const Node& node, const std::string& ke
         const auto tolerance = node.positive("a tolerance, or a list of them");
         return tolerance ? std::optional(fmt::format("{}", *tolerance)) : std::nullopt;
     }
+    if (key == "precision") { return node.name("a precision", precisions()); }
     if (key != "steps") { return node.text("a name, or a list of names"); }
     const auto steps = node.count(1, largest_count, "steps");
     return steps ? std::optional(fmt::format("{}", *steps)) : std::nullopt;
@@ -61,7 +110,7 @@ std::optional<Selection> read_selection(const Node& node) {
     for (const std::string& key : selection_keys()) {
         const auto value = node.find(key);
         if (!value) { continue; }
-        for (const Node& entry : value->elements_or_self()) {
+        for (const Node& entry : read_one_or_many(*value, "a value, or a list of at least one")) {
             if (const auto one = read_selected(entry, key)) { selection[key].push_back(*one); }
         }
     }
@@ -71,12 +120,12 @@ std::optional<Selection> read_selection(const Node& node) {
 }  // namespace
 
 Type<std::string> text(const std::string& expected) {
-    return {expected, text_schema(), [=](const Node& node) { return node.text(expected, longest_text); }};
+    return {expected, fixed(text_schema()), [=](const Node& node) { return node.text(expected, longest_text); }};
 }
 
 Type<std::string> file_name() {
     const std::string expected = "a file name without extension: up to 80 of a-z, 0-9, \"_\", \"-\"";
-    return {expected, {{"type", "string"}, {"pattern", "^[a-z0-9_][a-z0-9_-]{0,79}$"}}, [=](const Node& node) {
+    return {expected, fixed({{"type", "string"}, {"pattern", "^[a-z0-9_][a-z0-9_-]{0,79}$"}}), [=](const Node& node) {
                 auto name = node.text(expected);
                 if (!name || is_figure_name(*name)) { return name; }
                 node.mismatch(expected);
@@ -85,33 +134,31 @@ Type<std::string> file_name() {
 }
 
 Type<std::string> choice(const std::string& what, const Names& names) {
-    return {"one of " + listed(names), {{"type", "string"}, {"enum", names}}, [=](const Node& node) {
-                return node.name(what, names);
-            }};
+    return {"one of " + listed(names), fixed({{"type", "string"}, {"enum", names}}),
+            [=](const Node& node) { return node.name(what, names); }};
 }
 
 Type<std::string> axis() { return choice("facet", CellNames::axes()); }
 
 Type<bool> flag() {
-    return {"true or false", {{"type", "boolean"}}, [](const Node& node) { return node.flag(); }};
+    return {"true or false", fixed({{"type", "boolean"}}), [](const Node& node) { return node.flag(); }};
 }
 
 Type<long> count(long least, long most, const std::string& what) {
     return {fmt::format("a whole number from {} to {}", least, most),
-            {{"type", "integer"}, {"minimum", least}, {"maximum", most}},
+            fixed({{"type", "integer"}, {"minimum", least}, {"maximum", most}}),
             [=](const Node& node) { return node.count(least, most, what); }};
 }
 
 Type<double> positive(const std::string& expected) {
-    return {expected, {{"type", "number"}, {"exclusiveMinimum", 0}}, [=](const Node& node) {
-                return node.positive(expected);
-            }};
+    return {expected, fixed(positive_schema()), [=](const Node& node) { return node.positive(expected); }};
 }
 
 template <std::size_t n>
 Type<std::array<double, n>> numbers(const std::string& expected) {
-    const Schema schema = {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", n}, {"maxItems", n}};
-    return {expected, schema, [=](const Node& node) -> std::optional<std::array<double, n>> {
+    const Schema one = {{"type", "number"}, {"minimum", -largest_number}, {"maximum", largest_number}};
+    const Schema schema = {{"type", "array"}, {"items", one}, {"minItems", n}, {"maxItems", n}};
+    return {expected, fixed(schema), [=](const Node& node) -> std::optional<std::array<double, n>> {
                 if (!node.is_array() || node.json().size() != n) {
                     node.mismatch(expected);
                     return std::nullopt;
@@ -129,23 +176,18 @@ Type<std::array<double, n>> numbers(const std::string& expected) {
 template Type<std::array<double, 2>> numbers(const std::string& expected);
 template Type<std::array<double, 3>> numbers(const std::string& expected);
 
-Type<Names> metrics(const std::string& family) { return metrics(Names{family}); }
-
-Type<Names> metrics(const Names& families) {
-    std::string several, alternatives;
-    for (const std::string& family : families) {
-        several += (several.empty() ? "" : " or ") + family + "*";
-        alternatives += (alternatives.empty() ? "" : "|") + family.substr(0, family.size() - 1);
-    }
+Type<Names> metrics(const Names& families, const Names& own) {
+    std::string several;
+    for (const std::string& family : families) { several += (several.empty() ? "" : " or ") + family + "*"; }
     const bool vowel = std::string_view("aeiou").find(several.front()) != std::string_view::npos;
-    const std::string expected = fmt::format("{} metric {}, or a list of them", vowel ? "an" : "a", several);
-    if (families.size() > 1) { alternatives = "(" + alternatives + ")"; }
-    std::string pattern = "^" + alternatives + "\\.[a-z0-9_.]+$";
-    const Schema one = {{"type", "string"}, {"maxLength", longest_metric}, {"pattern", std::move(pattern)}};
-    return {expected, one_or_many(one), [=](const Node& node) {
+    const std::string words = fmt::format("{} metric {}, or a list of them", vowel ? "an" : "a", several);
+    const std::string expected = words + " (see kreisel list metrics)";
+    const MetricChoice choice{families, own};
+    return {words, [=] { return metric_schema(choice); },
+            [=](const Node& node) {
                 Names names;
-                for (const Node& entry : node.elements_or_self()) {
-                    if (const auto metric = read_metric(entry, families, expected)) { names.push_back(*metric); }
+                for (const Node& entry : read_one_or_many(node, expected)) {
+                    if (const auto metric = read_metric(entry, choice, expected)) { names.push_back(*metric); }
                 }
                 return std::optional(names);
             }};
@@ -155,10 +197,10 @@ Type<Selection> selection() {
     Schema properties = Schema::object();
     for (const std::string& key : selection_keys()) { properties[key] = one_or_many(text_schema()); }
     properties["steps"] = one_or_many({{"type", "integer"}, {"minimum", 1}, {"maximum", largest_count}});
-    properties["tolerance"] = one_or_many({{"type", "number"}, {"exclusiveMinimum", 0}});
+    properties["tolerance"] = one_or_many(positive_schema());
+    properties["precision"] = one_or_many({{"type", "string"}, {"enum", precisions()}});
     return {"an object of names or lists of names: keys " + listed(selection_keys()),
-            {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}},
-            read_selection};
+            fixed({{"type", "object"}, {"properties", properties}, {"additionalProperties", false}}), read_selection};
 }
 
 }  // namespace figure_value

@@ -18,8 +18,8 @@ namespace kreisel::figure_value {
 
 template <class T>
 struct Type {
-    std::string words;  ///< "a whole number from 1 to 4"
-    nlohmann::ordered_json schema;
+    std::string words;                               ///< "a whole number from 1 to 4"
+    std::function<nlohmann::ordered_json()> schema;  ///< made when all metrics are registered
     /// Nothing, with a message to the node's diagnostics, for a value of another type.
     std::function<std::optional<T>(const Node&)> read;
 };
@@ -42,10 +42,9 @@ template <std::size_t n>
 Type<std::array<double, n>> numbers(const std::string& expected);
 extern template Type<std::array<double, 2>> numbers(const std::string& expected);
 extern template Type<std::array<double, 3>> numbers(const std::string& expected);
-/// A metric whose name begins with `family`, such as "error.", or a list of them.
-Type<Names> metrics(const std::string& family);
-/// The same for metrics of any of these families.
-Type<Names> metrics(const Names& families);
+/// A metric, or a list of them: those of the engine and first integrals whose names begin with one of `families`, such
+/// as "error.", and those that are the `own` ones of the figure.
+Type<Names> metrics(const Names& families, const Names& own = {});
 /// Values, one or a list, by axis, "steps" and "tolerance".
 Type<Selection> selection();
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <regex>
 
 #include "support/csv.hpp"
@@ -28,10 +29,17 @@ std::string printable(const std::string& text) {
     return result;
 }
 
+// What only some readers of Markdown take a backslash before is written as an entity, which all of them know.
 std::string markdown_escaped(const std::string& text) {
+    static const std::map<char, std::string> entities = {
+        {'&', "&amp;"}, {'<', "&lt;"}, {'~', "&#126;"}, {'$', "&#36;"}};
     std::string result;
     for (const char c : printable(text)) {
-        if (std::string_view("\\`*_{}[]<>#|&!~$").find(c) != std::string_view::npos) { result += '\\'; }
+        if (const auto entity = entities.find(c); entity != entities.end()) {
+            result += entity->second;
+            continue;
+        }
+        if (std::string_view("\\`*_{}[]>#|!").find(c) != std::string_view::npos) { result += '\\'; }
         result += c;
     }
     return result;

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "records/json/node.hpp"
-#include "support/errors.hpp"
 
 namespace kreisel {
 
@@ -128,7 +127,7 @@ void Diagnostics::raise() const {
     if (issues_.size() > most_messages) {
         text += fmt::format("\n{}: {} more errors", document_.file, issues_.size() - most_messages);
     }
-    throw UsageError(text);
+    throw Refusal(text, issues_);
 }
 
 }  // namespace kreisel

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "records/json/locator.hpp"
+#include "records/json/rules.hpp"
+#include "support/errors.hpp"
 
 namespace kreisel {
 
@@ -40,6 +42,13 @@ struct Issue {
     Target target = Target::value;
     int occurrence = 1;
     std::string sentence = {};
+    Rule rule = Rule::shape;
+};
+
+/// A document with errors in it.
+struct Refusal : UsageError {
+    std::vector<Issue> issues;
+    Refusal(const std::string& text, std::vector<Issue> all) : UsageError(text), issues(std::move(all)) {}
 };
 
 /// The layer of a document that wrote the value at `pointer`, or the document itself.
@@ -63,13 +72,17 @@ class Diagnostics {
   public:
     explicit Diagnostics(const Document& document) : document_(document) {}
 
+    /// A value of the document as a message shows it.
+    std::string shown_value(const std::string& pointer, const nlohmann::json& value) const {
+        return shown(document_, value, pointer);
+    }
     void add(Issue issue) { issues_.push_back(std::move(issue)); }
     /// The same with "got" taken from the file.
     void mismatch(const std::string& pointer, const nlohmann::json& value, const std::string& expected,
                   const std::string& suggestion = "");
     /// An error of the engine, in its own words.
-    void add_sentence(const std::string& pointer, const std::string& sentence) {
-        issues_.push_back({.pointer = pointer, .sentence = sentence});
+    void add_sentence(const std::string& pointer, const std::string& sentence, Rule rule) {
+        issues_.push_back({.pointer = pointer, .sentence = sentence, .rule = rule});
     }
     /// Something the user should know that is no error.
     void warn(const std::string& pointer, const std::string& sentence) {
@@ -78,7 +91,7 @@ class Diagnostics {
     const std::vector<std::string>& warnings() const { return warnings_; }
     bool empty() const { return issues_.empty(); }
     const std::vector<Issue>& issues() const { return issues_; }
-    /// Throws UsageError with all messages in the order of the text; does nothing if there are none.
+    /// Throws Refusal with all messages in the order of the text; does nothing if there are none.
     void raise() const;
 
   private:

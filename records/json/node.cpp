@@ -5,10 +5,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "support/nearest.hpp"
 
 namespace kreisel {
+
+namespace {
+
+// Of ASCII.
+bool is_control_character(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7F;
+}
+
+// Code points of a text in UTF-8.
+std::size_t characters_of(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+}  // namespace
 
 bool Node::require_object(const std::string& expected) const {
     if (!is_object()) { mismatch(expected); }
@@ -44,6 +61,10 @@ std::optional<std::vector<Node>> Node::elements(const std::string& expected) con
     return elements_or_self();
 }
 
+std::vector<Node> Node::distinct_elements(const std::string& expected, const std::string& what) const {
+    return distinct(elements(expected).value_or(std::vector<Node>()), what);
+}
+
 std::vector<Node> Node::elements_or_self() const {
     if (!is_array()) { return {*this}; }
     std::vector<Node> nodes;
@@ -58,13 +79,18 @@ std::optional<double> Node::number(const std::string& expected) const {
         mismatch(expected);
         return std::nullopt;
     }
-    return value_->get<double>();
+    const auto value = value_->get<double>();
+    if (!(std::abs(value) <= largest_number)) {
+        mismatch(fmt::format("{} of at most {} in size", expected, largest_number));
+        return std::nullopt;
+    }
+    return value;
 }
 
 std::optional<double> Node::positive(const std::string& expected) const {
     const auto value = number(expected);
-    if (value && !(*value > 0)) {
-        mismatch(expected);
+    if (value && !(*value >= least_positive)) {
+        mismatch(*value > 0 ? fmt::format("{}, of at least {}", expected, least_positive) : expected);
         return std::nullopt;
     }
     return value;
@@ -104,11 +130,16 @@ std::optional<std::string> Node::text(const std::string& expected, std::size_t l
     }
     const auto& text = value_->get_ref<const std::string&>();
     if (has_control_character(text)) {
-        mismatch(expected + " without control characters");
+        const bool ascii = std::any_of(text.begin(), text.end(), is_control_character);
+        sink_->add({.pointer = pointer_,
+                    .expected = expected + " without control characters",
+                    .got = in_quotes(text),
+                    .rule = ascii ? Rule::shape : Rule::separators});
         return std::nullopt;
     }
-    if (text.empty() || text.size() > longest) {
-        error(fmt::format("{} of 1 to {} bytes", expected, longest), fmt::format("{} bytes", text.size()));
+    const std::size_t characters = characters_of(text);
+    if (characters == 0 || characters > longest) {
+        error(fmt::format("{} of 1 to {} characters", expected, longest), fmt::format("{} characters", characters));
         return std::nullopt;
     }
     return text;
@@ -128,11 +159,29 @@ std::optional<std::string> Node::name(const std::string& what, const std::vector
     return text;
 }
 
+std::vector<Node> distinct(const std::vector<Node>& nodes, const std::string& what) {
+    std::vector<Node> all;
+    std::unordered_map<std::string, std::string> known;  // the pointer of each
+    for (const Node& node : nodes) {
+        const nlohmann::json& value = node.json();
+        const auto [twin, is_new] =
+            known.emplace(value.is_number() ? fmt::format("{}", value.get<double>()) : value.dump(), node.pointer());
+        if (is_new) {
+            all.push_back(node);
+        } else if (value.is_structured()) {
+            node.error("each " + what + " once", "the same as at " + twin->second);
+        } else {
+            node.error("each " + what + " once", node.shown() + " again");
+        }
+    }
+    return all;
+}
+
 bool has_control_character(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto byte = static_cast<unsigned char>(text[i]);
         const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : '\0');
-        if (byte < 0x20 || byte == 0x7F || (byte == 0xC2 && next >= 0x80 && next <= 0x9F)) { return true; }
+        if (is_control_character(text[i]) || (byte == 0xC2 && next >= 0x80 && next <= 0x9F)) { return true; }
     }
     // U+2028 and U+2029, the line and paragraph separators
     return text.find("\xE2\x80\xA8") != std::string_view::npos || text.find("\xE2\x80\xA9") != std::string_view::npos;

@@ -14,6 +14,9 @@ namespace kreisel {
 
 /// Largest count a config may write.
 inline constexpr long largest_count = 1'000'000'000;
+/// Numbers are at most that large, and those that are greater than 0 at least that large: beyond, products of a few of
+/// them leave the range of doubles.
+inline constexpr double largest_number = 1e100, least_positive = 1e-100;
 
 class Node {
   public:
@@ -38,24 +41,36 @@ class Node {
 
     /// The elements of a list that is not empty.
     std::optional<std::vector<Node>> elements(const std::string& expected) const;
+    /// The same without those that equal an earlier one, which are errors, and nothing where there is no list: "each
+    /// WHAT once". What is written differently and means the same is not found here.
+    std::vector<Node> distinct_elements(const std::string& expected, const std::string& what) const;
     /// The elements of a list, or the value itself.
     std::vector<Node> elements_or_self() const;
 
+    /// At most `largest_number` in size.
     std::optional<double> number(const std::string& expected = "a number") const;
+    /// At least `least_positive`.
     std::optional<double> positive(const std::string& expected = "a number greater than 0") const;
     /// A whole number in [least, most], written without a fraction.
     std::optional<long> count(long least, long most, const std::string& what) const;
     std::optional<bool> flag() const;
-    /// Text without control characters, at most `longest` bytes.
+    /// Text without control characters, at most `longest` characters.
     std::optional<std::string> text(const std::string& expected, std::size_t longest = 200) const;
     /// One of `names`, otherwise an error with the nearest one.
     std::optional<std::string> name(const std::string& what, const std::vector<std::string>& names) const;
 
+    /// The value as a message shows it.
+    std::string shown() const { return sink_->shown_value(pointer_, *value_); }
     void mismatch(const std::string& expected, const std::string& suggestion = "") const {
         sink_->mismatch(pointer_, *value_, expected, suggestion);
     }
     void error(const std::string& expected, const std::string& got, const std::string& suggestion = "") const {
         sink_->add({pointer_, expected, got, suggestion});
+    }
+
+    /// An error that no schema tells.
+    void violates(Rule rule, const std::string& expected, const std::string& got) const {
+        sink_->add({.pointer = pointer_, .expected = expected, .got = got, .rule = rule});
     }
 
     /// A remark that is no error.
@@ -66,6 +81,9 @@ class Node {
     std::string pointer_;
     Diagnostics* sink_;
 };
+
+/// Those that equal no earlier one as JSON. The others are errors: "each WHAT once".
+std::vector<Node> distinct(const std::vector<Node>& nodes, const std::string& what);
 
 /// True if `text` holds a control character (C0, DEL, C1) or a Unicode line separator.
 bool has_control_character(std::string_view text);

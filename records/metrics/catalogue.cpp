@@ -10,6 +10,17 @@ const std::vector<MetricDescription>& metric_catalogue() {
     return all;
 }
 
+const std::vector<std::string>& names_of_metrics() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const MetricDescription& metric : metric_catalogue()) {
+            for (std::string& name : names_of_metric(metric)) { all.push_back(std::move(name)); }
+        }
+        return all;
+    }();
+    return names;
+}
+
 const MetricDescription* find_metric(const std::string& name) {
     std::string_view base = name;
     for (const std::string_view suffix : {".final", ".max", ".uncertainty"}) {

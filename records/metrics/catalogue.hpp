@@ -21,6 +21,9 @@ inline bool is_error(const MetricDescription& metric) { return metric.kind == Me
 /// What single steps do to the geometry of the motion; "NAME.uncertainty" is what it is certain to.
 inline bool is_structure(const MetricDescription& metric) { return metric.kind == MetricKind::structure; }
 
+/// The names of what they measure, those of largest and final values among them.
+const std::vector<std::string>& names_of_metrics();
+
 /// The entry of a name, with or without ".final", ".max" or ".uncertainty"; null where there is none.
 const MetricDescription* find_metric(const std::string& name);
 

@@ -254,8 +254,8 @@ TEST_CASE("a figure may select what the experiment crosses, and nothing else") {
     const std::vector<std::array<std::string, 3>> cases = {
         {"problem", "\"free_top\"", "a problem of this experiment, got \"free_top\""},
         {"method", "\"rkmk/rk5\"", "a method of this experiment, got \"rkmk/rk5\"; did you mean \"rkmk/rk4\"?"},
-        {"projection", "\"position\"", "a projection of this experiment, got \"position\""},
-        {"precision", "\"duoble\"", "a precision of this experiment, got \"duoble\"; did you mean \"double\"?"}};
+        {"projection", "\"position_velocity\"", "a projection of this experiment, got \"position_velocity\""},
+        {"precision", "\"duoble\"", "a precision (\"double\", \"quad\"), got \"duoble\"; did you mean \"double\"?"}};
     for (const auto& [key, value, message] : cases) {
         const std::string text = refusal("{\"" + key + "\": " + value + "}");
         CHECK_THAT(text, Catch::Contains(": /figure/select/" + key + ": expected " + message));

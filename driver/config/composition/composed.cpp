@@ -30,7 +30,7 @@ std::filesystem::path extended_by(const Document& document) {
     sink.raise();
     const std::filesystem::path file = std::filesystem::path(document.file).parent_path() / *path;
     if (!std::filesystem::exists(file)) {
-        sink.add({std::string("/") + extends_key, expected, in_quotes(*path) + ", which is no file"});
+        root.find(extends_key)->violates(Rule::file, expected, in_quotes(*path) + ", which is no file");
     }
     sink.raise();
     return file;
@@ -53,10 +53,12 @@ std::vector<Document> chain_from(const std::filesystem::path& file) {
     for (std::filesystem::path next = extended_by(chain.back()); !next.empty(); next = extended_by(chain.back())) {
         const auto path = std::filesystem::weakly_canonical(next);
         if (std::find(seen.begin(), seen.end(), path) != seen.end()) {
-            const Document& last = chain.back();
-            throw UsageError(message(last, {.pointer = std::string("/") + extends_key,
-                                            .expected = "a config that does not lead back to itself",
-                                            .got = in_quotes(next.string())}));
+            Diagnostics sink(chain.back());
+            sink.add({.pointer = std::string("/") + extends_key,
+                      .expected = "a config that does not lead back to itself",
+                      .got = in_quotes(next.string()),
+                      .rule = Rule::file});
+            sink.raise();
         }
         seen.push_back(path);
         chain.push_back(document_in(next.lexically_normal()));

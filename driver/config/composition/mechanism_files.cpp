@@ -79,7 +79,7 @@ void insert_at(Document& config, const std::string& pointer) {
     sink.raise();
     const fs::path file = (folder_of(config, pointer + "/file") / *path).lexically_normal();
     if (path->empty() || !fs::is_regular_file(file)) {
-        written.error(expected_path, in_quotes(*path) + ", which is no file");
+        written.violates(Rule::file, expected_path, in_quotes(*path) + ", which is no file");
         sink.raise();
     }
     json patch = parameters.json();

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "driver/config/reading/figure_demands.hpp"
 #include "plots/figures/spec.hpp"
 #include "records/kinds/kind.hpp"
+#include "records/metrics/catalogue.hpp"
+#include "support/nearest.hpp"
 
 namespace kreisel {
 
@@ -23,12 +26,24 @@ void read_output(const Node& root, Config& config) {
     config.samples = samples.value_or(0);
     for (const long steps : config.steps) {
         if (config.samples > 0 && steps % config.samples != 0) {
-            node->error(
+            node->violates(
+                Rule::whole_strides,
                 "a number that divides every number of steps, since samples of constant steps are not interpolated",
                 fmt::format("{}, which does not divide {}", config.samples, steps));
             return;
         }
     }
+}
+
+// A name of the engine, of a first integral, which problems have, or a pattern.
+std::optional<std::string> read_metric(const Node& entry) {
+    const std::string expected = "a metric (see kreisel list metrics), or a pattern such as \"error.*\"";
+    auto metric = entry.text(expected, 100);
+    if (!metric || metric->find('*') != std::string::npos || metric->starts_with("invariant.")) { return metric; }
+    const auto& names = names_of_metrics();
+    if (std::find(names.begin(), names.end(), *metric) != names.end()) { return metric; }
+    entry.mismatch(expected, nearest_name(*metric, names));
+    return std::nullopt;
 }
 
 void read_metrics(const Node& root, Config& config) {
@@ -42,13 +57,8 @@ void read_metrics(const Node& root, Config& config) {
         node->mismatch("a list of metrics or patterns such as \"error.*\" (an empty list measures nothing)");
         return;
     }
-    for (const Node& entry : node->elements_or_self()) {
-        const auto pattern = entry.text("a metric or a pattern such as \"error.*\"", 100);
-        if (pattern && std::find(config.metrics.begin(), config.metrics.end(), *pattern) != config.metrics.end()) {
-            entry.error("each metric once", in_quotes(*pattern) + " again");
-        } else if (pattern) {
-            config.metrics.push_back(*pattern);
-        }
+    for (const Node& entry : distinct(node->elements_or_self(), "metric")) {
+        if (const auto metric = read_metric(entry)) { config.metrics.push_back(*metric); }
     }
 }
 
@@ -68,19 +78,47 @@ void check_timed(const Node& root, const Config& config) {
     }
 }
 
-void read_figure(const Node& root, Config& config) {
+// Whether the experiment is of a kind, and has steps and samples, that a figure can draw.
+void check_demands(const Node& root, const Figure& figure) {
+    const nlohmann::json& shown = root.json().at(nlohmann::json::json_pointer(figure.pointer));
+    for (const FigureDemand& demand : figure_demands()) {
+        if (!demand.concerns(figure.kind, figure.drawn_against()) || provides(root.json(), demand.needs)) { continue; }
+        const Node at(shown.at(demand.key()), pointer_below(figure.pointer, demand.key()), root.sink());
+        at.mismatch(demand.expected);
+        return;
+    }
+}
+
+// That what a figure selects is a name that there is; of what has options it is not known before the run.
+void check_selected(const Node& root, const Figure& figure, const std::string& axis,
+                    const std::vector<std::string>& names) {
+    if (!figure.select.contains(axis)) { return; }
+    const std::string pointer = figure.pointer + "/select/" + axis;
+    const Node selected(root.json().at(nlohmann::json::json_pointer(pointer)), pointer, root.sink());
+    for (const Node& entry : selected.elements_or_self()) {
+        const bool with_options =
+            entry.is_string() && entry.json().get_ref<const std::string&>().find(' ') != std::string::npos;
+        if (axis == "formulation" || !with_options) { entry.name("a " + axis, names); }
+    }
+}
+
+void read_figure(const Node& root, const Catalogue& catalogue, Config& config) {
     const auto node = root.find("figure");
     if (!node) { return; }
-    read_figures(*node, config.name);
+    for (const auto& figure : read_figures(*node, config.name)) {
+        check_demands(root, *figure);
+        check_selected(root, *figure, "formulation", names_of(catalogue.formulations));
+        check_selected(root, *figure, "projection", names_of(catalogue.projections));
+    }
     config.figure = node->json().dump();
 }
 
 }  // namespace
 
-void read_measurements(const Node& root, Config& config) {
+void read_measurements(const Node& root, const Catalogue& catalogue, Config& config) {
     read_output(root, config);
     read_metrics(root, config);
-    read_figure(root, config);
+    read_figure(root, catalogue, config);
     check_timed(root, config);
 }
 

@@ -12,6 +12,6 @@ namespace kreisel {
 inline constexpr long most_samples = 10'000'000;
 
 /// Reads "output", "metrics" and "figure" of the config `root`, whose kind and steps have been read.
-void read_measurements(const Node& root, Config& config);
+void read_measurements(const Node& root, const Catalogue& catalogue, Config& config);
 
 }  // namespace kreisel

@@ -20,7 +20,7 @@ void add_optioned(const Node& entry, const std::string& what, const Description&
             return other.name == description.name && other.options == options;
         });
         if (twin != result.end()) {
-            entry.error("each " + what + " once", "the same as at " + twin->pointer);
+            entry.violates(Rule::each_once, "each " + what + " once", "the same as at " + twin->pointer);
         } else {
             result.push_back({description.name, options, entry.pointer()});
         }
@@ -31,8 +31,7 @@ template <class Description>
 std::vector<OptionedEntry> read_optioned(const Node& list, const std::string& what,
                                          const std::vector<Description>& known) {
     std::vector<OptionedEntry> result;
-    const auto entries = list.elements("a list of at least one " + what);
-    for (const Node& entry : entries.value_or(std::vector<Node>())) {
+    for (const Node& entry : list.distinct_elements("a list of at least one " + what, what)) {
         for (const Description* description : described_by(entry, what, known)) {
             add_optioned(entry, what, *description, result);
         }

@@ -139,7 +139,8 @@ std::optional<std::array<double, 4>> PrintedNumbers::quaternion(const Node& node
     if (std::abs(norm - 1) <= accepted) { return unit; }
     const double change = difference(q, unit), most = largest_change_of_round_off(q);
     if (exact_ || !(norm > 0) || !(change <= most)) {
-        node.error("a unit quaternion (norm 1 within 1e-9, or as its decimals allow)", fmt::format("norm {}", norm));
+        node.violates(Rule::unit_norm, "a unit quaternion (norm 1 within 1e-9, or as its decimals allow)",
+                      fmt::format("norm {}", norm));
         return std::nullopt;
     }
     warn(node, fmt::format("of norm {}", norm), "the unit quaternion of its direction", change);
@@ -150,10 +151,10 @@ std::optional<Matrix3> PrintedNumbers::inertia(const Node& node, const Matrix3& 
     const Matrix3 symmetric = symmetric_part(J);
     const double asymmetry = difference(J, symmetric), most = largest_change_of_round_off(J);
     if (asymmetry > 0 && (exact_ || !(asymmetry <= most))) {
-        node.error(expectation(ValueKind::inertia),
-                   fmt::format("a matrix that is not symmetric: an entry is {:.2g} off its symmetric part, {:.2g} are "
-                               "round-off of the decimals",
-                               asymmetry, exact_ ? 0 : most));
+        node.violates(Rule::symmetry, expectation(ValueKind::inertia),
+                      fmt::format("a matrix that is not symmetric: an entry is {:.2g} off its symmetric part, {:.2g} "
+                                  "are round-off of the decimals",
+                                  asymmetry, exact_ ? 0 : most));
         return std::nullopt;
     }
     if (asymmetry > 0) { warn(node, "not symmetric", "the symmetric part", asymmetry); }

@@ -32,14 +32,14 @@ class ProblemList {
     void add(const Node& entry, ProblemEntry problem) {
         const auto [twin, is_new] = labels_.emplace(problem.label, problem.pointer);
         if (!is_new) {
-            entry.error("a \"label\" of its own for each problem",
-                        in_quotes(problem.label) + " again, as at " + twin->second);
+            entry.violates(Rule::own_name, "a \"label\" of its own for each problem",
+                           in_quotes(problem.label) + " again, as at " + twin->second);
             return;
         }
         const auto [same, is_other] =
             contents_.emplace(problem.name + " " + json_value(problem.parameters), problem.pointer);
         if (!is_other) {
-            entry.error("each problem once", "the same problem as at " + same->second);
+            entry.violates(Rule::each_once, "each problem once", "the same problem as at " + same->second);
             return;
         }
         config_.problems.push_back(std::move(problem));
@@ -74,9 +74,9 @@ void add_problems(const Node& entry, const ProblemDescription& description, Prob
 
 void read_problems(const Node& root, const Catalogue& catalogue, Config& config) {
     const auto node = root.require("problems", "a list of at least one problem");
-    const auto entries = node ? node->elements("a list of at least one problem") : std::nullopt;
+    if (!node) { return; }
     ProblemList list(config);
-    for (const Node& entry : entries.value_or(std::vector<Node>())) {
+    for (const Node& entry : node->distinct_elements("a list of at least one problem", "problem")) {
         if (const auto* description = described(entry, "problem", catalogue.problems)) {
             add_problems(entry, *description, list);
         }

@@ -13,7 +13,21 @@ namespace {
 
 Schema matrix() { return list_of_three(list_of_three(number())); }
 
-Schema inertia() { return {{"anyOf", {list_of_three(number()), matrix()}}}; }
+// Moments, or a matrix with positive ones on its diagonal.
+Schema inertia() {
+    Schema rows = Schema::array();
+    for (std::size_t i = 0; i < 3; ++i) {
+        Schema row = list_of_three(Schema::array({number(), number(), number()}));
+        row["items"][i] = positive();
+        rows.push_back(row);
+    }
+    return {{"anyOf", {list_of_three(positive()), list_of_three(rows)}}};
+}
+
+// What joints and forces call a body by.
+Schema body_name() {
+    return {{"type", "string"}, {"maxLength", 64}, {"pattern", "^[A-Za-z0-9_-]+$"}, {"not", {{"const", "ground"}}}};
+}
 
 Schema value(ValueKind kind) {
     switch (kind) {
@@ -29,11 +43,11 @@ Schema value(ValueKind kind) {
         case ValueKind::positive:
             return positive();
         case ValueKind::not_negative:
-            return {{"type", "number"}, {"minimum", 0}};
+            return not_negative();
         case ValueKind::numbers:
             return list(number(), 1);
         case ValueKind::not_negatives:
-            return list_of_three({{"type", "number"}, {"minimum", 0}});
+            return list_of_three(not_negative());
         case ValueKind::vector:
             return list_of_three(number());
         case ValueKind::vectors:
@@ -53,12 +67,12 @@ Schema value(ValueKind kind) {
 // {"required": ["one"]}
 Schema has(const std::vector<std::string>& keys) { return {{"required", keys}}; }
 
-Schema element(const ElementType& type, bool must_say_type) {
+Schema element(const ElementType& type, bool must_say_type, bool names_bodies) {
     Schema properties = {{"type", {{"const", type.name}}}};
     std::vector<std::string> required;
     if (must_say_type) { required.emplace_back("type"); }
     for (const ElementKey& key : type.keys) {
-        properties[key.name] = value(key.kind);
+        properties[key.name] = names_bodies && key.name == "name" ? body_name() : value(key.kind);
         properties[key.name]["description"] = meaning_of_key(key.name);
         if (key.required) { required.push_back(key.name); }
     }
@@ -76,7 +90,7 @@ Schema element_list(ParameterKind kind, std::size_t least) {
     const ElementList& elements = elements_of(kind);
     Schema alternatives = Schema::array();
     for (const ElementType& type : elements.types) {
-        alternatives.push_back(element(type, type.name != elements.standard));
+        alternatives.push_back(element(type, type.name != elements.standard, kind == ParameterKind::bodies));
     }
     return list({{"anyOf", alternatives}}, least);
 }
@@ -110,10 +124,11 @@ Schema parameter(ParameterKind kind) {
 Schema value_or_axis(ParameterKind kind) {
     const Schema one = parameter(kind);
     Schema axis = object({{"axis", list(one)}, {"zip", text(64)}}, {"axis"});
+    axis["anyOf"] = {has({"zip"}), {{"properties", {{"axis", {{"uniqueItems", true}}}}}}};
     Schema choices = {one, axis};
     const bool is_number =
         kind == ParameterKind::scalar || kind == ParameterKind::positive || kind == ParameterKind::count;
-    if (is_number) { choices.push_back(list(one)); }
+    if (is_number) { choices.push_back(set(one)); }
     return {{"anyOf", choices}};
 }
 

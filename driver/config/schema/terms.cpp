@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "records/json/node.hpp"
+
 namespace kreisel::schema {
 
 namespace {
@@ -14,9 +16,11 @@ const char* const no_control_characters = "^[^\\u0000-\\u001F\\u007F]*$";
 
 Schema integer(long least, long most) { return {{"type", "integer"}, {"minimum", least}, {"maximum", most}}; }
 
-Schema number() { return {{"type", "number"}}; }
+Schema number() { return {{"type", "number"}, {"minimum", -largest_number}, {"maximum", largest_number}}; }
 
-Schema positive() { return {{"type", "number"}, {"exclusiveMinimum", 0}}; }
+Schema positive() { return {{"type", "number"}, {"minimum", least_positive}, {"maximum", largest_number}}; }
+
+Schema not_negative() { return {{"type", "number"}, {"minimum", 0}, {"maximum", largest_number}}; }
 
 Schema list(const Schema& items, std::size_t least) {
     return {{"type", "array"}, {"items", items}, {"minItems", least}};
@@ -28,7 +32,13 @@ Schema list_of(std::size_t count, const Schema& items) {
 
 Schema list_of_three(const Schema& items) { return list_of(3, items); }
 
-Schema one_or_list(const Schema& one) { return {{"anyOf", {one, list(one)}}}; }
+Schema set(const Schema& items, std::size_t least) {
+    Schema schema = list(items, least);
+    schema["uniqueItems"] = true;
+    return schema;
+}
+
+Schema one_or_set(const Schema& one) { return {{"anyOf", {one, set(one)}}}; }
 
 Schema choice(const std::vector<std::string>& names) { return {{"type", "string"}, {"enum", names}}; }
 

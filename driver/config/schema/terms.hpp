@@ -14,11 +14,14 @@ using Schema = nlohmann::ordered_json;
 Schema integer(long least, long most);
 Schema number();
 Schema positive();
+Schema not_negative();
 /// Of at least `least` items.
 Schema list(const Schema& items, std::size_t least = 1);
 Schema list_of(std::size_t count, const Schema& items);
 Schema list_of_three(const Schema& items);
-Schema one_or_list(const Schema& one);
+/// A list of different items, at least `least`.
+Schema set(const Schema& items, std::size_t least = 1);
+Schema one_or_set(const Schema& one);
 Schema choice(const std::vector<std::string>& names);
 /// Of 1 to `longest` characters, without control characters.
 Schema text(std::size_t longest);

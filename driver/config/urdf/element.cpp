@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "records/json/diagnostics.hpp"
-#include "support/errors.hpp"
 
 namespace kreisel::urdf {
 
@@ -36,7 +35,7 @@ void Complaints::remark(const std::string& text) {
 }
 
 void Complaints::raise() const {
-    if (!errors_.empty()) { throw UsageError(fmt::format("{}", fmt::join(errors_, "\n"))); }
+    if (!errors_.empty()) { throw Refusal(fmt::format("{}", fmt::join(errors_, "\n")), {{.rule = Rule::model}}); }
 }
 
 std::string Element::shown() const {

@@ -20,7 +20,7 @@ class Complaints {
     void add(int line, const std::string& text);
     /// `text` without a place, once.
     void remark(const std::string& text);
-    /// Throws UsageError with all that was added; does nothing if that is nothing.
+    /// Throws Refusal with all that was added; does nothing if that is nothing.
     void raise() const;
     const std::vector<std::string>& remarks() const { return remarks_; }
     const std::string& file() const { return file_; }

@@ -49,6 +49,8 @@ class ComponentsFigure final : public PanelKind {
     std::string x = "t";  ///< or a cost
 
     std::string drawn_against() const override { return x == "t" ? "" : x; }
+    std::string drawn_body() const override { return body; }
+    std::optional<double> drawn_until() const override { return until; }
 
     PanelFigure panels(const Results& results, const std::filesystem::path& folder) const override {
         const ResultRow row = selected_trajectory(*this, results);

@@ -123,7 +123,7 @@ class ConvergenceFigure final : public CurveKind {
 };
 
 std::vector<FigureKey> convergence_keys() {
-    auto keys = curve_keys("error.");
+    auto keys = curve_keys({"error."});
     keys.push_back(figure_key("x", &ConvergenceFigure::x, abscissa_value(), "what errors are drawn against",
                               "h, or tolerance where steps are chosen to one"));
     return keys;

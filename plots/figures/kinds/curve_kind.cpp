@@ -98,11 +98,9 @@ std::vector<FigureKey> layout_keys() {
                        "panels beside each other")};
 }
 
-std::vector<FigureKey> curve_keys(const std::string& family) { return curve_keys(std::vector{family}); }
-
-std::vector<FigureKey> curve_keys(const std::vector<std::string>& families) {
+std::vector<FigureKey> curve_keys(const std::vector<std::string>& families, const std::vector<std::string>& own) {
     auto keys = layout_keys();
-    keys.insert(keys.begin(), figure_key("metric", &CurveKind::metrics, figure_value::metrics(families),
+    keys.insert(keys.begin(), figure_key("metric", &CurveKind::metrics, figure_value::metrics(families, own),
                                          "what is drawn, a panel each"));
     return keys;
 }

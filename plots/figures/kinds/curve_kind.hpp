@@ -49,10 +49,9 @@ class CurveKind : public PanelKind {
     virtual bool names_steps() const { return false; }
 };
 
-/// The keys of such kinds, whose metrics are of a family such as "error.", or of several.
+/// The keys of such kinds, whose metrics are of families such as "error.", or their own.
 std::vector<FigureKey> layout_keys();  ///< those of how panels stand
-std::vector<FigureKey> curve_keys(const std::string& family);
-std::vector<FigureKey> curve_keys(const std::vector<std::string>& families);
+std::vector<FigureKey> curve_keys(const std::vector<std::string>& families, const std::vector<std::string>& own = {});
 
 /// Axis label of a metric in enhanced text, with its unit.
 std::string metric_label(const std::string& metric, const Units& units);

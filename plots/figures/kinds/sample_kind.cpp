@@ -27,7 +27,7 @@ std::vector<Point> SampleKind::maxima(const TrajectoryTable& samples, const Resu
 }
 
 std::vector<FigureKey> sample_keys(const std::string& family) {
-    auto keys = curve_keys(family);
+    auto keys = curve_keys({family});
     keys.push_back(figure_key("x", &SampleKind::x, abscissa_value(times_and_costs()),
                               "what they are drawn against: time or, in an experiment of kind work_precision, cost"));
     return keys;

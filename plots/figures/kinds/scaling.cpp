@@ -76,7 +76,7 @@ KREISEL_FIGURE(ScalingFigure, {.name = "scaling",
                                .summary = "time and memory of a step against the number of bodies, with exponents",
                                .draws = FigureData::timed_cells,
                                .script = "linespoints",
-                               .keys = curve_keys("cost."),
+                               .keys = curve_keys({"cost."}, quantity_names()),
                                .metrics = quantity_names()});
 
 }  // namespace kreisel

@@ -30,6 +30,9 @@ class SpaceKind : public Figure {
     std::array<double, 2> view = {65, 35};
     std::optional<double> until;
 
+    std::string drawn_body() const override { return body; }
+    std::optional<double> drawn_until() const override { return until; }
+
     void write(const Results& results, const std::filesystem::path& folder) const final;
 
   protected:

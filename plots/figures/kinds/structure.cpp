@@ -47,6 +47,6 @@ class StructureFigure final : public CurveKind {
 KREISEL_FIGURE(StructureFigure, {.name = "structure",
                                  .summary = "defects of single steps against the step size, with observed orders",
                                  .script = "linespoints",
-                                 .keys = curve_keys("structure.")});
+                                 .keys = curve_keys({"structure."})});
 
 }  // namespace kreisel

@@ -40,7 +40,7 @@ const std::vector<BadMechanism>& bad_mechanisms() {
         {"/bodies/2/omega", "[0, 0, 1]", "/bodies/2/omega", "of a body of type \"point\""},
         {"/bodies/2/R", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]", "/bodies/2/R", "of a body of type \"point\""},
         {"/bodies/0/name", "\"rod\"", "/bodies/1", "a second \"rod\""},
-        {"/bodies/0/name", "\"\"", "/bodies/0/name", "got 0 bytes"},
+        {"/bodies/0/name", "\"\"", "/bodies/0/name", "got 0 characters"},
         {"/bodies/0/name", "7", "/bodies/0/name", "the name of a body"},
         {"/bodies/0/mass", "0", "/bodies/0/mass", "a mass greater than 0 (kg)"},
         {"/bodies/2/mass", "\"1\"", "/bodies/2/mass", "got \"1\""},

@@ -27,14 +27,14 @@ std::string of_masses(const nlohmann::json& masses) {
         .dump();
 }
 
-std::vector<nlohmann::json> journal_entries(const std::filesystem::path& folder) {
+std::vector<nlohmann::json> recorded_lines(const std::filesystem::path& folder) {
     std::vector<nlohmann::json> lines;
     std::istringstream stream(contents(folder / "results.jsonl"));
     for (std::string line; std::getline(stream, line);) { lines.push_back(nlohmann::json::parse(line)); }
     return lines;
 }
 
-std::size_t files_in(const std::filesystem::path& folder) {
+std::size_t count_of_files_in(const std::filesystem::path& folder) {
     return static_cast<std::size_t>(
         std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
 }
@@ -52,7 +52,7 @@ TEST_CASE("a reference that ends badly gives its cells no_reference with the rea
                                         engine);
         CHECK(result.code == 1);
         CHECK_THAT(result.messages, Catch::Contains("crashed(SIGSEGV): reference of free_top at t = 1 s: its process"));
-        const auto lines = journal_entries(folder);
+        const auto lines = recorded_lines(folder);
         REQUIRE(lines.size() == 48);
         for (const auto& line : lines) {
             const int mass = line["problem"] == "free_top" ? line["parameters"]["mass"].get<int>() : 5;
@@ -60,7 +60,7 @@ TEST_CASE("a reference that ends badly gives its cells no_reference with the rea
             CHECK(line["status"] == (mass == 5 ? "ok" : std::string("no_reference(") + reasons[mass] + ")"));
             CHECK(line["metrics"].contains("error.position") == (mass == 5));
         }
-        CHECK(files_in(folder / "references") == 2);
+        CHECK(count_of_files_in(folder / "references") == 2);
         CHECK(contents(folder / "results.jsonl") == contents(scratch / "1" / "results.jsonl"));
     }
 }

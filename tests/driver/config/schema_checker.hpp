@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Judges configs by the JSON Schema alone.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "driver/config/schema.hpp"
+
+namespace kreisel {
+
+class SchemaChecker {
+  public:
+    explicit SchemaChecker(const Catalogue& catalogue)
+        : SchemaChecker(nlohmann::json::parse(config_schema(catalogue).dump())) {}
+    explicit SchemaChecker(nlohmann::json text) : text_(std::move(text)) {
+        valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+            .populateSchema(valijson::adapters::NlohmannJsonAdapter(text_), schema_);
+    }
+    bool accepts(const nlohmann::json& config) {
+        valijson::Validator validator(valijson::Validator::kStrongTypes);
+        return validator.validate(schema_, valijson::adapters::NlohmannJsonAdapter(config), nullptr);
+    }
+
+  private:
+    nlohmann::json text_;
+    valijson::Schema schema_;
+};
+
+}  // namespace kreisel
