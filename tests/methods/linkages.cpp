@@ -199,11 +199,12 @@ TEST_CASE("fast motions of stiff springs that nothing damps are solved, or are n
 
 namespace {
 
-/// Turns at 1 rad/s; at pi/2 all bars lie in a line.
+/// Turns at 1 rad/s; at pi/2 all bars lie in a line. With one window in quad, which is slow.
 Model parallelogram() {
-    Model model = standard("four_bar");
-    model.gravity.g.setZero();
-    return model;
+    ParameterValues values = defaults(problem("four_bar"));
+    values["windows"] = KREISEL_QUAD ? 1.0 : 2.0;
+    values["gravity"] = Vector3{0, 0, 0};
+    return problem("four_bar").build(Parameters(values));
 }
 
 Real spin_error(const Trip& trip) { return abs(abs(trip.bodies()[0].omega[2]) - 1); }
