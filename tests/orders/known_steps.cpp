@@ -13,6 +13,7 @@
 #include "tests/judges/steps/multistep/adams_moulton_step.hpp"
 #include "tests/judges/steps/stabilised_step.hpp"
 #include "tests/judges/steps/step_checks.hpp"
+#include "tests/judges/steps/symmetric_projection_step.hpp"
 
 using namespace kreisel;
 
@@ -112,6 +113,15 @@ TEST_CASE("steps of stages satisfy their equations", "[one_step]") {
     CHECK(collocation_step_objection(method("rkmk/radau2a2"), gauss_form(2)) != "");
     CHECK(collocation_step_objection(method("rkmk/lobatto3ab3"), {lobatto, 3, true, false}) != "");  // IIIA alone
     CHECK(collocation_step_objection(method("rkmk/lobatto3ab3"), {lobatto, 3, false, true}) != "");
+}
+
+TEST_CASE("steps of symmetric projections have the same multipliers at both ends", "[one_step]") {
+    const Method& midpoint = method("symmetric_projection/midpoint");
+    for (const SymmetricProjectionForm& wrong :
+         {SymmetricProjectionForm{.after_alone = true}, SymmetricProjectionForm{.start_alone = true},
+          SymmetricProjectionForm{.without_mass = true}})
+        CHECK(symmetric_midpoint_step_objection(midpoint, wrong) != "");
+    CHECK(symmetric_midpoint_step_objection(method("rkmk/implicit_midpoint")) != "");
 }
 
 TEST_CASE("steps of Adams-Bashforth methods pull the slopes of earlier states back", "[one_step]") {
