@@ -6,9 +6,9 @@
 //   q~ = q exp(h G(q) mu),   v~ = v + G(q) nu,
 //   V = (v~ + v~+)/2,   q~+ = q~ exp(h V),   v~+ = v~ + h f(t + h/2, q~ exp(h V/2), V),
 //   q+ = q~+ exp(h G(q+) mu),   v+ = v~+ + G(q+) nu,
-// with mu and nu such that Phi(t+, q+) = 0 and C(t+, q+) v+ + b(t+, q+) = 0. Exchanging the ends, and h by -h, turns mu
-// and nu around and gives the same equations. The cited papers have C^T for G; mu and nu are O(h^2) and O(h^3), so that
-// the order is that of the midpoint rule. Without joints it is rkmk/implicit_midpoint.
+// with mu and nu such that Phi(t+, q+) = 0 and C(t+, q+) v+ + b(t+, q+) = 0. Exchanging the ends, h by -h and nu by -nu
+// gives the same equations: the method is symmetric. The cited papers have C^T for G; mu and nu are O(h^2) and O(h^3), so
+// that the order is that of the midpoint rule. Without joints it is rkmk/implicit_midpoint.
 #include <algorithm>
 
 #include "methods/contract/integrator.hpp"

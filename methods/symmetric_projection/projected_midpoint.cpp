@@ -109,7 +109,7 @@ Status ProjectedMidpoint::correct(const Real* x, Real* r) {
     rows_ = phi_ - rows_ / 2;
     system_.position_residual(end_, q, phi_.data());
     rows_ += phi_ / h_;
-    const Status status = system_.solve_prepared(end_, q, zero_.data(), rows_.data(), shift_.data(), of_mu.data());
+    const Status status = system_.solve_prepared(time, middle, zero_.data(), rows_.data(), shift_.data(), of_mu.data());
     of_mu /= -2;
     return status;
 }
