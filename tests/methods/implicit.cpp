@@ -178,6 +178,25 @@ TEST_CASE("methods stay on the constraints that they meet, and report multiplier
     });
 }
 
+TEST_CASE("multipliers of implicit Euler steps on positions are of order 1 from the second step on", "[methods]") {
+    // The first one goes from velocities on C v + b = 0 to chords, which are off it by h/2 xi.
+    const auto error_after = [](int steps, const Real& h) {
+        Trip trip(standard("forced_heavy_top"), "SO3xR3", method("multistep/bliedf1_index3"));
+        REQUIRE(trip.run(steps * h, steps) == Status::ok);
+        VecX dv(6), exact(3);
+        const Real* v = trip.system->v(trip.y.data());
+        REQUIRE(trip.system->accelerations(steps * h, trip.y.data(), v, dv.data(), exact.data()) == Status::ok);
+        return to_double((Eigen::Map<const VecX>(trip.integrator->multipliers(), 3) - exact).norm() / exact.norm());
+    };
+    const auto order_of = [&](int steps) {
+        return std::log2(error_after(steps, Real(1) / 4096) / error_after(steps, Real(1) / 8192));
+    };
+    CHECK(error_after(1, Real(1) / 8192) > 0.1);
+    CHECK(order_of(1) == Approx(0).margin(0.1));
+    CHECK(order_of(2) == Approx(1).margin(0.1));
+    CHECK(order_of(8) == Approx(1).margin(0.1));
+}
+
 TEST_CASE("methods meet the constraints of small and of large systems alike", "[methods]") {
     // Lengths in units of L metres, masses in units of m kilograms; gravity follows, so that the motion is the same.
     for_each_on_constraints([](const Method& entry) {

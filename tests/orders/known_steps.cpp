@@ -92,6 +92,7 @@ TEST_CASE("steps of methods with multipliers satisfy their equations", "[one_ste
     CHECK(bliedf_step_objection(method("multistep/bliedf2"), 3) != "");
     CHECK(bliedf_step_objection(method("multistep/bliedf1"), 2) != "");
     const Method& positions = method("multistep/bliedf2_index3");
+    CHECK(bliedf_step_objection(method("multistep/bliedf1_index3"), 1) != "");
     for (StabilisedForm wrong : {left, negated, StabilisedForm{.sign_of_previous = -1}}) {
         wrong.without_eta = wrong.positions_alone = true;
         CHECK(bliedf_step_objection(positions, 2, wrong) != "");
