@@ -52,6 +52,7 @@ Status PositionStep::advance(const Real& t, const Real& h, Real* y) {
         end_ = t;
         return cause;
     }
+    settle();
     accept(y);
     return Status::ok;
 }
@@ -70,13 +71,24 @@ Status PositionStep::iterate() {
 /// An iteration fails near poses in which rows lose rank. If the guess is such a pose, the system names the joints.
 Status PositionStep::find_cause() {
     guess();
-    place(turned_.data());
+    scale_.from_space(q_, turned_.data(), x_.data());
+    place();
     const Status status = system_.prepare_kkt(end_, configuration_.data());
     return status == Status::singular_kkt ? status : Status::newton_failed;
 }
 
-void PositionStep::place(const Real* turned) {
-    scale_.from_space(q_, turned, x_.data());
+/// The iteration ends where x is known to the round-off of places over h, which as an error of every step along motions
+/// that the joints allow would add up to eps |q| / h^2. The last solve knows x' along them h times better, but where
+/// something is stiff it has the round-off of large forces.
+void PositionStep::settle() {
+    constexpr int most = 64;
+    force_ = x_ - rate_;
+    if (scale_.of_velocity(force_.data()) > most * round_off() * size_) return;
+    x_ = rate_;
+    place();
+}
+
+void PositionStep::place() {
     velocity_ = velocity_slope * x_ + velocity_offset;
     increment_ = increment_slope * x_ + increment_offset;
     force_ = h_ * increment_;
@@ -86,7 +98,8 @@ void PositionStep::place(const Real* turned) {
 /// x - x' at a guess.
 Status PositionStep::residual(const Real* turned, Real* r) {
     system_.count_evaluation();
-    place(turned);
+    scale_.from_space(q_, turned, x_.data());
+    place();
     evaluate_forces();
     size_ = max(max(speed_, scale_.of_impulse(force_.data())),
                 Real(weights_of_positions_.reach() / abs(h_ * increment_slope)));

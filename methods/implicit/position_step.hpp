@@ -49,7 +49,8 @@ class PositionStep final : public StepRelations, private Equations {
     void guess();
     Status iterate();
     Status find_cause();
-    void place(const Real* turned);
+    void settle();
+    void place();
     void evaluate_forces();
     void set_rows();
     void remember();

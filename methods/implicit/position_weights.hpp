@@ -26,6 +26,8 @@ class PositionWeights {
 
     /// The weight of each eta.
     auto weights() const { return balance_ * row_weights_; }
+    /// Of multipliers at the level of velocities, which know nothing of places.
+    const VecX& weights_of_velocities() const { return row_weights_; }
     /// Largest weighted entry of eta.
     Real of_eta(const VecX& eta) const { return row_weights_.cwiseProduct(eta).cwiseAbs().maxCoeff() * balance_; }
     /// Largest entry of Phi, each over the scale of its row.

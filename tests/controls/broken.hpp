@@ -24,6 +24,9 @@ Factory broken_rkmk(const Tableau& declared, MuntheKaasFault fault, const Tablea
 /// Lie midpoint method that stops after two fixed-point iterations and reports convergence.
 Factory unconverged_midpoint();
 
+/// A method projected after each step: of a symmetric method no longer symmetric.
+Factory projected_at_the_end(const std::string& base);
+
 /// Crouch-Grossman methods.
 struct CrouchGrossmanFault {
     bool reversed_stage_factors = false;  ///< exp(h a_i,i-1 K_{i-1}) ... exp(h a_i1 K_1)

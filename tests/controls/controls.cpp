@@ -94,6 +94,8 @@ std::vector<Control> faults_of_conduct() {
             rkmk_control("rkmk/heun", "turns_space", {.turns_space = true}, 2, {Check::equivariance}),
             control("rkmk/implicit_midpoint", "unconverged", unconverged_midpoint(), 2,
                     {Check::one_step, Check::convergence, Check::reversal}),
+            control("symmetric_projection/midpoint", "projected_at_the_end_alone",
+                    projected_at_the_end("rkmk/implicit_midpoint"), 2, {Check::one_step, Check::reversal}),
             asymmetric};
 }
 

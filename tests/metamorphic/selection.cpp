@@ -19,6 +19,7 @@ const std::vector<std::string> one_of_each_family = {"rkmk/rk4",
                                                      "crouch_grossman/cg3a",
                                                      "baseline/rk4_quaternion",
                                                      "rkmk/implicit_midpoint",
+                                                     "symmetric_projection/midpoint",
                                                      "generalized_alpha/index2",
                                                      "multistep/bliedf2"};
 

@@ -71,6 +71,7 @@ TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") 
                     if (!entry.description.meets_constraints()) continue;
                     CHECK(trip.position_defect(t_end) <= 1000 * epsilon);
                     CHECK(trip.velocity_defect(t_end) <= 10000 * epsilon);
+                    if (!entry.description.reports_multipliers) continue;
                     multipliers[i] = multiplier_error(trip, t_end);
                 }
                 CHECK(errors[1] < 1e-2);
@@ -80,7 +81,8 @@ TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") 
                 const bool quotients = entry.description.meets_positions && !entry.description.meets_velocities;
                 if (errors[1] > (quotients ? 1e-10 : 1e-12))
                     CHECK(std::log2(errors[0] / errors[1]) >= order.configuration - 0.15);
-                if (entry.description.meets_constraints() && multipliers[1] > 1e-12)
+                if (entry.description.meets_constraints() && entry.description.reports_multipliers &&
+                    multipliers[1] > 1e-12)
                     CHECK(std::log2(multipliers[0] / multipliers[1]) >= order.multipliers - 0.2);
             });
         }
@@ -199,17 +201,23 @@ TEST_CASE("fast motions of stiff springs that nothing damps are solved, or are n
 
 namespace {
 
-/// Turns at 1 rad/s; at pi/2 all bars lie in a line.
+/// Turns at 1 rad/s; at pi/2 all bars lie in a line. With one window in quad, which is slow.
 Model parallelogram() {
-    Model model = standard("four_bar");
-    model.gravity.g.setZero();
-    return model;
+    ParameterValues values = defaults(problem("four_bar"));
+    values["windows"] = KREISEL_QUAD ? 1.0 : 2.0;
+    values["gravity"] = Vector3{0, 0, 0};
+    return problem("four_bar").build(Parameters(values));
 }
 
 Real spin_error(const Trip& trip) { return abs(abs(trip.bodies()[0].omega[2]) - 1); }
 
-/// A method of order 1 has lost 1.7 % after 64 steps.
-Real least_spin_error(const Method& entry) { return Real(1) / (entry.description.order.velocity == 1 ? 50 : 5000); }
+/// A method of order 1 has lost 1.7 % after 64 steps. A step by the angle a takes the share a^2/2 from velocities along
+/// the circle at its end, 1 - cos(a), and where these are chords twice that, 1 - cos(3a/2)/cos(a/2).
+Real least_spin_error(const Method& entry) {
+    if (entry.description.order.velocity > 1) return Real(1) / 5000;
+    const bool chords = entry.description.meets_positions && !entry.description.meets_velocities;
+    return Real(1) / (chords ? 25 : 50);
+}
 
 }  // namespace
 

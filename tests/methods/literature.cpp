@@ -86,9 +86,10 @@ TEST_CASE("projections keep the order of the method", "[methods]") {
 
 TEST_CASE("on a pivoted body the formulations give the same rotation at equal h", "[methods]") {
     // Eliminating the multipliers from the index-1 form gives the pivot's own equation; as unknowns they are
-    // discretised.
+    // discretised, and projections move what drifts.
     for (const Method& entry : methods()) {
         if (!runs_on(entry, standard("forced_heavy_top"), "SE3") || entry.description.reports_multipliers) continue;
+        if (entry.description.meets_constraints()) continue;
         if (!entry.description.formulations.empty()) continue;
         std::vector<std::vector<BodyState>> ends;
         for (const char* formulation : {"SO3", "S3", "SO3xR3", "SE3"}) {

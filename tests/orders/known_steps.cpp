@@ -13,6 +13,7 @@
 #include "tests/judges/steps/multistep/adams_moulton_step.hpp"
 #include "tests/judges/steps/stabilised_step.hpp"
 #include "tests/judges/steps/step_checks.hpp"
+#include "tests/judges/steps/symmetric_projection_step.hpp"
 
 using namespace kreisel;
 
@@ -91,6 +92,7 @@ TEST_CASE("steps of methods with multipliers satisfy their equations", "[one_ste
     CHECK(bliedf_step_objection(method("multistep/bliedf2"), 3) != "");
     CHECK(bliedf_step_objection(method("multistep/bliedf1"), 2) != "");
     const Method& positions = method("multistep/bliedf2_index3");
+    CHECK(bliedf_step_objection(method("multistep/bliedf1_index3"), 1) != "");
     for (StabilisedForm wrong : {left, negated, StabilisedForm{.sign_of_previous = -1}}) {
         wrong.without_eta = wrong.positions_alone = true;
         CHECK(bliedf_step_objection(positions, 2, wrong) != "");
@@ -112,6 +114,15 @@ TEST_CASE("steps of stages satisfy their equations", "[one_step]") {
     CHECK(collocation_step_objection(method("rkmk/radau2a2"), gauss_form(2)) != "");
     CHECK(collocation_step_objection(method("rkmk/lobatto3ab3"), {lobatto, 3, true, false}) != "");  // IIIA alone
     CHECK(collocation_step_objection(method("rkmk/lobatto3ab3"), {lobatto, 3, false, true}) != "");
+}
+
+TEST_CASE("steps of symmetric projections have the same multipliers at both ends", "[one_step]") {
+    const Method& midpoint = method("symmetric_projection/midpoint");
+    for (const SymmetricProjectionForm& wrong :
+         {SymmetricProjectionForm{.after_alone = true}, SymmetricProjectionForm{.start_alone = true},
+          SymmetricProjectionForm{.without_mass = true}})
+        CHECK(symmetric_midpoint_step_objection(midpoint, wrong) != "");
+    CHECK(symmetric_midpoint_step_objection(method("rkmk/implicit_midpoint")) != "");
 }
 
 TEST_CASE("steps of Adams-Bashforth methods pull the slopes of earlier states back", "[one_step]") {

@@ -61,7 +61,10 @@ std::string claims_text(const MethodDescription& method) {
 }
 
 std::string constraints_text(const MethodDescription& method) {
-    if (method.meets_constraints()) { return "; multipliers are its own unknowns, projections do not apply"; }
+    if (method.meets_constraints()) {
+        return fmt::format("; {}projections do not apply",
+                           method.reports_multipliers ? "multipliers are its own unknowns, " : "");
+    }
     return fmt::format("{}{}", method.meets_positions ? "; meets the constraints on positions by itself" : "",
                        method.meets_velocities ? "; meets the constraints on velocities by itself" : "");
 }

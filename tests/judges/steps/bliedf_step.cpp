@@ -79,6 +79,8 @@ Objection bliedf_step_objection(const Method& method, int k, const StabilisedFor
 KREISEL_STEP_CHECK("multistep/bliedf1", [](const Method& method) { return bliedf_step_objection(method, 1); });
 KREISEL_STEP_CHECK("multistep/bliedf2", [](const Method& method) { return bliedf_step_objection(method, 2); });
 KREISEL_STEP_CHECK("multistep/bliedf3", [](const Method& method) { return bliedf_step_objection(method, 3); });
+KREISEL_STEP_CHECK("multistep/bliedf1_index3",
+                   [](const Method& method) { return bliedf_step_objection(method, 1, index3_form); });
 KREISEL_STEP_CHECK("multistep/bliedf2_index3",
                    [](const Method& method) { return bliedf_step_objection(method, 2, index3_form); });
 KREISEL_STEP_CHECK("multistep/bliedf3_index3",

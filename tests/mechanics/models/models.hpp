@@ -111,18 +111,22 @@ inline std::vector<std::string> applicable(const Model& model) {
 
 /// Models that every method must be able to step with h of about 1/100 s: rows are independent, as an implicit step
 /// needs them, and no damper is stiff. Few kinds of joints: methods do not depend on the kind. In quad of at most three
-/// bodies: more are slow, and the same code.
-inline std::vector<Named> for_methods() {
-    std::vector<Named> models;
-    for (Named& named : registered())
-        if (has_independent_rows(named.model) && named.name != "flyball_governor") models.push_back(std::move(named));
-    for (Named& named : spherical()) models.push_back(std::move(named));
-    models.push_back({"driven", driven()});
-    models.push_back({"rolling", rolling()});
-    models.push_back({"closed loop", closed_loop()});
-    models.push_back({"revolute joints and dampers", damped("revolute")});
-    if (KREISEL_QUAD) std::erase_if(models, [](const Named& named) { return named.model.bodies.size() > 3; });
-    return models;
+/// bodies: more are slow, and the same code. Made once, since a method asks for them in every check.
+inline const std::vector<Named>& for_methods() {
+    static const std::vector<Named> made = [] {
+        std::vector<Named> models;
+        for (Named& named : registered())
+            if (has_independent_rows(named.model) && named.name != "flyball_governor")
+                models.push_back(std::move(named));
+        for (Named& named : spherical()) models.push_back(std::move(named));
+        models.push_back({"driven", driven()});
+        models.push_back({"rolling", rolling()});
+        models.push_back({"closed loop", closed_loop()});
+        models.push_back({"revolute joints and dampers", damped("revolute")});
+        if (KREISEL_QUAD) std::erase_if(models, [](const Named& named) { return named.model.bodies.size() > 3; });
+        return models;
+    }();
+    return made;
 }
 
 inline std::vector<Named> all() {

@@ -39,8 +39,8 @@ std::optional<double> proportionality(const Method& entry, const std::string& pr
     const bool high = entry.description.order.configuration >= 5;
     const int decades = high ? 6 : 4, first = high ? -8 : -5;
     std::vector<std::pair<double, double>> points;
-    for (int half = 0; half <= 2 * decades; ++half) {
-        const double exponent = first - half / 2.0;
+    for (int decade = 0; decade <= decades; ++decade) {
+        const double exponent = first - decade;
         ControlledTrip trip(model, "SO3xR3", entry,
                             {.tolerance = Real(std::pow(10.0, exponent)), .length = extent(model)});
         if (trip.run(t_end) != Status::ok || trip.stepper->accepted() < 20) return {};
