@@ -25,7 +25,8 @@ enum class ValueKind {
     matrix,
     quaternion,
     inertia,
-    frame
+    frame,
+    motion
 };
 
 struct ElementKey {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problems/reading/joints.hpp"
 
+#include <tuple>
+
+#include "mechanics/parts/driven_joints.hpp"
 #include "problems/reading/parts.hpp"
 
 namespace kreisel {
@@ -9,6 +12,14 @@ inline namespace KREISEL_PRECISION {
 namespace {
 
 using reading::text;
+
+Prescribed prescribed(const MotionData& data) {
+    Prescribed law;
+    for (const double c : data.polynomial) law.polynomial.push_back(decimal(c));
+    for (const SinusoidData& one : data.sinusoids)
+        law.sinusoids.push_back({decimal(one.amplitude), decimal(one.frequency), decimal(one.phase)});
+    return law;
+}
 
 /// A frame about b whose first axis is that of `frame`, as far as b allows: where b is the axis of `frame` or its
 /// opposite, the rows that compare first and second axes vanish.
@@ -41,6 +52,8 @@ class JointReader {
         if (joint_.type->axes != JointAxes::none) read_axes();
         if (joint_.type->has(Primitive::distance)) read_distance();
         if (joint_.type->has(Primitive::contact)) read_contact();
+        if (joint_.type->has(Primitive::helix)) read_lead();
+        if (data_.turn || data_.shift) read_motions();
         return joint_;
     }
 
@@ -110,6 +123,60 @@ class JointReader {
             throw ParameterError(path_ + "/between",
                                  who_ + ": expected \"ground\", which carries the plane, and then the disk");
         joint_.length = positive_length("radius");
+    }
+
+    /// b_3.d in the configuration as given.
+    Real shift_back() const {
+        const BodyState rest;
+        const auto at = [&](int body) -> const BodyState& {
+            return body == ground ? rest : model_.bodies[static_cast<std::size_t>(body)].start;
+        };
+        const BodyState &first = at(joint_.first), &second = at(joint_.second);
+        const Vec3 d = first.x + first.R * joint_.r_first - second.x - second.R * joint_.r_second;
+        return d.dot(second.R * joint_.axes_second.col(2));
+    }
+
+    /// Coordinates are measured from the configuration as given: there the first axes of the bodies are the same, and
+    /// what the points are apart is no shift.
+    void check_directed() const {
+        const Vec3 a = axis(0), b = axis(1);
+        if (a.dot(b) > 0) return;
+        const Real cosine = a.dot(b) / (a.norm() * b.norm());
+        throw ParameterError(path_ + "/axes", who_ +
+                                                  ": expected axes that point the same way, about which a turn is "
+                                                  "counted from the first body to the second; got axes " +
+                                                  text(180 / pi() * acos(max(Real(-1), cosine))) + " degrees apart");
+    }
+
+    void read_motions() {
+        const Drive drive{data_.turn.has_value(), data_.shift.has_value()},
+            most = drivable(*find_joint_kind(data_.type));
+        for (const auto& [key, wanted, possible] :
+             {std::tuple("turn", drive.turn, most.turn), std::tuple("shift", drive.shift, most.shift)})
+            if (wanted && !possible)
+                throw ParameterError(path_ + "/" + key, who_ + ": expected a joint that leaves a " + key +
+                                                            " free, got one that has none to prescribe");
+        check_directed();
+        if (data_.turn) joint_.turn = prescribed(*data_.turn);
+        if (data_.shift) {
+            joint_.shift = prescribed(*data_.shift);
+            if (joint_.shift.polynomial.empty()) joint_.shift.polynomial = {0};
+            joint_.shift.polynomial[0] -= shift_back();
+        }
+        joint_.type = driven(joint_.type, drive);
+    }
+
+    void read_lead() {
+        if (!data_.lead || *data_.lead == 0 || !isfinite(Real(*data_.lead)))
+            throw ParameterError(path_ + "/lead",
+                                 who_ + ": expected a lead in m, not 0 (below 0: a left-handed thread), got " +
+                                     (data_.lead ? text(Real(*data_.lead)) : "nothing"));
+        check_directed();
+        joint_.lead = decimal(*data_.lead);
+        const Real angle = 2 * pi() * shift_back() / joint_.lead;
+        const Mat3 axes = joint_.axes_first;
+        joint_.axes_first.col(0) = cos(angle) * axes.col(0) + sin(angle) * axes.col(1);
+        joint_.axes_first.col(1) = cos(angle) * axes.col(1) - sin(angle) * axes.col(0);
     }
 
     Real positive_length(const char* key) const {

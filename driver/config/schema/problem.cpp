@@ -15,6 +15,14 @@ Schema matrix() { return list_of_three(list_of_three(number())); }
 
 Schema inertia() { return {{"anyOf", {list_of_three(number()), matrix()}}}; }
 
+Schema motion() {
+    const Schema sinusoid =
+        object({{"amplitude", number()}, {"frequency", number()}, {"phase", number()}}, {"amplitude", "frequency"});
+    Schema schema = object({{"polynomial", list(number(), 1)}, {"sinusoids", list(sinusoid, 1)}}, {});
+    schema["minProperties"] = 1;
+    return schema;
+}
+
 Schema value(ValueKind kind) {
     switch (kind) {
         case ValueKind::name:
@@ -46,6 +54,8 @@ Schema value(ValueKind kind) {
             return inertia();
         case ValueKind::frame:
             return choice({"space", "body"});
+        case ValueKind::motion:
+            return motion();
     }
     return {};
 }

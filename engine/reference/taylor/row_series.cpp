@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/reference/taylor/row_series.hpp"
 
+#include <algorithm>
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
@@ -8,6 +10,22 @@ namespace {
 
 Scalars scalars(const JointEnds& ends) { return Scalars(ends.d.size(), Real(0)); }
 Real twice(std::size_t k) { return real(k + 1) * real(k + 2); }
+
+/// f(t + s) as a series in s.
+void expand(const Prescribed& law, const Real& t, Scalars& series) {
+    std::fill(series.begin(), series.end(), Real(0));
+    std::vector<Real> rest = law.polynomial;  // divided by (x - t) again and again: what remains are the coefficients
+    for (std::size_t k = 0; k < rest.size() && k < series.size(); ++k) {
+        for (std::size_t j = rest.size() - 1; j-- > k;) rest[j] += t * rest[j + 1];
+        series[k] = rest[k];
+    }
+    for (const auto& [amplitude, frequency, phase] : law.sinusoids) {
+        const Real angle = frequency * t + phase, derivatives[] = {sin(angle), cos(angle), -sin(angle), -cos(angle)};
+        Real factor = amplitude;
+        for (std::size_t k = 0; k < series.size(); factor *= frequency / real(++k))
+            series[k] += factor * derivatives[k % 4];
+    }
+}
 
 /// d = 0.
 class CoincidenceRow final : public PointRowSeries {
@@ -24,28 +42,37 @@ class CoincidenceRow final : public PointRowSeries {
     }
 };
 
-/// b . d = 0 for axes b of the second body. The force acts at the point of the first.
+/// b . d = 0 for axes b of the second body, b_3 . d + f = 0 for a prescribed shift. The force acts at the point of the
+/// first.
 class AlongRow final : public PointRowSeries {
   public:
-    AlongRow(const Joint& joint, const JointEnds& ends) : PointRowSeries(ends) {
-        for (const JointRow& row : joint.type->rows)
-            if (row.primitive == Primitive::along) {
-                axes_.emplace_back(joint.axes_second.col(row.k));
-                n_.push_back(vectors(ends.first));
-            }
+    AlongRow(const Joint& joint, const JointEnds& ends)
+        : PointRowSeries(ends), law_(joint.shift), shift_(scalars(ends)) {
+        for (const JointRow& row : joint.type->rows) {
+            const bool shifted = row.primitive == Primitive::shift;
+            if (!shifted && row.primitive != Primitive::along) continue;
+            axes_.emplace_back(joint.axes_second.col(shifted ? 2 : row.k));
+            shifted_.push_back(shifted);
+            n_.push_back(vectors(ends.first));
+        }
     }
     bool turns() const override { return true; }
+    void start(const Real& t) override { expand(law_, t, shift_); }
     void follow(const JointEnds& ends, std::size_t i) override {
         lever_[i] = ends.arm_second[i];
         lever_[i] += ends.d[i];
         for (std::size_t r = 0; r < axes_.size(); ++r) n_[r][i] = ends.second.R[i] * axes_[r];
     }
     Real acceleration(const JointEnds& ends, int row, std::size_t k) const override {
-        return twice(k) * dot(n(row), ends.d, k + 2);
+        const Real across = dot(n(row), ends.d, k + 2);
+        return twice(k) * (shifted_[static_cast<std::size_t>(row)] ? Real(across + shift_[k + 2]) : across);
     }
 
   private:
+    Prescribed law_;
+    Scalars shift_;
     Vectors axes_;
+    std::vector<bool> shifted_;
 };
 
 /// |d| = L(t), n = d / |d|.
@@ -122,6 +149,111 @@ class ContactRow final : public PointRowSeries {
     Vectors s_, unit_, omega_;          // -s, -s/|s|, and omega in space axes
 };
 
+/// a . b = 0, t = a x b.
+class OrthogonalRow final : public DirectionRowSeries {
+  public:
+    OrthogonalRow(const Joint& joint, const JointRow& row, const JointEnds& ends)
+        : DirectionRowSeries(ends),
+          a_(ends.first, joint.axes_first.col(row.i)),
+          b_(ends.second, joint.axes_second.col(row.k)) {}
+    void follow(const JointEnds&, std::size_t i) override { a_.update(i), b_.update(i); }
+    void direct(std::size_t k) override { t_[k] = cross(a_.series(), b_.series(), k); }
+    Real acceleration(std::size_t k) const override { return twice(k) * dot(a_.series(), b_.series(), k + 2); }
+
+  private:
+    Attached a_, b_;
+};
+
+/// a . b = 0 for the second axis b of the second body and an axis a that has turned by f in the first body,
+/// a = cos f a_1 + sin f a_2.
+class TurnedRow : public DirectionRowSeries {
+  public:
+    TurnedRow(const Joint& joint, const JointEnds& ends)
+        : DirectionRowSeries(ends),
+          f_(scalars(ends)),
+          a1_(ends.first, joint.axes_first.col(0)),
+          a2_(ends.first, joint.axes_first.col(1)),
+          b_(ends.second, joint.axes_second.col(1)),
+          cosine_(f_),
+          sine_(f_),
+          a_(ends.d) {}
+    void follow(const JointEnds&, std::size_t i) override {
+        a1_.update(i), a2_.update(i), b_.update(i);
+        turn(i);
+        a_[i] = product(cosine_, a1_.series(), i) + product(sine_, a2_.series(), i);
+    }
+    void direct(std::size_t k) override { t_[k] = cross(a_, b_.series(), k); }
+    Real acceleration(std::size_t k) const override { return twice(k) * dot(a_, b_.series(), k + 2); }
+
+  protected:
+    Scalars f_;
+    /// Coefficient i of the derivative of the residual in f.
+    Real slope(std::size_t i) const {
+        const auto across = [&](std::size_t j) -> Vec3 {
+            return product(cosine_, a2_.series(), j) - product(sine_, a1_.series(), j);
+        };
+        Real sum = 0;
+        for (std::size_t j = 0; j <= i; ++j) sum += across(j).dot(b_[i - j]);
+        return sum;
+    }
+
+  private:
+    /// cos' = -sin f', sin' = cos f'.
+    void turn(std::size_t i) {
+        if (i == 0) {
+            cosine_[0] = cos(f_[0]), sine_[0] = sin(f_[0]);
+            return;
+        }
+        Real c = 0, s = 0;
+        for (std::size_t j = 1; j <= i; ++j) {
+            const Real rate = real(j) * f_[j];
+            c -= rate * sine_[i - j], s += rate * cosine_[i - j];
+        }
+        cosine_[i] = c / real(i), sine_[i] = s / real(i);
+    }
+
+    Attached a1_, a2_, b_;
+    Scalars cosine_, sine_;
+    Vectors a_;
+};
+
+class PrescribedTurnRow final : public TurnedRow {
+  public:
+    PrescribedTurnRow(const Joint& joint, const JointEnds& ends) : TurnedRow(joint, ends), law_(joint.turn) {}
+    void start(const Real& t) override { expand(law_, t, f_); }
+
+  private:
+    Prescribed law_;
+};
+
+/// f = -2 pi b_3 . d / lead.
+class HelixRow final : public TurnedRow {
+  public:
+    HelixRow(const Joint& joint, const JointEnds& ends)
+        : TurnedRow(joint, ends),
+          radians_(-2 * pi() / joint.lead),
+          axis_(ends.second, joint.axes_second.col(2)),
+          slope_(scalars(ends)),
+          n_(ends.d) {}
+    const Vectors* n() const override { return &n_; }
+    void follow(const JointEnds& ends, std::size_t i) override {
+        axis_.update(i);
+        f_[i] = radians_ * dot(axis_.series(), ends.d, i);
+        TurnedRow::follow(ends, i);
+    }
+    void direct(std::size_t k) override {
+        TurnedRow::direct(k);
+        slope_[k] = radians_ * slope(k);
+        n_[k] = product(slope_, axis_.series(), k);
+    }
+
+  private:
+    Real radians_;  // for each metre of b_3 . d
+    Attached axis_;
+    Scalars slope_;
+    Vectors n_;
+};
+
 }  // namespace
 
 JointEnds::JointEnds(const Joint& joint, BodySeries& first_body, BodySeries& second_body)
@@ -144,8 +276,12 @@ std::unique_ptr<PointRowSeries> point_rows(const Joint& joint, const JointEnds& 
     return nullptr;
 }
 
-TurnRow::TurnRow(const Joint& joint, const JointRow& row, const JointEnds& ends)
-    : a_(ends.first, joint.axes_first.col(row.i)), b_(ends.second, joint.axes_second.col(row.k)), t_(ends.d) {}
+std::unique_ptr<DirectionRowSeries> direction_row(const Joint& joint, const JointRow& row, const JointEnds& ends) {
+    if (row.primitive == Primitive::orthogonal) return std::make_unique<OrthogonalRow>(joint, row, ends);
+    if (row.primitive == Primitive::turn) return std::make_unique<PrescribedTurnRow>(joint, ends);
+    if (row.primitive == Primitive::helix) return std::make_unique<HelixRow>(joint, ends);
+    return nullptr;
+}
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -41,6 +41,12 @@ class Wrenches {
                 return force(d_.normalized() * next(), Vec3::Zero());
             case Primitive::contact:
                 return contact();
+            case Primitive::shift:
+                return push(2);
+            case Primitive::turn:
+                return sum_.add({Vec3::Zero(), b(2) * next()});
+            case Primitive::helix:
+                return thread();
         }
     }
     const Real& next() { return *lambda_++; }
@@ -53,6 +59,12 @@ class Wrenches {
     }
     void push(int k) { force(b(k) * next(), d_); }
     void turn(int i, int k) { sum_.add({Vec3::Zero(), a(i).cross(b(k)) * next()}); }
+    /// At the start, where the row is met.
+    void thread() {
+        const Real lambda = next();
+        force(b(2) * (-2 * pi() / joint_.lead * lambda), d_);
+        sum_.add({Vec3::Zero(), b(2) * lambda});
+    }
     void contact() {
         const Vec3 n = a(2), s = n - n.dot(b(2)) * b(2), arm = -joint_.length / s.norm() * s;
         for (const int k : {2, 0, 1}) force(a(k) * next(), arm);

@@ -54,6 +54,15 @@ TEST_CASE("joints of every kind but rolling move as in Simbody") {
     }
 }
 
+TEST_CASE("bodies with prescribed coordinates move as in Simbody") {
+    for (const JointType type : models::driven_types()) {
+        CAPTURE(type.name());
+        Model model = models::jointed(type);
+        model.gravity.amplitude = 0;
+        moves_alike(model, Real(1) / 2);
+    }
+}
+
 TEST_CASE("bodies on bushings move as in Simbody") {
     for (const Model& built : {models::bent("universal"), models::softened("spherical")}) {
         Model model = built;

@@ -30,6 +30,13 @@ inline std::string why_not(const Model& model) {
     return "";
 }
 
+inline std::optional<Law> law_of(const Joint& joint, Primitive row, const Prescribed& motion) {
+    if (!joint.type->has(row)) return {};
+    Law law{motion.polynomial, {}};
+    for (const Sinusoid& one : motion.sinusoids) law.waves.push_back({one.amplitude, one.frequency, one.phase});
+    return law;
+}
+
 /// Throws std::invalid_argument if why_not is not empty.
 inline Mechanism translate(const Model& model) {
     if (const std::string reason = why_not(model); !reason.empty())
@@ -37,8 +44,9 @@ inline Mechanism translate(const Model& model) {
     Mechanism result;
     for (const Body& b : model.bodies) result.bodies.push_back({b.mass, b.J});
     for (const Joint& j : model.joints)
-        result.links.push_back(
-            {j.first, j.second, j.type.name(), j.r_first, j.r_second, j.axes_first, j.axes_second, j.length});
+        result.links.push_back({j.first, j.second, j.type->element.name, j.r_first, j.r_second, j.axes_first,
+                                j.axes_second, j.length, j.lead, law_of(j, Primitive::turn, j.turn),
+                                law_of(j, Primitive::shift, j.shift)});
     for (const Spring& s : model.springs)
         result.springs.push_back({s.first, s.second, s.r_first, s.r_second, s.stiffness, s.damping, s.length});
     for (const Bushing& b : model.bushings)
