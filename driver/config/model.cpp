@@ -169,6 +169,8 @@ JointData read_joint(const Node& node, const ElementType& type, const PrintedNum
     joint.turn = motion_at(node, "turn");
     joint.shift = motion_at(node, "shift");
     joint.lead = number_at(node, "lead");
+    read_pair(node, "teeth", ValueKind::teeth, joint.teeth,
+              [](const Node& one) { return one.count(-largest_whole, largest_whole, "a number of teeth"); });
     return joint;
 }
 

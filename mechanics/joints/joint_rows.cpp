@@ -48,13 +48,17 @@ void take_drive(const Joint& joint, const JointRows& rows, const Motion& second,
     }
 }
 
-/// Adds the force of the row of a helix, its last one, at `point` (space axes), and takes its moment about the mass
-/// centre, which the row's column has beside the torque.
-void add_thread(const JointRows& rows, const Motion& second, const Vec3& point, const Real& lambda,
+/// Adds the force of the last row, which compares directions and depends on d too, at `point` (space axes), and takes
+/// its moment about the mass centre, which the row's column has beside the torque.
+void add_thrust(const JointRows& rows, const Motion& second, const Vec3& point, const Real& lambda,
                 JointReaction& reaction) {
     const Vec3 force = second.R * (-lambda * rows.second.col(rows.count - 1).head<3>());
     reaction.force += force;
     reaction.torque -= (point - second.x).cross(force);
+}
+
+bool thrusts(JointType type) {
+    return type->has(Primitive::helix) || type->has(Primitive::rack) || type->has(Primitive::mesh);
 }
 
 }  // namespace
@@ -69,10 +73,11 @@ JointReaction reaction_of(const Joint& joint, const Real& t, const Motion& first
     JointReaction reaction;
     reaction.force = second.R * (rows.second.topLeftCorner(3, lengths) * -multipliers.head(lengths));
     reaction.torque = second.R * (rows.second.block(3, lengths, 3, directions) * -multipliers.tail(directions));
-    if (joint.type->has(Primitive::helix))
-        add_thread(rows, second, first.point(joint.r_first), lambda[rows.count - 1], reaction);
-    if (joint.type->has(Primitive::along))
-        reaction.torque += (first.point(joint.r_first) - second.point(joint.r_second)).cross(reaction.force);
+    const bool along = joint.type->has(Primitive::along);
+    if (thrusts(joint.type))
+        add_thrust(rows, second, along ? first.point(joint.r_first) : second.point(joint.r_second),
+                   lambda[rows.count - 1], reaction);
+    if (along) reaction.torque += (first.point(joint.r_first) - second.point(joint.r_second)).cross(reaction.force);
     take_drive(joint, rows, second, lambda, reaction);
     return reaction;
 }

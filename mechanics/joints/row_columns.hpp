@@ -24,7 +24,7 @@ class RowColumns {
     }
     /// Unit force e (space axes) at r (body axes).
     template <class Column>
-    static void act(const Motion& body, const Vec3& e, const Vec3& r, Column&& column) {
+    static void act(const Motion& body, const Vec3& e, const Vec3& r, Column column) {
         const Vec3 force = body.R.transpose() * e;
         column.template head<3>() = force, column.template tail<3>() = r.cross(force);
     }

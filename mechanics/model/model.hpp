@@ -3,6 +3,7 @@
 // A mechanical model: rigid bodies, joints, gravity and forces, with the initial state. SI units.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -56,7 +57,8 @@ struct Joint {
     Real length = 0;                    ///< of a distance joint; of a rolling joint the radius (m)
     Real amplitude = 0, frequency = 0;  ///< of a distance joint: length (1 + amplitude sin(frequency t)), rad/s
     Prescribed turn = {}, shift = {};   ///< of the rows of these names: rad, m
-    Real lead = 0;                      ///< of a screw: its shift in one turn (m)
+    Real lead = 0;                      ///< of a screw or a rack: its shift in one turn (m)
+    std::array<int, 2> teeth = {0, 0};  ///< of a gear
     std::string name = {};              ///< empty: that of its bodies
 
     /// Whether its rows depend on time.

@@ -26,6 +26,8 @@ RowCounts counts_of(Primitive primitive) {
         case Primitive::orthogonal:
         case Primitive::turn:
         case Primitive::helix:
+        case Primitive::rack:
+        case Primitive::mesh:
             return {1, 1, true};
         case Primitive::contact:
             return {3, 1, false};
@@ -49,7 +51,8 @@ ElementType element_of(const JointRecipe& recipe) {
         type.alternatives.push_back({one, each, true});
     };
     const bool rod = needs(recipe, Primitive::distance), disk = needs(recipe, Primitive::contact);
-    if (rod || disk)
+    const bool gear = needs(recipe, Primitive::mesh);
+    if (rod || disk || gear || needs(recipe, Primitive::rack))
         type.keys.push_back({"points", Kind::vectors, true});
     else
         one_or_each("point", "points");
@@ -62,6 +65,7 @@ ElementType element_of(const JointRecipe& recipe) {
                                            {"amplitude", Kind::number, false},
                                            {"frequency", Kind::number, false}});
     if (disk) type.keys.push_back({"radius", Kind::positive, true});
+    if (gear) type.keys.push_back({"teeth", Kind::teeth, true});
     if (needs(recipe, Primitive::helix)) type.keys.push_back({"lead", Kind::number, true});
     const Drive drive = drivable(recipe);
     if (drive.turn) type.keys.push_back({"turn", Kind::motion, false});
@@ -98,6 +102,8 @@ int count_of(FreeMotion motion) {
         case FreeMotion::turn_about_point:
         case FreeMotion::roll:
             return 3;
+        case FreeMotion::mesh:
+            return 5;
     }
     return 0;
 }

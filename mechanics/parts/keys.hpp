@@ -26,7 +26,8 @@ enum class ValueKind {
     quaternion,
     inertia,
     frame,
-    motion
+    motion,
+    teeth
 };
 
 struct ElementKey {

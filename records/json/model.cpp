@@ -53,6 +53,9 @@ std::string json_element(const JointData& joint) {
     }
     if (joint.turn) { object.member("turn", json_motion(*joint.turn)); }
     if (joint.shift) { object.member("shift", json_motion(*joint.shift)); }
+    if (type.has("teeth")) {
+        object.member("teeth", json_list(joint.teeth, [](long teeth) { return std::to_string(teeth); }));
+    }
     if (joint.lead) { object.member("lead", json_number(*joint.lead)); }
     return object.text();
 }

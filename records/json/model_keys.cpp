@@ -83,6 +83,7 @@ std::string meaning_of_key(const std::string& key) {
          "one for each body; of a bushing the matrix whose columns are its axes at the start (default: space axes)"},
         {"length", "m (default: the initial one)"},
         {"radius", "m"},
+        {"teeth", "[z_1, z_2], of the first wheel and of the second; below 0 of a ring with its teeth inside"},
         {"lead", "shift in one turn, m: not 0, below 0 for a left-handed thread"},
         {"turn",
          "prescribed turn of the second body about its axis, rad: {\"polynomial\": [c_0, c_1, ...], \"sinusoids\": "
@@ -139,6 +140,8 @@ std::string expectation(ValueKind kind) {
             return "an inertia: three numbers, or a symmetric matrix of three rows of three numbers";
         case Kind::frame:
             return "the axes of the value";
+        case Kind::teeth:
+            return "a list of two whole numbers";
         case Kind::motion:
             return "a function of time: an object with \"polynomial\", \"sinusoids\" or both";
     }

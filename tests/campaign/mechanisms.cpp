@@ -144,6 +144,32 @@ const std::vector<Bad> bad = {
      R"("lead": 0.1})",
      "/joints/1/axes",
      {"joint 1 (crank - rod, screw)", "point the same way"}},
+    // wheels that mesh
+    {"/joints/1",
+     R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [0, 2, 0]], "axis": [0, 1, 0], )"
+     R"("teeth": [20, 30]})",
+     "/joints/1/points",
+     {"joint 1 (crank - rod, gear)", "the centres of two wheels", "got two points on one axis"}},
+    {"/joints/1",
+     R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [2, 0, 0]], "axis": [0, 1, 0], )"
+     R"("teeth": [20, 0]})",
+     "/joints/1/teeth/1",
+     {"expected a number of teeth from 1 to 1000", "got 0"}},
+    {"/joints/1",
+     R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [2, 0, 0]], )"
+     R"("axes": [[0, 1, 0], [0, 0, 1]], "teeth": [20, 30]})",
+     "/joints/1/axes",
+     {"wheels about one direction", "90 degrees apart"}},
+    {"/joints/1",
+     R"({"type": "rack", "between": ["crank", "rod"], "points": [[0, 0, 0], [2, 0, 0]], )"
+     R"("axes": [[1, 0, 0], [0, 1, 0]]})",
+     "/joints/1/points",
+     {"joint 1 (crank - rod, rack)", "pitch line of the rack", "got 0 m"}},
+    {"/joints/1",
+     R"({"type": "rack", "between": ["crank", "rod"], "points": [[0, 0, 1], [2, 0, 0]], )"
+     R"("axes": [[1, 0, 0], [1, 1, 0]]})",
+     "/joints/1/axes",
+     {"perpendicular", "45 degrees"}},
     // point masses
     {"/joints/2/type", "\"fixed\"", "/joints/2/between/1", {"joint 2 (rod - bob, fixed)", "\"bob\" is a point mass"}},
     {"/joints/2/point", "[2, 0, 0.1]", "/joints/2/point", {"mass centre", "0.1 m away"}},
@@ -293,6 +319,10 @@ TEST_CASE("every type of joint and of force makes a mechanism", "[campaign]") {
                       R"({"amplitude": -0.2, "frequency": 2, "phase": 0.5}]}})"},
         {"/joints/1", R"({"type": "screw", "between": ["crank", "rod"], "points": [[1, 0, 0], [1.5, 0, 0]], )"
                       R"("axis": [1, 0, 0], "lead": -0.3})"},
+        {"/joints/1", R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [1.5, 0, 0]], )"
+                      R"("axis": [0, 1, 0], "teeth": [20, -30]})"},
+        {"/joints/1", R"({"type": "rack", "between": ["rod", "crank"], "points": [[1.5, 0, 0.2], [0, 0, 0]], )"
+                      R"("axes": [[1, 0, 0], [0, 1, 0]]})"},
         {"/joints", "[]"},
         {"/bodies/0/quaternion", "[0.6, 0.8, 0, 0]"},
         {"/forces/0",

@@ -37,6 +37,7 @@ std::vector<JointData> joints_of_all_types() {
         if (kind.has(Primitive::distance)) joint.amplitude = awkward(0.2), joint.frequency = awkward(3);
         if (kind.has(Primitive::contact)) joint.length = awkward(0.7);
         if (kind.has(Primitive::helix)) joint.lead = awkward(-0.3);
+        if (kind.has(Primitive::mesh)) joint.teeth = {17, -23};
         const Drive drive = drivable(kind);
         if (drive.turn) joint.turn = {{0, awkward(0.5)}, {{awkward(0.1), awkward(2), awkward(0)}}};
         if (drive.shift) joint.shift = {{}, {{awkward(0.1), awkward(-2), awkward(0)}}};

@@ -183,7 +183,9 @@ TEST_CASE("a table comes back as the records it was made from, as far as it hold
         records[1].outcome.status = "left_chart";
         records[1].identity.label = "12";
         records[1].outcome.detail = "a, \"b\"\nc";
-        records[0].outcome.final->reactions = {{"pin", {}, {}}};
+        records[0].outcome.final->reactions = {{"pin", {}, {}}, {"motor", {}, {}}};
+        records[0].outcome.final->reactions[1].driving_force = Number{2, "2"};
+        records[0].outcome.final->reactions[1].driving_torque = Number{-3, "-3"};
         records[0].outcome.final->turns = {-1};
         records[0].outcome.final->theta = {{0.5, "0.5"}};
         const TableUnits units{{}, {{"heavy_top", {{"mass", "kg"}, {"inertia", "kg m^2"}}}}};
@@ -198,6 +200,9 @@ TEST_CASE("a table comes back as the records it was made from, as far as it hold
         }
         CHECK(again[0].outcome.final->bodies[0].R[8].text == "1");
         CHECK(again[0].outcome.final->turns == std::vector<long>{-1});
+        CHECK_FALSE(again[0].outcome.final->reactions.at(0).driving_force);
+        CHECK(again[0].outcome.final->reactions.at(1).driving_force->text == "2");
+        CHECK(again[0].outcome.final->reactions.at(1).driving_torque->text == "-3");
     }
 }
 

@@ -58,6 +58,31 @@ struct Ends {
         row.force = radians * a(3).cross(a_f).dot(growth) * b(3), row.point = p1() - second.x;
         return row;
     }
+    /// The pinion is compared with the rack's frame (a_3, -a_2).
+    SignedRow rack() const {
+        const Real radians = 2 * pi() / joint.lead, f = radians * a(3).dot(d());
+        const Vec3 side = -a(2), a_f = cos(f) * a(3) + sin(f) * side, shadow = a_f - a_f.dot(b(3)) * b(3);
+        const Vec3 growth = b(3).cross(shadow) / shadow.squaredNorm();
+        return {atan2(a_f.dot(b(2)), a_f.dot(b(1))), radians * a(1).cross(a_f).dot(growth) * a(3), p2() - second.x,
+                a_f.cross(growth)};
+    }
+    /// Angles of the line of centres in both wheels; what they grow with is across the line's shadow on their planes.
+    /// The part of the first wheel acts at the centre of the second, the other at that of the first.
+    SignedRow mesh() const {
+        const auto growth = [&](const Vec3& axis) -> Vec3 {
+            const Vec3 shadow = d() - d().dot(axis) * axis;
+            return axis.cross(shadow) / shadow.squaredNorm();
+        };
+        const Real z1 = joint.teeth[0], z2 = joint.teeth[1];
+        const Real sum = z1 * atan2(a(2).dot(d()), a(1).dot(d())) + z2 * atan2(b(2).dot(d()), b(1).dot(d()));
+        const Real turns = sum - 2 * pi() * floor_of(sum / (2 * pi()) + Real(1) / 2);
+        const Vec3 of_first = z1 / z2 * growth(a(3)), of_second = growth(b(3));
+        return {turns / z2, of_first + of_second, p2() - second.x, d().cross(of_second)};
+    }
+    static Real floor_of(const Real& x) {
+        using std::floor;
+        return floor(x);
+    }
     SignedRow contact(int k) const {
         const Vec3 down = (a(3).dot(b(3)) * b(3) - a(3)).normalized(), touching = p2() + joint.length * down;
         return {k == 3 ? Real(a(3).dot(p1() - touching)) : Real(0), a(k), touching - second.x, Vec3::Zero()};
@@ -76,6 +101,8 @@ std::vector<SignedRow> rows_of_recipe(const Ends& e) {
         if (row.primitive == Primitive::shift) rows.push_back(e.shift());
         if (row.primitive == Primitive::turn) rows.push_back(e.turn(e.joint.turn.polynomial[0]));
         if (row.primitive == Primitive::helix) rows.push_back(e.helix());
+        if (row.primitive == Primitive::rack) rows.push_back(e.rack());
+        if (row.primitive == Primitive::mesh) rows.push_back(e.mesh());
     }
     return rows;
 }

@@ -54,6 +54,8 @@ Schema value(ValueKind kind) {
             return inertia();
         case ValueKind::frame:
             return choice({"space", "body"});
+        case ValueKind::teeth:
+            return list_of(2, integer(-largest_whole, largest_whole));
         case ValueKind::motion:
             return motion();
     }

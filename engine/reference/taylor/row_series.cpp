@@ -157,44 +157,56 @@ class OrthogonalRow final : public DirectionRowSeries {
           a_(ends.first, joint.axes_first.col(row.i)),
           b_(ends.second, joint.axes_second.col(row.k)) {}
     void follow(const JointEnds&, std::size_t i) override { a_.update(i), b_.update(i); }
-    void direct(std::size_t k) override { t_[k] = cross(a_.series(), b_.series(), k); }
+    void direct(const JointEnds&, std::size_t k) override { t_[k] = cross(a_.series(), b_.series(), k); }
     Real acceleration(std::size_t k) const override { return twice(k) * dot(a_.series(), b_.series(), k + 2); }
 
   private:
     Attached a_, b_;
 };
 
-/// a . b = 0 for the second axis b of the second body and an axis a that has turned by f in the first body,
-/// a = cos f a_1 + sin f a_2.
+/// tan = (a . b_2) / (a . b_1) of an axis a that has turned by f in the first body, a = cos f a1 + sin f a2: where it
+/// vanishes its gradient is that of the angle.
 class TurnedRow : public DirectionRowSeries {
   public:
-    TurnedRow(const Joint& joint, const JointEnds& ends)
+    TurnedRow(const Joint& joint, const Vec3& a1, const Vec3& a2, const JointEnds& ends)
         : DirectionRowSeries(ends),
           f_(scalars(ends)),
-          a1_(ends.first, joint.axes_first.col(0)),
-          a2_(ends.first, joint.axes_first.col(1)),
-          b_(ends.second, joint.axes_second.col(1)),
+          a1_(ends.first, a1),
+          a2_(ends.first, a2),
+          b1_(ends.second, joint.axes_second.col(0)),
+          b2_(ends.second, joint.axes_second.col(1)),
           cosine_(f_),
           sine_(f_),
-          a_(ends.d) {}
+          above_(f_),
+          below_(f_),
+          tangent_(f_),
+          growth_(f_),
+          slope_(f_),
+          a_(ends.d),
+          normal_(a_),
+          couple_(a_) {}
     void follow(const JointEnds&, std::size_t i) override {
-        a1_.update(i), a2_.update(i), b_.update(i);
+        a1_.update(i), a2_.update(i), b1_.update(i), b2_.update(i);
         turn(i);
         a_[i] = product(cosine_, a1_.series(), i) + product(sine_, a2_.series(), i);
+        above_[i] = dot(a_, b2_.series(), i), below_[i] = dot(a_, b1_.series(), i);
+        tangent_[i] = quotient(above_, below_, tangent_, i);
     }
-    void direct(std::size_t k) override { t_[k] = cross(a_, b_.series(), k); }
-    Real acceleration(std::size_t k) const override { return twice(k) * dot(a_, b_.series(), k + 2); }
+    void direct(const JointEnds&, std::size_t k) override {
+        normal_[k] = cross(a_, b2_.series(), k);
+        t_[k] = couple_[k] = quotient(normal_, below_, couple_, k);
+    }
+    Real acceleration(std::size_t k) const override { return twice(k) * tangent_[k + 2]; }
 
   protected:
     Scalars f_;
-    /// Coefficient i of the derivative of the residual in f.
-    Real slope(std::size_t i) const {
-        const auto across = [&](std::size_t j) -> Vec3 {
-            return product(cosine_, a2_.series(), j) - product(sine_, a1_.series(), j);
-        };
+    /// Coefficient k of the derivative of the residual in f, after those before it.
+    Real slope(std::size_t k) {
         Real sum = 0;
-        for (std::size_t j = 0; j <= i; ++j) sum += across(j).dot(b_[i - j]);
-        return sum;
+        for (std::size_t j = 0; j <= k; ++j)
+            sum += (product(cosine_, a2_.series(), j) - product(sine_, a1_.series(), j)).dot(b2_[k - j]);
+        growth_[k] = sum;
+        return slope_[k] = quotient(growth_, below_, slope_, k);
     }
 
   private:
@@ -212,14 +224,15 @@ class TurnedRow : public DirectionRowSeries {
         cosine_[i] = c / real(i), sine_[i] = s / real(i);
     }
 
-    Attached a1_, a2_, b_;
-    Scalars cosine_, sine_;
-    Vectors a_;
+    Attached a1_, a2_, b1_, b2_;
+    Scalars cosine_, sine_, above_, below_, tangent_, growth_, slope_;
+    Vectors a_, normal_, couple_;
 };
 
 class PrescribedTurnRow final : public TurnedRow {
   public:
-    PrescribedTurnRow(const Joint& joint, const JointEnds& ends) : TurnedRow(joint, ends), law_(joint.turn) {}
+    PrescribedTurnRow(const Joint& joint, const JointEnds& ends)
+        : TurnedRow(joint, joint.axes_first.col(0), joint.axes_first.col(1), ends), law_(joint.turn) {}
     void start(const Real& t) override { expand(law_, t, f_); }
 
   private:
@@ -230,10 +243,10 @@ class PrescribedTurnRow final : public TurnedRow {
 class HelixRow final : public TurnedRow {
   public:
     HelixRow(const Joint& joint, const JointEnds& ends)
-        : TurnedRow(joint, ends),
+        : TurnedRow(joint, joint.axes_first.col(0), joint.axes_first.col(1), ends),
           radians_(-2 * pi() / joint.lead),
           axis_(ends.second, joint.axes_second.col(2)),
-          slope_(scalars(ends)),
+          push_(scalars(ends)),
           n_(ends.d) {}
     const Vectors* n() const override { return &n_; }
     void follow(const JointEnds& ends, std::size_t i) override {
@@ -241,17 +254,109 @@ class HelixRow final : public TurnedRow {
         f_[i] = radians_ * dot(axis_.series(), ends.d, i);
         TurnedRow::follow(ends, i);
     }
-    void direct(std::size_t k) override {
-        TurnedRow::direct(k);
-        slope_[k] = radians_ * slope(k);
-        n_[k] = product(slope_, axis_.series(), k);
+    void direct(const JointEnds& ends, std::size_t k) override {
+        TurnedRow::direct(ends, k);
+        push_[k] = radians_ * slope(k);
+        n_[k] = product(push_, axis_.series(), k);
     }
 
   private:
     Real radians_;  // for each metre of b_3 . d
     Attached axis_;
-    Scalars slope_;
+    Scalars push_;
     Vectors n_;
+};
+
+/// f = 2 pi a_3 . d / lead, a_1(f) in the plane of a_3 and -a_2. Since a_3 turns with the first body, so does the
+/// gradient: there is a moment a_3 x d.
+class RackRow final : public TurnedRow {
+  public:
+    RackRow(const Joint& joint, const JointEnds& ends)
+        : TurnedRow(joint, joint.axes_first.col(2), -joint.axes_first.col(1), ends),
+          radians_(2 * pi() / joint.lead),
+          axis_(ends.first, joint.axes_first.col(2)),
+          push_(scalars(ends)),
+          n_(ends.d) {}
+    const Vectors* n() const override { return &n_; }
+    void follow(const JointEnds& ends, std::size_t i) override {
+        axis_.update(i);
+        f_[i] = radians_ * dot(axis_.series(), ends.d, i);
+        TurnedRow::follow(ends, i);
+    }
+    void direct(const JointEnds& ends, std::size_t k) override {
+        TurnedRow::direct(ends, k);
+        push_[k] = radians_ * slope(k);
+        n_[k] = product(push_, axis_.series(), k);
+        t_[k] += cross(n_, ends.d, k);
+    }
+
+  private:
+    Real radians_;  // for each metre of a_3 . d
+    Attached axis_;
+    Scalars push_;
+    Vectors n_;
+};
+
+/// The angle psi of d in the axes (e_1, e_2) of a body: psi' = (C S' - S C') / (C^2 + S^2), C = e_1 . d, S = e_2 . d.
+class LineAngle {
+  public:
+    LineAngle(const BodySeries& body, const Mat3& axes, const JointEnds& ends)
+        : e1_(body, axes.col(0)),
+          e2_(body, axes.col(1)),
+          C_(scalars(ends)),
+          S_(C_),
+          square_(C_),
+          area_(C_),
+          rate_(C_),
+          cosine_(C_),
+          sine_(C_) {}
+    void follow(const JointEnds& ends, std::size_t i) {
+        e1_.update(i), e2_.update(i);
+        C_[i] = dot(e1_.series(), ends.d, i), S_[i] = dot(e2_.series(), ends.d, i);
+        square_[i] = product(C_, C_, i) + product(S_, S_, i);
+        if (i == 0) return;
+        Real area = 0;
+        for (std::size_t j = 0; j < i; ++j) area += C_[j] * rate(S_, i - 1 - j) - S_[j] * rate(C_, i - 1 - j);
+        area_[i - 1] = area;
+        rate_[i - 1] = quotient(area_, square_, rate_, i - 1);
+    }
+    /// Coefficient k of psi''.
+    Real second(std::size_t k) const { return rate(rate_, k); }
+    /// Coefficient k of the gradient in d.
+    Vec3 gradient(std::size_t k) {
+        cosine_[k] = quotient(C_, square_, cosine_, k), sine_[k] = quotient(S_, square_, sine_, k);
+        return product(cosine_, e2_.series(), k) - product(sine_, e1_.series(), k);
+    }
+
+  private:
+    Attached e1_, e2_;
+    Scalars C_, S_, square_, area_, rate_, cosine_, sine_;
+};
+
+/// (z_1 psi_1 + z_2 psi_2) / z_2, up to a constant.
+class MeshRow final : public DirectionRowSeries {
+  public:
+    MeshRow(const Joint& joint, const JointEnds& ends)
+        : DirectionRowSeries(ends),
+          ratio_(Real(joint.teeth[0]) / joint.teeth[1]),
+          first_(ends.first, joint.axes_first, ends),
+          second_(ends.second, joint.axes_second, ends),
+          of_first_(ends.d),
+          n_(ends.d) {}
+    const Vectors* n() const override { return &n_; }
+    void follow(const JointEnds& ends, std::size_t i) override { first_.follow(ends, i), second_.follow(ends, i); }
+    /// Axes of the first body turn with it.
+    void direct(const JointEnds& ends, std::size_t k) override {
+        of_first_[k] = ratio_ * first_.gradient(k);
+        n_[k] = of_first_[k] + second_.gradient(k);
+        t_[k] = cross(of_first_, ends.d, k);
+    }
+    Real acceleration(std::size_t k) const override { return ratio_ * first_.second(k) + second_.second(k); }
+
+  private:
+    Real ratio_;
+    LineAngle first_, second_;
+    Vectors of_first_, n_;
 };
 
 }  // namespace
@@ -280,6 +385,8 @@ std::unique_ptr<DirectionRowSeries> direction_row(const Joint& joint, const Join
     if (row.primitive == Primitive::orthogonal) return std::make_unique<OrthogonalRow>(joint, row, ends);
     if (row.primitive == Primitive::turn) return std::make_unique<PrescribedTurnRow>(joint, ends);
     if (row.primitive == Primitive::helix) return std::make_unique<HelixRow>(joint, ends);
+    if (row.primitive == Primitive::rack) return std::make_unique<RackRow>(joint, ends);
+    if (row.primitive == Primitive::mesh) return std::make_unique<MeshRow>(joint, ends);
     return nullptr;
 }
 

@@ -60,14 +60,14 @@ class DirectionRowSeries {
   public:
     virtual ~DirectionRowSeries() = default;
     const Vectors& t() const { return t_; }
-    /// The gradient in the points, whose force acts where that of `along` does; null if there is none.
+    /// The gradient in d, whose force acts at the point of the first body; null if there is none.
     virtual const Vectors* n() const { return nullptr; }
     /// At the expansion point, at time t.
     virtual void start(const Real& /*t*/) {}
     /// Coefficient i of what depends on x and R.
     virtual void follow(const JointEnds& ends, std::size_t i) = 0;
     /// Coefficient k of the gradients.
-    virtual void direct(std::size_t k) = 0;
+    virtual void direct(const JointEnds& ends, std::size_t k) = 0;
     /// Coefficient k of the second derivative of the residual.
     virtual Real acceleration(std::size_t k) const = 0;
 

@@ -16,6 +16,7 @@ Real length_on(const BodySeries& body, const Vec3& arm) {
 JointSeries::JointSeries(const Joint& joint, BodySeries& first, BodySeries& second)
     : ends_(joint, first, second),
       points_(point_rows(joint, ends_)),
+      lever_(ends_.d),
       force_(ends_.d),
       length_(max(joint.length, max(length_on(first, joint.r_first), length_on(second, joint.r_second)))) {
     for (const JointRow& row : joint.type->rows)
@@ -31,6 +32,7 @@ void JointSeries::start(const Real& t) {
 
 void JointSeries::follow(std::size_t i) {
     ends_.follow(i);
+    lever_[i] = ends_.arm_second[i] + ends_.d[i];
     if (points_) points_->follow(ends_, i);
     for (const auto& row : directions_) row->follow(ends_, i);
 }
@@ -47,12 +49,12 @@ void JointSeries::react(std::size_t k) {
     for (std::size_t r = 0; r < directions_.size(); ++r) {
         DirectionRowSeries& row = *directions_[r];
         const Scalars& lambda = lambda_[static_cast<std::size_t>(forces()) + r];
-        row.direct(k);
+        row.direct(ends_, k);
         couple += product(lambda, row.t(), k);
         if (row.n()) force_[k] += product(lambda, *row.n(), k);
     }
     const auto moment = [&](const Vectors& lever) { return Vec3(cross(lever, force_, k)); };
-    if (!second().is_fixed()) second().act(force_[k], points_ ? Vec3(moment(points_->lever()) + couple) : couple, k);
+    if (!second().is_fixed()) second().act(force_[k], moment(lever()) + couple, k);
     if (!first().is_fixed()) first().act(-force_[k], -moment(ends_.arm_first.series()) - couple, k);
 }
 
@@ -67,7 +69,7 @@ JointSeries::Wrench JointSeries::on_first(int row) const {
 
 JointSeries::Wrench JointSeries::on_second(int row) const {
     const Vec3 n = is_force(row) ? Vec3(-points_->n(row)[0]) : Vec3(-thrust(row));
-    const Vec3 moment = points_ ? Vec3(points_->lever()[0].cross(n)) : Vec3(Vec3::Zero());
+    const Vec3 moment = lever()[0].cross(n);
     return {n, is_force(row) ? moment : Vec3(moment - direction(row).t()[0])};
 }
 

@@ -112,6 +112,13 @@ const std::vector<BadMechanism>& bad_mechanisms() {
         {"/joints/1/turn", R"({"sinusoids": [{"amplitude": 1, "frequency": 2, "phase": "pi"}]})",
          "/joints/1/turn/sinusoids/0/phase", "a number"},
         {"/joints/1/type", "\"screw\"", "/joints/1", "the key \"lead\": a number"},
+        {"/joints/1",
+         R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [1, 0, 0]], "axis": [0, 0, 1]})",
+         "/joints/1", "the key \"teeth\": a list of two whole numbers"},
+        {"/joints/1",
+         R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [1, 0, 0]], "axis": [0, 0, 1], )"
+         R"("teeth": [20, 30.5]})",
+         "/joints/1/teeth/1", "a number of teeth"},
         {"/joints/1/lead", "0.1", "/joints/1/lead", "of a joint of type \"revolute\""},
         // forces
         {"/forces/0/type", "\"sprign\"", "/forces/0/type", "did you mean \"spring\"?"},

@@ -35,6 +35,8 @@ inline void prescribe(Joint& joint) {
     if (joint.type->has(Primitive::turn)) joint.turn = {{0, 1, Real(1) / 2}, {{Real(1) / 4, 3, 0}}};
     if (joint.type->has(Primitive::shift)) joint.shift = {{0, Real(-1) / 2, 1}, {{Real(1) / 8, 2, 0}}};
     if (joint.type->has(Primitive::helix)) joint.lead = Real(3) / 4;
+    if (joint.type->has(Primitive::rack)) joint.lead = Real(-5) / 2;
+    if (joint.type->has(Primitive::mesh)) joint.teeth = {3, -5};
 }
 
 /// A joint of any kind but rolling between two bodies as they stand.
@@ -45,6 +47,7 @@ inline void join(Model& model, int first, int second, JointType type, const Vec3
         const Vec3 other = Vec3(2, 1 + second, -1).cross(Vec3(1, -2, 2 + second));
         joint.axes_second = model.axes_of(second, axes_about(other));
     }
+    if (type->has(Primitive::mesh)) joint.r_first += Vec3(1, 2, -1) / 3;
     if (type->has(Primitive::distance)) {
         joint.r_first += Vec3(1, 2, -1) / 3;
         const auto at = [&](int body, const Vec3& r) -> Vec3 {

@@ -63,7 +63,7 @@ Joint Change::joint(const Joint& old, bool reverse) const {
     changed.lead *= hand() * length;
     if (!reverse) return changed;
     std::swap(changed.first, changed.second), std::swap(changed.r_first, changed.r_second);
-    std::swap(changed.axes_first, changed.axes_second);
+    std::swap(changed.axes_first, changed.axes_second), std::swap(changed.teeth[0], changed.teeth[1]);
     return changed;
 }
 

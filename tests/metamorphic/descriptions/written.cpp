@@ -55,7 +55,8 @@ class Writer {
         written.amplitude = to_double(it.amplitude), written.frequency = to_double(it.frequency);
         if (it.type->has(Primitive::turn)) written.turn = from_the_start(it.turn);
         if (it.type->has(Primitive::shift)) written.shift = from_the_start(it.shift);
-        if (it.lead != 0) written.lead = to_double(it.lead);
+        if (it.type->has(Primitive::mesh)) written.teeth = {it.teeth[0], it.teeth[1]};
+        if (it.type->has(Primitive::helix)) written.lead = to_double(it.lead);
         return written;
     }
     ForceData spring(const Spring& it) const {

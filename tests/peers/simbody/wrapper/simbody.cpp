@@ -142,7 +142,10 @@ struct Simbody::Parts {
         for (std::size_t j = 0; j < mechanism.links.size(); ++j)
             if (!is_in_tree(static_cast<int>(j))) {
                 const Link& joint = mechanism.links[j];
-                constrain(joint, body(joint.first), body(joint.second));
+                if (meshes(joint))
+                    couple(joint);
+                else
+                    constrain(joint, body(joint.first), body(joint.second));
             }
         add_forces(mechanism);
         state = system.realizeTopology();
@@ -161,7 +164,8 @@ struct Simbody::Parts {
     bool reach_by_joint(const Mechanism& mechanism) {
         for (std::size_t j = 0; j < mechanism.links.size(); ++j) {
             const Link& joint = mechanism.links[j];
-            if (joint.type == "distance" || is_reached(joint.first) == is_reached(joint.second)) continue;
+            if (joint.type == "distance" || meshes(joint) || is_reached(joint.first) == is_reached(joint.second))
+                continue;
             const bool forwards = is_reached(joint.first);
             const End first{joint.r_first, joint.axes_first}, second{joint.r_second, joint.axes_second};
             const int parent = forwards ? joint.first : joint.second, child = forwards ? joint.second : joint.first;
@@ -173,6 +177,19 @@ struct Simbody::Parts {
             return true;
         }
         return false;
+    }
+    static bool meshes(const Link& joint) { return joint.type == "gear" || joint.type == "rack"; }
+    /// z_1 q_1 + z_2 q_2 = 0 of wheels, 2 pi/lead q_1 - q_2 = 0 of a rack and its pinion.
+    void couple(const Link& joint) {
+        SimTK::Vector factors(3, 0.0);
+        if (joint.type == "gear")
+            factors[0] = joint.teeth[0], factors[1] = joint.teeth[1];
+        else
+            factors[0] = 2 * SimTK::Pi / joint.lead, factors[1] = -1;
+        SimTK::Array_<SimTK::MobilizedBodyIndex> coupled;
+        for (const int index : {joint.first, joint.second}) coupled.push_back(body(index).getMobilizedBodyIndex());
+        SimTK::Constraint::CoordinateCoupler(matter, new SimTK::Function::Linear(factors), coupled,
+                                             SimTK::Array_<SimTK::MobilizerQIndex>(2, SimTK::MobilizerQIndex(0)));
     }
     /// A cylinder turns by its first coordinate and slides by its second.
     void prescribe(const Link& joint, SimTK::MobilizedBody& child, int sign) {

@@ -35,7 +35,7 @@ struct Law {
 
 /// Points from the mass centre and axes (columns) in body axes, as in mechanics/model/model.hpp; the third axis is that
 /// of the joint, whose type is named as there. A prescribed coordinate has a law, any other none; the lead is that of a
-/// screw.
+/// screw or a rack, the teeth are those of a gear.
 struct Link {
     int first, second;
     std::string type;
@@ -44,6 +44,7 @@ struct Link {
     double length;
     double lead = 0;
     std::optional<Law> turn = {}, shift = {};
+    int teeth[2] = {0, 0};
 };
 
 struct LinearSpring {
@@ -94,8 +95,9 @@ struct Reaction {
 };
 
 /// A mechanism in Simbody. Joints that reach a body for the first time are its mobilizers, whose coordinates may be
-/// prescribed, all others and every distance joint are constraints; a body that no joint reaches is free. Throws std::invalid_argument for joints
-/// Simbody lacks.
+/// prescribed, all others and every distance joint are constraints; a body that no joint reaches is free. Throws
+/// std::invalid_argument for joints Simbody lacks. Wheels that mesh, and racks, couple the coordinates of joints of the
+/// tree, which are to hold both bodies to the ground, named first, about or along the axes of the mesh.
 class Simbody {
   public:
     explicit Simbody(const Mechanism& mechanism);
