@@ -37,11 +37,12 @@ struct ReportedBody {
 };
 
 /// What a joint exerts on its second-named body (mechanics/joints/reaction.hpp), N and N m in space axes; of least norm
-/// where it is not unique.
+/// where it is not unique. Apart from it, the force and the torque that keep prescribed coordinates.
 struct ReportedReaction {
     std::string joint;
     std::array<Number, 3> force, torque;
     bool unique = true;
+    std::optional<Number> driving_force = {}, driving_torque = {};
 };
 
 /// A state as reported. `multipliers`: see mechanics/system.hpp; empty where there are none or they are not all

@@ -92,7 +92,7 @@ std::string energy_reason(const Model& model) {
 }
 
 void add_energy(const Shared& model, std::vector<FirstIntegral>& integrals) {
-    const auto driven = [](const Joint& joint) { return joint.amplitude != 0; };
+    const auto driven = [](const Joint& joint) { return joint.is_driven(); };
     if (!is_conservative(*model) || std::any_of(model->joints.begin(), model->joints.end(), driven)) return;
     integrals.push_back(
         integral("energy", "J", energy_reason(*model), [model](const MotionState& s) { return energy(*model, s); }));

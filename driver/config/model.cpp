@@ -129,6 +129,44 @@ BodyData read_body(const Node& node, const ElementType& type, const PrintedNumbe
     return body;
 }
 
+SinusoidData read_sinusoid(const Node& node) {
+    SinusoidData sinusoid;
+    if (!node.require_object("a sinusoid: an object")) { return sinusoid; }
+    node.only_keys({"amplitude", "frequency", "phase"}, " of a sinusoid");
+    node.require("amplitude", "a number, the unit that of the coordinate");
+    node.require("frequency", "a number (rad/s)");
+    assign(sinusoid.amplitude, number_at(node, "amplitude"));
+    assign(sinusoid.frequency, number_at(node, "frequency"));
+    assign(sinusoid.phase, number_at(node, "phase"));
+    return sinusoid;
+}
+
+// The elements of a list that is not empty; none after an error.
+std::vector<Node> elements_at(const Node& entry, const std::string& key, const std::string& expected) {
+    const auto list = entry.find(key);
+    if (!list) { return {}; }
+    if (!list->is_array() || list->json().empty()) {
+        list->mismatch(expected);
+        return {};
+    }
+    return list->elements_or_self();
+}
+
+std::optional<MotionData> motion_at(const Node& entry, const std::string& key) {
+    const auto node = entry.find(key);
+    if (!node || !node->require_object(expectation(ValueKind::motion))) { return std::nullopt; }
+    node->only_keys({"polynomial", "sinusoids"}, " of a " + key);
+    if (!node->find("polynomial") && !node->find("sinusoids")) { node->mismatch(expectation(ValueKind::motion)); }
+    MotionData motion;
+    for (const Node& one : elements_at(*node, "polynomial", expectation(ValueKind::numbers))) {
+        motion.polynomial.push_back(one.number().value_or(0));
+    }
+    for (const Node& one : elements_at(*node, "sinusoids", "a list of sinusoids, at least one")) {
+        motion.sinusoids.push_back(read_sinusoid(one));
+    }
+    return motion;
+}
+
 JointData read_joint(const Node& node, const ElementType& type, const PrintedNumbers& /*printed*/) {
     JointData joint;
     joint.type = type.name;
@@ -141,6 +179,11 @@ JointData read_joint(const Node& node, const ElementType& type, const PrintedNum
     joint.length = positive_at(node, type.has("radius") ? "radius" : "length", "m");
     assign(joint.amplitude, number_at(node, "amplitude"));
     assign(joint.frequency, number_at(node, "frequency"));
+    joint.turn = motion_at(node, "turn");
+    joint.shift = motion_at(node, "shift");
+    joint.lead = number_at(node, "lead");
+    read_pair(node, "teeth", ValueKind::teeth, joint.teeth,
+              [](const Node& one) { return one.count(-largest_whole, largest_whole, "a number of teeth"); });
     return joint;
 }
 
@@ -166,13 +209,9 @@ void read_bushing(const Node& node, const PrintedNumbers& printed, ForceData& fo
 
 std::vector<double> read_coefficients(const Node& node) {
     std::vector<double> coefficients;
-    const auto list = node.find("coefficients");
-    if (!list) { return coefficients; }
-    if (!list->is_array() || list->json().empty()) {
-        list->mismatch(expectation(ValueKind::numbers));
-        return coefficients;
+    for (const Node& one : elements_at(node, "coefficients", expectation(ValueKind::numbers))) {
+        coefficients.push_back(one.number().value_or(0));
     }
-    for (const Node& one : list->elements_or_self()) { coefficients.push_back(one.number().value_or(0)); }
     return coefficients;
 }
 

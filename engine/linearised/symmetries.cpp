@@ -161,7 +161,7 @@ Generator combination(const std::vector<Generator>& all, const VecX& factors) {
 std::string why_not_autonomous(const Model& model) {
     if (!model.gravity.is_constant()) return "gravity is modulated";
     for (std::size_t i = 0; i < model.joints.size(); ++i)
-        if (model.joints[i].amplitude != 0) return model.name_of_joint(i) + " is driven";
+        if (model.joints[i].is_driven()) return model.name_of_joint(i) + " is driven";
     for (const Load& load : model.loads)
         if (load.amplitude != 0) return "a load on body \"" + model.name_of(load.body) + "\" is modulated";
     return "";

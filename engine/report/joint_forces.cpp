@@ -27,6 +27,8 @@ JointForces::JointForces(System& system, const Model& model)
       reactions_(model.joints.size()) {
     const ConstraintRank rank = system.constraint_rank();
     redundant_ = rank.rank < rank.rows;
+    for (const Joint& joint : model.joints)
+        drives_.push_back({joint.type->has(Primitive::turn), joint.type->has(Primitive::shift)});
 }
 
 bool JointForces::find(const Real& t, const Real* y, const Real* own) {
@@ -50,9 +52,13 @@ std::vector<bool> JointForces::unique_joints() const {
 std::vector<Column> JointForces::columns() const {
     std::vector<Column> all;
     for (const ConstraintRow& row : rows_) all.push_back(column_of(row, joints_));
-    for (const std::string& joint : joints_) {
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+        const std::string& joint = joints_[j];
         for (int k = 1; k <= 3; ++k) all.push_back({"reaction." + joint + ".force." + std::to_string(k), "N"});
         for (int k = 1; k <= 3; ++k) all.push_back({"reaction." + joint + ".torque." + std::to_string(k), "N m"});
+        each_drive(j, [&](const char* name, const char* unit, const Real&) {
+            all.push_back({"drive." + joint + "." + name, unit});
+        });
         if (redundant_) all.push_back({"reaction." + joint + ".unique", "1"});
     }
     return all;
@@ -67,6 +73,7 @@ void JointForces::append_values(bool found, std::vector<std::string>& row) const
     for (std::size_t j = 0; j < reactions_.size(); ++j) {
         for (const Vec3& vector : {reactions_[j].force, reactions_[j].torque})
             for (const Real& x : vector) append(x, found);
+        each_drive(j, [&](const char*, const char*, const Real& x) { append(x, found); });
         if (redundant_) append(unique[j] ? 1 : 0, found);
     }
 }
@@ -77,9 +84,13 @@ void JointForces::report(ReportedState& state) const {
         state.multiplier_names.push_back(column.name + " [" + column.unit + "]");
     }
     const std::vector<bool> unique = unique_joints();
-    for (std::size_t j = 0; j < reactions_.size(); ++j)
-        state.reactions.push_back(
-            {joints_[j], to_numbers(reactions_[j].force), to_numbers(reactions_[j].torque), unique[j]});
+    for (std::size_t j = 0; j < reactions_.size(); ++j) {
+        const JointReaction& of_joint = reactions_[j];
+        ReportedReaction reaction{joints_[j], to_numbers(of_joint.force), to_numbers(of_joint.torque), unique[j]};
+        if (drives_[j].shift) reaction.driving_force = to_number(of_joint.driving_force);
+        if (drives_[j].turn) reaction.driving_torque = to_number(of_joint.driving_torque);
+        state.reactions.push_back(reaction);
+    }
 }
 
 MultiplierDistance multiplier_distance(const std::vector<ConstraintRow>& rows, const std::vector<Real>& a,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/engine.hpp"
+#include "mechanics/parts/driven_joints.hpp"
 #include "mechanics/system.hpp"
 
 namespace kreisel {
@@ -21,8 +22,9 @@ class JointForces {
     bool find(const Real& t, const Real* y, const Real* own);
     /// Of the last find that succeeded.
     const std::vector<Real>& multipliers() const { return multipliers_; }
-    /// Columns of a trajectory and their values: multipliers where they are unique, and all reactions; where rows are
-    /// redundant, beside each reaction whether it is unique (1) or of least norm (0).
+    /// Columns of a trajectory and their values: multipliers where they are unique, and all reactions, with what keeps
+    /// prescribed coordinates; where rows are redundant, beside each reaction whether it is unique (1) or of least norm
+    /// (0).
     std::vector<Column> columns() const;
     void append_values(bool found, std::vector<std::string>& row) const;
     /// Names of the multipliers and the reactions.
@@ -30,6 +32,12 @@ class JointForces {
     long evaluations() const { return evaluations_; }
 
   private:
+    /// Calls f(name, unit, value) for what keeps the prescribed coordinates of a joint.
+    template <class F>
+    void each_drive(std::size_t joint, F f) const {
+        if (drives_[joint].shift) f("force", "N", reactions_[joint].driving_force);
+        if (drives_[joint].turn) f("torque", "N m", reactions_[joint].driving_torque);
+    }
     bool is_unique(std::size_t row) const { return !redundant_ || system_.is_unique(static_cast<int>(row)); }
     std::vector<bool> unique_joints() const;
 
@@ -39,6 +47,7 @@ class JointForces {
     bool redundant_;
     std::vector<Real> multipliers_, dv_, scratch_;
     std::vector<JointReaction> reactions_;
+    std::vector<Drive> drives_;  // of each joint
     long evaluations_ = 0;
 };
 

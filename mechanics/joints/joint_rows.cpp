@@ -31,6 +31,38 @@ std::vector<ConstraintRow> constraint_rows(const Model& model) {
     return rows;
 }
 
+namespace {
+
+/// Moves what keeps prescribed coordinates from a reaction to what drives the joint: the force of the row `shift`, and
+/// of the torque of the row `turn` the part about the axis, which is all of it where the row is met.
+void take_drive(const Joint& joint, const JointRows& rows, const Motion& second, const Real* lambda,
+                JointReaction& reaction) {
+    const Vec3 axis = second.direction(joint.axes_second.col(2));
+    if (const int k = joint.type->row_of(Primitive::shift); k >= 0) {
+        reaction.driving_force = lambda[k];
+        reaction.force -= lambda[k] * axis;
+    }
+    if (const int k = joint.type->row_of(Primitive::turn); k >= 0) {
+        reaction.driving_torque = -lambda[k] * axis.dot(second.R * rows.second.col(k).tail<3>());
+        reaction.torque -= reaction.driving_torque * axis;
+    }
+}
+
+/// Adds the force of the last row, which compares directions and depends on d too, at `point` (space axes), and takes
+/// its moment about the mass centre, which the row's column has beside the torque.
+void add_thrust(const JointRows& rows, const Motion& second, const Vec3& point, const Real& lambda,
+                JointReaction& reaction) {
+    const Vec3 force = second.R * (-lambda * rows.second.col(rows.count - 1).head<3>());
+    reaction.force += force;
+    reaction.torque -= (point - second.x).cross(force);
+}
+
+bool thrusts(JointType type) {
+    return type->has(Primitive::helix) || type->has(Primitive::rack) || type->has(Primitive::mesh);
+}
+
+}  // namespace
+
 /// Forces of rows along axes of the second body act at the point of the first: d x F about that of the second.
 JointReaction reaction_of(const Joint& joint, const Real& t, const Motion& first, const Motion& second,
                           const Real* lambda) {
@@ -41,8 +73,12 @@ JointReaction reaction_of(const Joint& joint, const Real& t, const Motion& first
     JointReaction reaction;
     reaction.force = second.R * (rows.second.topLeftCorner(3, lengths) * -multipliers.head(lengths));
     reaction.torque = second.R * (rows.second.block(3, lengths, 3, directions) * -multipliers.tail(directions));
-    if (joint.type->has(Primitive::along))
-        reaction.torque += (first.point(joint.r_first) - second.point(joint.r_second)).cross(reaction.force);
+    const bool along = joint.type->has(Primitive::along);
+    if (thrusts(joint.type))
+        add_thrust(rows, second, along ? first.point(joint.r_first) : second.point(joint.r_second),
+                   lambda[rows.count - 1], reaction);
+    if (along) reaction.torque += (first.point(joint.r_first) - second.point(joint.r_second)).cross(reaction.force);
+    take_drive(joint, rows, second, lambda, reaction);
     return reaction;
 }
 

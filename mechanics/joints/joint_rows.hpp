@@ -8,6 +8,11 @@
 //   along(k)          b_k.d = 0                            1 row (N)
 //   orthogonal(i, k)  a_i.b_k = 0                          1 row (N m)
 //   distance          |d| = L (1 + A sin(W t))             1 row (N)
+//   shift             b_3.d + f(t) = 0                     1 row (N), f the prescribed shift
+//   turn              f(t) - theta = 0                     1 row (N m), f the prescribed turn
+//   helix             -2 pi b_3.d / lead - theta = 0       1 row (N m)
+//   rack              2 pi a_3.d / lead - theta = 0        1 row (N m)
+//   mesh              (z_1 psi_1 + z_2 psi_2)/z_2 = 0      1 row (N m)
 //   contact           a_3.(P - p - c) = 0,  -a_k.(v_p + omega x c) = 0 (k = 1, 2, no position level)   3 rows (N)
 //
 // Each row is what the first body has minus what the second has, so that lambda of a row along e (a space axis, b_k,
@@ -16,6 +21,15 @@
 // A contact is that of a disk of radius L, its centre p and its axis b_3 on the second body, on the plane through P
 // with normal a_3 that the ground carries; c = -L s/|s| with s = a_3 - (a_3.b_3) b_3 leads from the centre to the
 // contact. The three rows together say that the point of the disk in contact is at rest.
+// a_1(f) = cos f a_1 + sin f a_2 is what b_1 is when the second body has turned by f about the axis. Of turn and helix
+// the residual is the angle f - theta in (-pi, pi], theta the turn of the second body, as atan2(a_1(f).b_2,
+// a_1(f).b_1): full turns need no count, and there is no second place half a turn away. The force of a multiplier
+// lambda of a shift on the second body is lambda b_3, and the torque of a turn lambda b_3 where the axes are one: what
+// drives the joint along and about its axis. A helix adds to its torque the force -lambda (2 pi / lead) b_3.
+// A rack compares the second body with the frame that (a_3, -a_2) turned by f = 2 pi a_3.d / lead span in the first,
+// so that the pinion turns with what the rack moves along a_3. In a mesh psi_1 is the angle of d in (a_1, a_2), psi_2
+// that in (b_1, b_2): the line of centres carries the wheels, wherever it goes. Numbers of teeth are whole, and the sum
+// is taken modulo full turns: full turns of wheels need no count.
 // Axis rows vanish for opposite axes too; a motion cannot pass from the one to the other.
 // Sources: [haug1989, Sec. 9.4] for the kinds of rows (dot-1, dot-2, spherical, distance),
 // [neimarkfufaev1972, Sec. III.3] for the disk.
@@ -59,7 +73,7 @@ inline bool has_direction_rows(JointType type) { return is_direction_row(type, r
 /// The rows of C of a model: joints in its order, rows without a position level after all others.
 std::vector<ConstraintRow> constraint_rows(const Model& model);
 
-/// The wrench of a joint for given multipliers of its rows, in its order.
+/// The wrench of a joint for given multipliers of its rows, in its order, and apart from it what drives the joint.
 JointReaction reaction_of(const Joint& joint, const Real& t, const Motion& first, const Motion& second,
                           const Real* lambda);
 

@@ -33,10 +33,26 @@ struct BodyData {
     bool operator==(const BodyData&) const = default;
 };
 
+/// amplitude sin(frequency t + phase): amplitude in the unit of the coordinate, frequency in rad/s, phase in rad.
+struct SinusoidData {
+    double amplitude = 0, frequency = 0, phase = 0;
+    bool operator==(const SinusoidData&) const = default;
+};
+
+/// A prescribed coordinate, f(t) = sum_k polynomial_k t^k + the sum of the sinusoids, in rad or m.
+struct MotionData {
+    std::vector<double> polynomial = {};
+    std::vector<SinusoidData> sinusoids = {};
+    bool operator==(const MotionData&) const = default;
+};
+
 /// A joint between two named bodies, or a body and "ground". `type` is the name of a joint (mechanics/parts/joints/),
 /// such as "revolute". Points (m) and axes in space coordinates of the initial configuration, one for each body.
 /// `length` (m): of a distance joint, by default the initial one; of a rolling joint, the radius. The length of a
-/// distance joint is length (1 + amplitude sin(frequency t)), frequency in rad/s.
+/// distance joint is length (1 + amplitude sin(frequency t)), frequency in rad/s. `turn` (rad) and `shift` (m)
+/// prescribe coordinates of the second body relative to the first, about and along the second axis, from the
+/// configuration as given. `lead` (m): of a screw, its shift in one turn. `teeth`: of the two wheels of a gear, below 0
+/// of a ring with its teeth inside.
 struct JointData {
     std::string type = "spherical";
     std::array<std::string, 2> between = {};
@@ -44,6 +60,9 @@ struct JointData {
     std::array<Vector3, 2> axes = {};
     std::optional<double> length = {};
     double amplitude = 0, frequency = 0;
+    std::optional<MotionData> turn = {}, shift = {};
+    std::optional<double> lead = {};
+    std::array<long, 2> teeth = {0, 0};
     std::string name = {};  ///< empty: results name it by its bodies
     bool operator==(const JointData&) const = default;
 };

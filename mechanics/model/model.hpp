@@ -3,6 +3,7 @@
 // A mechanical model: rigid bodies, joints, gravity and forces, with the initial state. SI units.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "mechanics/forces/forces.hpp"
 #include "mechanics/model/data.hpp"
 #include "mechanics/model/motion.hpp"
+#include "mechanics/model/prescribed.hpp"
 #include "mechanics/parts/joint_type.hpp"
 
 namespace kreisel {
@@ -54,7 +56,13 @@ struct Joint {
     Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();
     Real length = 0;                    ///< of a distance joint; of a rolling joint the radius (m)
     Real amplitude = 0, frequency = 0;  ///< of a distance joint: length (1 + amplitude sin(frequency t)), rad/s
+    Prescribed turn = {}, shift = {};   ///< of the rows of these names: rad, m
+    Real lead = 0;                      ///< of a screw or a rack: its shift in one turn (m)
+    std::array<int, 2> teeth = {0, 0};  ///< of a gear
     std::string name = {};              ///< empty: that of its bodies
+
+    /// Whether its rows depend on time.
+    bool is_driven() const { return amplitude != 0 || !turn.is_zero() || !shift.is_zero(); }
 };
 
 /// g(t) = g (1 + amplitude sin(frequency t)); frequency in rad/s.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mechanics/parts/driven_joints.hpp"
+
 namespace kreisel {
 
 namespace {
@@ -19,8 +21,13 @@ RowCounts counts_of(Primitive primitive) {
             return {3, 3, false};
         case Primitive::along:
         case Primitive::distance:
+        case Primitive::shift:
             return {1, 1, false};
         case Primitive::orthogonal:
+        case Primitive::turn:
+        case Primitive::helix:
+        case Primitive::rack:
+        case Primitive::mesh:
             return {1, 1, true};
         case Primitive::contact:
             return {3, 1, false};
@@ -44,7 +51,8 @@ ElementType element_of(const JointRecipe& recipe) {
         type.alternatives.push_back({one, each, true});
     };
     const bool rod = needs(recipe, Primitive::distance), disk = needs(recipe, Primitive::contact);
-    if (rod || disk)
+    const bool gear = needs(recipe, Primitive::mesh);
+    if (rod || disk || gear || needs(recipe, Primitive::rack))
         type.keys.push_back({"points", Kind::vectors, true});
     else
         one_or_each("point", "points");
@@ -57,6 +65,11 @@ ElementType element_of(const JointRecipe& recipe) {
                                            {"amplitude", Kind::number, false},
                                            {"frequency", Kind::number, false}});
     if (disk) type.keys.push_back({"radius", Kind::positive, true});
+    if (gear) type.keys.push_back({"teeth", Kind::teeth, true});
+    if (needs(recipe, Primitive::helix)) type.keys.push_back({"lead", Kind::number, true});
+    const Drive drive = drivable(recipe);
+    if (drive.turn) type.keys.push_back({"turn", Kind::motion, false});
+    if (drive.shift) type.keys.push_back({"shift", Kind::motion, false});
     type.keys.push_back({"name", Kind::label, false});
     return type;
 }
@@ -73,11 +86,14 @@ const std::vector<JointKind>& checked(const std::vector<JointKind>& kinds) {
 
 }  // namespace
 
+int rows_in(Primitive primitive) { return counts_of(primitive).all; }
+
 int count_of(FreeMotion motion) {
     switch (motion) {
         case FreeMotion::turn_about_axis:
         case FreeMotion::turn_about_normal:
         case FreeMotion::slide_along_axis:
+        case FreeMotion::screw:
             return 1;
         case FreeMotion::turn_about_two:
         case FreeMotion::slide_across_axis:
@@ -86,6 +102,8 @@ int count_of(FreeMotion motion) {
         case FreeMotion::turn_about_point:
         case FreeMotion::roll:
             return 3;
+        case FreeMotion::mesh:
+            return 5;
     }
     return 0;
 }
@@ -105,8 +123,11 @@ std::string fault_of(const JointRecipe& recipe) {
     const auto directions = std::find_if(rows.begin(), rows.end(), compares_directions);
     if (!std::all_of(directions, rows.end(), compares_directions))
         return "expected the rows on the points before those that compare directions";
-    if (std::any_of(rows.begin(), directions, [&](const JointRow& row) { return row.primitive != rows[0].primitive; }))
-        return "expected rows on the points of one primitive";
+    const auto fits = [&](const JointRow& row) {
+        return row.primitive == rows[0].primitive ||
+               (row.primitive == Primitive::shift && rows[0].primitive == Primitive::along);
+    };
+    if (!std::all_of(rows.begin(), directions, fits)) return "expected rows on the points of one primitive";
     if (needs(recipe, Primitive::contact) && rows.size() > 1) return "a contact has no other rows beside it";
     if (needs(recipe, Primitive::contact) != (recipe.axes == JointAxes::not_parallel))
         return "a contact, and nothing else, has axes that are not parallel";
@@ -125,6 +146,14 @@ JointKind::JointKind(JointRecipe recipe) : JointRecipe(std::move(recipe)), eleme
 }
 
 bool JointKind::has(Primitive primitive) const { return needs(*this, primitive); }
+int JointKind::row_of(Primitive primitive) const {
+    int row = 0;
+    for (const JointRow& one : rows) {
+        if (one.primitive == primitive) return row;
+        row += rows_in(one.primitive);
+    }
+    return -1;
+}
 bool JointKind::has(FreeMotion motion) const { return std::find(free.begin(), free.end(), motion) != free.end(); }
 
 JointType::JointType(const std::string& name) : kind_(find_joint_kind(name)) {

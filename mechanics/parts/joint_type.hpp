@@ -8,10 +8,19 @@
 //   orthogonal(i, k)   a_i.b_k = 0                       1 row, which compares directions
 //   distance           |d| = L (1 + A sin(W t))          1 row
 //   contact            of a disk that rolls on a plane   3 rows, two of them without a position level
+//   shift              b_3.d + f(t) = 0                  1 row, of a prescribed shift f
+//   turn               f(t) - theta = 0                  1 row, which compares directions, of a prescribed turn f
+//   helix              -2 pi b_3.d / lead - theta = 0    1 row, which compares directions
+//   rack               2 pi a_3.d / lead - theta = 0     1 row, which compares directions; b_3 is across a_3
+//   mesh               (z_1 psi_1 + z_2 psi_2)/z_2 = 0   1 row, which compares directions, of wheels with z teeth;
+//                                                        psi is the angle of d in the first two axes of a body
 //
-// mechanics/joints/row_writer.hpp writes them, and engine/reference/taylor/row_series.hpp derives them a second time.
-// All else follows from the recipe: counts of rows, keys in configs, `kreisel info`, what a joint may hold, symmetries.
-// A joint is one file in mechanics/parts/joints/. Plain data, compiled once for all precisions.
+// theta is the angle by which the second body has turned about the axis, which is zero where a_1 = b_1.
+//
+// mechanics/joints/row_writer.hpp and coordinate_rows.hpp write them, engine/reference/taylor/row_series.hpp derives
+// them a second time. All else follows from the recipe: counts of rows, keys in configs, `kreisel info`, what a joint
+// may hold, symmetries. A joint is one file in mechanics/parts/joints/; one whose coordinate is prescribed has a row for it
+// in place of the free motion (driven_joints.hpp). Plain data, compiled once for all precisions.
 #pragma once
 
 #include <string>
@@ -24,7 +33,10 @@
 
 namespace kreisel {
 
-enum class Primitive { coincidence, along, orthogonal, distance, contact };
+enum class Primitive { coincidence, along, orthogonal, distance, contact, shift, turn, helix, rack, mesh };
+
+/// How many rows a primitive has.
+int rows_in(Primitive primitive);
 
 /// Rows of one primitive; i and k count from 0.
 struct JointRow {
@@ -38,6 +50,11 @@ constexpr JointRow along(int k) { return {Primitive::along, 0, k - 1}; }
 constexpr JointRow orthogonal(int i, int k) { return {Primitive::orthogonal, i - 1, k - 1}; }
 constexpr JointRow distance() { return {Primitive::distance}; }
 constexpr JointRow contact() { return {Primitive::contact}; }
+constexpr JointRow shift() { return {Primitive::shift}; }
+constexpr JointRow turn() { return {Primitive::turn}; }
+constexpr JointRow helix() { return {Primitive::helix}; }
+constexpr JointRow rack() { return {Primitive::rack}; }
+constexpr JointRow mesh() { return {Primitive::mesh}; }
 
 /// What axes a user gives, and how they must lie at the start: none, one for both bodies (or one for each, to be
 /// projected), one for each at a right angle, one for each that are not parallel.
@@ -53,6 +70,8 @@ enum class FreeMotion {
     slide_across_axis,  ///< 2
     swing,              ///< about no line that either body keeps: of a point on a sphere, 2
     roll,               ///< of a disk that does not slip: 3
+    screw,              ///< about the axis and along it at once: 1
+    mesh,               ///< all but what would let teeth slip: 5
 };
 /// The dimension of a free motion.
 int count_of(FreeMotion motion);
@@ -77,6 +96,8 @@ struct JointKind : JointRecipe {
     bool holds_points = false;  ///< no row asks for a rotation of a body, so that it may be a point mass
     ElementType element;        ///< its keys
     bool has(Primitive primitive) const;
+    /// The first row of a primitive, counted from 0; -1 if there is none.
+    int row_of(Primitive primitive) const;
     bool has(FreeMotion motion) const;
     /// Nothing but the coincidence of two points.
     bool is_ball() const { return rows.size() == 1 && has(Primitive::coincidence); }

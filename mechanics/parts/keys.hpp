@@ -25,7 +25,9 @@ enum class ValueKind {
     matrix,
     quaternion,
     inertia,
-    frame
+    frame,
+    motion,
+    teeth
 };
 
 struct ElementKey {

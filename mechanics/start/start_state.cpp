@@ -52,7 +52,10 @@ Real StartState::rate() {
     VecX force(n_);
     system_->applied_force(0, q(), v(), force.data());
     Real rate = speed();
-    for (const Joint& joint : model_.joints) rate = max(rate, Real(abs(joint.amplitude * joint.frequency)));
+    for (const Joint& joint : model_.joints) {
+        rate = max(rate, max(Real(abs(joint.amplitude * joint.frequency)), joint.turn.pace()));
+        if (size_ > 0) rate = max(rate, Real(joint.shift.pace() / size_));
+    }
     for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
         const Body& body = model_.bodies[i];
         const auto at = 6 * static_cast<Eigen::Index>(i);

@@ -39,8 +39,9 @@ class StartState {
     const Real& place() const { return place_; }  ///< its distance from the origin (m)
     /// The largest of |omega| and |v| over the extent (1/s).
     Real speed();
-    /// Rate of the motion (1/s): the largest of |omega|, |v| over the extent, the frequencies of driven rods, and the
-    /// rates the forces cause from rest, sqrt(|force| / (mass extent)) and sqrt(|torque| / moment of inertia).
+    /// Rate of the motion (1/s): the largest of |omega|, |v| over the extent, the rates of driven rods and of
+    /// prescribed coordinates, and those that forces cause from rest, sqrt(|force| / (mass extent)) and
+    /// sqrt(|torque| / moment of inertia).
     Real rate();
     /// What speeds and distances from the origin contribute to the round-off of velocity rows (m/s).
     Real speed_round_off() { return largest_part(0) + largest_part(3) * place_; }

@@ -30,12 +30,30 @@ std::string by_joint(const StartState& start, const VecX& residual, const char* 
     return out.str();
 }
 
+/// "; joint 0 (ground - crank, revolute with driven turn): expected a turn of 0.3 rad, got 0 rad" for each prescribed
+/// coordinate that the start violates; of velocities with `second`.
+std::string by_drive(const StartState& start, const VecX& residual, const VecX& allowed, const std::string& second) {
+    std::ostringstream out;
+    start.each_row([&](std::size_t j, int k, Eigen::Index row) {
+        const Joint& joint = start.model().joints[j];
+        const bool turns = k == joint.type->row_of(Primitive::turn), slides = k == joint.type->row_of(Primitive::shift);
+        if ((!turns && !slides) || abs(residual[row]) <= allowed[row]) return;
+        const Prescribed::Value law = (turns ? joint.turn : joint.shift).at(0);
+        const Real expected = second.empty() ? law.f : law.rate;
+        const Real got = expected - residual[row];
+        const std::string unit = (turns ? " rad" : " m") + second;
+        out << "; " << start.model().name_of_joint(j) << ": expected a " << (turns ? "turn" : "shift") << " of "
+            << to_double(expected) << unit << ", got " << to_double(got) << unit;
+    });
+    return out.str();
+}
+
 /// `second`: what a velocity row has in its unit behind that of a position row.
 void require(const StartState& start, const VecX& residual, const VecX& allowed, const char* level,
              const char* second) {
     if ((residual.cwiseAbs().array() <= allowed.array()).all()) return;
-    throw ParameterError("", std::string("the start violates the joints at ") + level +
-                                 " level; residual of each: " + by_joint(start, residual, second));
+    throw ParameterError("", std::string("the start violates the joints at ") + level + " level; residual of each: " +
+                                 by_joint(start, residual, second) + by_drive(start, residual, allowed, second));
 }
 
 }  // namespace

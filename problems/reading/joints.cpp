@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problems/reading/joints.hpp"
 
+#include <tuple>
+
+#include "mechanics/parts/driven_joints.hpp"
 #include "problems/reading/parts.hpp"
 
 namespace kreisel {
@@ -9,6 +12,17 @@ inline namespace KREISEL_PRECISION {
 namespace {
 
 using reading::text;
+
+/// Of one wheel: angles times teeth keep their digits.
+constexpr long most_teeth = 1000;
+
+Prescribed prescribed(const MotionData& data) {
+    Prescribed law;
+    for (const double c : data.polynomial) law.polynomial.push_back(decimal(c));
+    for (const SinusoidData& one : data.sinusoids)
+        law.sinusoids.push_back({decimal(one.amplitude), decimal(one.frequency), decimal(one.phase)});
+    return law;
+}
 
 /// A frame about b whose first axis is that of `frame`, as far as b allows: where b is the axis of `frame` or its
 /// opposite, the rows that compare first and second axes vanish.
@@ -41,6 +55,10 @@ class JointReader {
         if (joint_.type->axes != JointAxes::none) read_axes();
         if (joint_.type->has(Primitive::distance)) read_distance();
         if (joint_.type->has(Primitive::contact)) read_contact();
+        if (joint_.type->has(Primitive::helix)) read_lead();
+        if (joint_.type->has(Primitive::mesh)) read_mesh();
+        if (joint_.type->has(Primitive::rack)) read_rack();
+        if (data_.turn || data_.shift) read_motions();
         return joint_;
     }
 
@@ -110,6 +128,111 @@ class JointReader {
             throw ParameterError(path_ + "/between",
                                  who_ + ": expected \"ground\", which carries the plane, and then the disk");
         joint_.length = positive_length("radius");
+    }
+
+    /// d in the configuration as given.
+    Vec3 apart() const {
+        const BodyState rest;
+        const auto at = [&](int body) -> const BodyState& {
+            return body == ground ? rest : model_.bodies[static_cast<std::size_t>(body)].start;
+        };
+        const BodyState &first = at(joint_.first), &second = at(joint_.second);
+        return first.x + first.R * joint_.r_first - second.x - second.R * joint_.r_second;
+    }
+    /// b_3.d there.
+    Real shift_back() const { return apart().dot(axis(1).normalized()); }
+
+    /// Coordinates are measured from the configuration as given: there the first axes of the bodies are the same, and
+    /// what the points are apart is no shift.
+    void check_directed() const {
+        const Vec3 a = axis(0), b = axis(1);
+        if (a.dot(b) > 0) return;
+        const Real cosine = a.dot(b) / (a.norm() * b.norm());
+        throw ParameterError(path_ + "/axes", who_ +
+                                                  ": expected axes that point the same way, about which a turn is "
+                                                  "counted from the first body to the second; got axes " +
+                                                  text(180 / pi() * acos(max(Real(-1), cosine))) + " degrees apart");
+    }
+
+    void read_motions() {
+        const Drive drive{data_.turn.has_value(), data_.shift.has_value()},
+            most = drivable(*find_joint_kind(data_.type));
+        for (const auto& [key, wanted, possible] :
+             {std::tuple("turn", drive.turn, most.turn), std::tuple("shift", drive.shift, most.shift)})
+            if (wanted && !possible)
+                throw ParameterError(path_ + "/" + key, who_ + ": expected a joint that leaves a " + key +
+                                                            " free, got one that has none to prescribe");
+        check_directed();
+        if (data_.turn) joint_.turn = prescribed(*data_.turn);
+        if (data_.shift) {
+            joint_.shift = prescribed(*data_.shift);
+            if (joint_.shift.polynomial.empty()) joint_.shift.polynomial = {0};
+            joint_.shift.polynomial[0] -= shift_back();
+        }
+        joint_.type = driven(joint_.type, drive);
+    }
+
+    void read_lead() {
+        if (!data_.lead || *data_.lead == 0 || !isfinite(Real(*data_.lead)))
+            throw ParameterError(path_ + "/lead",
+                                 who_ + ": expected a lead in m, not 0 (below 0: a left-handed thread), got " +
+                                     (data_.lead ? text(Real(*data_.lead)) : "nothing"));
+        check_directed();
+        joint_.lead = decimal(*data_.lead);
+        const Real angle = 2 * pi() * shift_back() / joint_.lead;
+        const Mat3 axes = joint_.axes_first;
+        joint_.axes_first.col(0) = cos(angle) * axes.col(0) + sin(angle) * axes.col(1);
+        joint_.axes_first.col(1) = cos(angle) * axes.col(1) - sin(angle) * axes.col(0);
+    }
+
+    /// The teeth that touch at the start are those on the line of centres: both first axes are along it.
+    void read_mesh() {
+        for (std::size_t k = 0; k < 2; ++k) {
+            if (data_.teeth[k] == 0 || abs(Real(data_.teeth[k])) > most_teeth)
+                throw ParameterError(path_ + "/teeth/" + std::to_string(k),
+                                     who_ + ": expected a number of teeth from 1 to " + std::to_string(most_teeth) +
+                                         ", or below 0 of a ring with its teeth inside, got " +
+                                         std::to_string(data_.teeth[k]));
+            joint_.teeth[k] = static_cast<int>(data_.teeth[k]);
+        }
+        const Vec3 n = axis(1).normalized();
+        check_parallel(axis(0).normalized(), n);
+        const Vec3 line = apart() - apart().dot(n) * n;
+        if (line.norm() <= apart().norm() / 1000000000)
+            throw ParameterError(path_ + "/points",
+                                 who_ +
+                                     ": expected the centres of two wheels that mesh, got two points "
+                                     "on one axis");
+        const Vec3 e = line.normalized();
+        Mat3 axes;
+        axes << e, n.cross(e), n;
+        joint_.axes_first = model_.axes_of(joint_.first, axes),
+        joint_.axes_second = model_.axes_of(joint_.second, axes);
+    }
+    void check_parallel(const Vec3& a, const Vec3& b) const {
+        if ((a - b).norm() <= Real(1) / 1000000000) return;
+        throw ParameterError(path_ + "/axes", who_ + ": expected wheels about one direction, got axes " +
+                                                  text(180 / pi() * acos(max(Real(-1), min(Real(1), Real(a.dot(b)))))) +
+                                                  " degrees apart");
+    }
+
+    /// With the rack's direction e and the pinion's axis n, the rack's point is r from the centre on the side n x e or
+    /// the other; the pinion turns by what the rack moves over r, about n if it is on the former.
+    void read_rack() {
+        const Vec3 e = axis(0).normalized(), n = axis(1).normalized(), side = n.cross(e), d = apart();
+        const Real radius = d.dot(side);
+        if (abs(radius) <= d.norm() / 1000000000)
+            throw ParameterError(path_ + "/points",
+                                 who_ +
+                                     ": expected a point on the pitch line of the rack and the centre "
+                                     "of the pinion, which is the radius away; got 0 m");
+        joint_.lead = -2 * pi() * radius;
+        const Real angle = 2 * pi() * e.dot(d) / joint_.lead, c = cos(angle), s = sin(angle);
+        Mat3 rack, pinion;
+        rack << n, e.cross(n), e;
+        pinion << c * e + s * side, c * side - s * e, n;
+        joint_.axes_first = model_.axes_of(joint_.first, rack);
+        joint_.axes_second = model_.axes_of(joint_.second, pinion);
     }
 
     Real positive_length(const char* key) const {

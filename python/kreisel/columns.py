@@ -46,6 +46,9 @@ def _final_entries(state: dict[str, Any]) -> Iterator[Entry]:
     for reaction in state.get("reactions", ()):
         for quantity in ("force", "torque"):
             yield from _entries(f"reaction.{reaction['joint']}.{quantity}", reaction[quantity])
+        for quantity in ("force", "torque"):
+            if f"driving_{quantity}" in reaction:
+                yield f"drive.{reaction['joint']}.{quantity}", reaction[f"driving_{quantity}"]
     for quantity in ("theta", "turns"):
         yield from _entries(quantity, state.get(quantity, []))
 

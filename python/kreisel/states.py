@@ -25,6 +25,8 @@ class Reaction:
     force: np.ndarray  #: N
     torque: np.ndarray  #: about the joint's point of the second body, N m
     unique: bool  #: otherwise it is the one of least norm
+    driving_force: Any = None  #: N, along the axis; None where no shift is prescribed
+    driving_torque: Any = None  #: N m, about the axis; None where no turn is prescribed
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,9 @@ def state_of(record: dict[str, Any], of_quad: Callable[[str], Any]) -> State:
         bodies=bodies,
         multipliers=dict(zip(names, map(convert, state.get("multipliers", ())))),
         reactions={reaction["joint"]: Reaction(array(reaction["force"]), array(reaction["torque"]),
-                                               reaction.get("unique", True))
+                                               reaction.get("unique", True),
+                                               *(convert(reaction[key]) if key in reaction else None
+                                                 for key in ("driving_force", "driving_torque")))
                    for reaction in state.get("reactions", ())},
         theta=array(state.get("theta", [])),
         turns=np.array(state.get("turns", []), dtype=np.int64),

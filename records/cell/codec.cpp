@@ -59,6 +59,11 @@ ReportedReaction decoded_reaction(const JsonValue& json) {
     ReportedReaction reaction{json.at("joint").string(), {}, {}};
     decode_member(json, "force", reaction.force);
     decode_member(json, "torque", reaction.torque);
+    const auto decode_drive = [&](const char* name, std::optional<Number>& number) {
+        if (json.find(name) != nullptr) { decode_member(json, name, number.emplace()); }
+    };
+    decode_drive("driving_force", reaction.driving_force);
+    decode_drive("driving_torque", reaction.driving_torque);
     const JsonValue* unique = json.find("unique");
     reaction.unique = unique == nullptr || unique->flag();
     return reaction;

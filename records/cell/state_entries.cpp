@@ -85,7 +85,7 @@ bool put_into_body(ReportedBody& body, const EntryName& name, const Number& numb
 }
 
 bool put_into_state(ReportedState& state, const StateEntry& entry) {
-    constexpr std::string_view reaction = "reaction.";
+    constexpr std::string_view reaction = "reaction.", drive = "drive.";
     const EntryName name(entry.name);
     const std::string& what = name.quantity;
     if (entry.name == "t") { return state.t = entry.number, true; }
@@ -98,6 +98,10 @@ bool put_into_state(ReportedState& state, const StateEntry& entry) {
     if (entry.name.starts_with(reaction) && (what == "force" || what == "torque") && name.indices.size() == 1) {
         auto& joint = owner_named(state.reactions, &ReportedReaction::joint, name.owner.substr(reaction.size()));
         return put_component(what == "force" ? joint.force : joint.torque, name.indices[0], entry.number);
+    }
+    if (entry.name.starts_with(drive) && (what == "force" || what == "torque") && name.indices.empty()) {
+        auto& joint = owner_named(state.reactions, &ReportedReaction::joint, name.owner.substr(drive.size()));
+        return (what == "force" ? joint.driving_force : joint.driving_torque) = entry.number, true;
     }
     const bool of_body = what == "x" || what == "R" || what == "v" || what == "omega";
     return of_body && put_into_body(owner_named(state.bodies, &ReportedBody::name, name.owner), name, entry.number);
@@ -123,6 +127,13 @@ std::vector<StateEntry> state_entries(const ReportedState& state) {
     for (const ReportedReaction& reaction : state.reactions) {
         list.add("reaction." + reaction.joint + ".force", "reaction.force", "N", reaction.force);
         list.add("reaction." + reaction.joint + ".torque", "reaction.torque", "N m", reaction.torque);
+        const std::string drive = "drive." + reaction.joint;
+        if (reaction.driving_force) {
+            list.all.push_back({drive + ".force", "drive.force", "N", *reaction.driving_force});
+        }
+        if (reaction.driving_torque) {
+            list.all.push_back({drive + ".torque", "drive.torque", "N m", *reaction.driving_torque});
+        }
     }
     list.add("theta", "theta", "rad", state.theta);
     for (std::size_t i = 0; i < state.turns.size(); ++i) {

@@ -18,7 +18,7 @@ struct StateEntry {
 };
 
 /// t, x.1 ... omega.3 of each body, R row by row, multipliers ("lambda.pin.2"), reactions ("reaction.pin.force.1"),
-/// angles and turns of torsion springs ("theta.1").
+/// what keeps prescribed coordinates ("drive.pin.torque"), angles and turns of torsion springs ("theta.1").
 std::vector<StateEntry> state_entries(const ReportedState& state);
 
 /// The state that has these entries, by name and unit; which reactions are not unique is not among them. Throws

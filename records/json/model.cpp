@@ -12,6 +12,19 @@ namespace {
 
 std::string json_vector(const Vector3& v) { return json_list(v, json_number); }
 
+std::string json_sinusoid(const SinusoidData& sinusoid) {
+    ObjectWriter object;
+    object.member("amplitude", json_number(sinusoid.amplitude)).member("frequency", json_number(sinusoid.frequency));
+    return object.member("phase", json_number(sinusoid.phase)).text();
+}
+
+std::string json_motion(const MotionData& motion) {
+    ObjectWriter object;
+    if (!motion.polynomial.empty()) { object.member("polynomial", json_list(motion.polynomial, json_number)); }
+    if (!motion.sinusoids.empty()) { object.member("sinusoids", json_list(motion.sinusoids, json_sinusoid)); }
+    return object.text();
+}
+
 }  // namespace
 
 std::string json_element(const BodyData& body) {
@@ -38,6 +51,12 @@ std::string json_element(const JointData& joint) {
     if (type.has("amplitude")) {
         object.member("amplitude", json_number(joint.amplitude)).member("frequency", json_number(joint.frequency));
     }
+    if (joint.turn) { object.member("turn", json_motion(*joint.turn)); }
+    if (joint.shift) { object.member("shift", json_motion(*joint.shift)); }
+    if (type.has("teeth")) {
+        object.member("teeth", json_list(joint.teeth, [](long teeth) { return std::to_string(teeth); }));
+    }
+    if (joint.lead) { object.member("lead", json_number(*joint.lead)); }
     return object.text();
 }
 

@@ -83,6 +83,13 @@ std::string meaning_of_key(const std::string& key) {
          "one for each body; of a bushing the matrix whose columns are its axes at the start (default: space axes)"},
         {"length", "m (default: the initial one)"},
         {"radius", "m"},
+        {"teeth", "[z_1, z_2], of the first wheel and of the second; below 0 of a ring with its teeth inside"},
+        {"lead", "shift in one turn, m: not 0, below 0 for a left-handed thread"},
+        {"turn",
+         "prescribed turn of the second body about its axis, rad: {\"polynomial\": [c_0, c_1, ...], \"sinusoids\": "
+         "[{\"amplitude\": A, \"frequency\": W, \"phase\": p}, ...]} for c_0 + c_1 t + ... + A sin(W t + p) + ..., "
+         "from the configuration as given (default: free)"},
+        {"shift", "prescribed shift of the second body along its axis, m, written like a turn (default: free)"},
         {"angle", "at which the spring is free, rad: any number, since full turns count (default: 0)"},
         {"coefficients", "c_1, c_2, ... in N/m, N/m^2, ..."},
         {"constant", "of gravitation, m^3/(kg s^2)"},
@@ -133,6 +140,10 @@ std::string expectation(ValueKind kind) {
             return "an inertia: three numbers, or a symmetric matrix of three rows of three numbers";
         case Kind::frame:
             return "the axes of the value";
+        case Kind::teeth:
+            return "a list of two whole numbers";
+        case Kind::motion:
+            return "a function of time: an object with \"polynomial\", \"sinusoids\" or both";
     }
     return "";
 }

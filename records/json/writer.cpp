@@ -101,6 +101,8 @@ std::string json_value(const ReportedState& state, bool quad) {
         ObjectWriter one;
         one.member("joint", json_text(reaction.joint)).member("force", json_list(reaction.force, write));
         one.member("torque", json_list(reaction.torque, write));
+        if (reaction.driving_force) { one.member("driving_force", write(*reaction.driving_force)); }
+        if (reaction.driving_torque) { one.member("driving_torque", write(*reaction.driving_torque)); }
         return one.member("unique", reaction.unique ? "true" : "false").text();
     };
     if (!state.reactions.empty()) { object.member("reactions", json_list(state.reactions, write_reaction)); }

@@ -116,6 +116,60 @@ const std::vector<Bad> bad = {
      R"({"type": "distance", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], "amplitude": 1})",
      "/joints/1/amplitude",
      {"between -1 and 1", "got 1"}},
+    // prescribed coordinates and screws
+    {"/joints/0/turn",
+     R"({"polynomial": [0.3, 0, 1]})",
+     "",
+     {"position level", "joint 0 (ground - crank, revolute with driven turn): expected a turn of 0.3 rad, got 0 rad"}},
+    {"/joints/0/turn",
+     R"({"sinusoids": [{"amplitude": 0.5, "frequency": 2, "phase": 1.5707963267948966}]})",
+     "",
+     {"position level", "expected a turn of 0.5 rad, got 0 rad"}},
+    {"/joints/0",
+     R"({"type": "revolute", "between": ["ground", "crank"], "point": [0, 0, 0], "axes": [[0, 1, 0], [0, -1, 0]], )"
+     R"("turn": {"polynomial": [0]}})",
+     "/joints/0/axes",
+     {"joint 0 (ground - crank, revolute)", "point the same way", "180 degrees apart"}},
+    {"/joints/1",
+     R"({"type": "cylindrical", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], "axis": [1, 0, 0], )"
+     R"("turn": {"polynomial": [0, 1]}, "shift": {"polynomial": [0.25]}})",
+     "",
+     {"joint 1 (crank - rod, cylindrical with driven turn and shift): expected a shift of", "position level"}},
+    {"/joints/1",
+     R"({"type": "screw", "between": ["crank", "rod"], "point": [1, 0, 0], "axis": [1, 0, 0], "lead": 0})",
+     "/joints/1/lead",
+     {"joint 1 (crank - rod, screw)", "expected a lead in m, not 0", "got 0"}},
+    {"/joints/1",
+     R"({"type": "screw", "between": ["crank", "rod"], "point": [1, 0, 0], "axes": [[1, 0, 0], [-1, 0, 0]], )"
+     R"("lead": 0.1})",
+     "/joints/1/axes",
+     {"joint 1 (crank - rod, screw)", "point the same way"}},
+    // wheels that mesh
+    {"/joints/1",
+     R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [0, 2, 0]], "axis": [0, 1, 0], )"
+     R"("teeth": [20, 30]})",
+     "/joints/1/points",
+     {"joint 1 (crank - rod, gear)", "the centres of two wheels", "got two points on one axis"}},
+    {"/joints/1",
+     R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [2, 0, 0]], "axis": [0, 1, 0], )"
+     R"("teeth": [20, 0]})",
+     "/joints/1/teeth/1",
+     {"expected a number of teeth from 1 to 1000", "got 0"}},
+    {"/joints/1",
+     R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [2, 0, 0]], )"
+     R"("axes": [[0, 1, 0], [0, 0, 1]], "teeth": [20, 30]})",
+     "/joints/1/axes",
+     {"wheels about one direction", "90 degrees apart"}},
+    {"/joints/1",
+     R"({"type": "rack", "between": ["crank", "rod"], "points": [[0, 0, 0], [2, 0, 0]], )"
+     R"("axes": [[1, 0, 0], [0, 1, 0]]})",
+     "/joints/1/points",
+     {"joint 1 (crank - rod, rack)", "pitch line of the rack", "got 0 m"}},
+    {"/joints/1",
+     R"({"type": "rack", "between": ["crank", "rod"], "points": [[0, 0, 1], [2, 0, 0]], )"
+     R"("axes": [[1, 0, 0], [1, 1, 0]]})",
+     "/joints/1/axes",
+     {"perpendicular", "45 degrees"}},
     // point masses
     {"/joints/2/type", "\"fixed\"", "/joints/2/between/1", {"joint 2 (rod - bob, fixed)", "\"bob\" is a point mass"}},
     {"/joints/2/point", "[2, 0, 0.1]", "/joints/2/point", {"mass centre", "0.1 m away"}},
@@ -256,6 +310,19 @@ TEST_CASE("every type of joint and of force makes a mechanism", "[campaign]") {
                       R"("axes": [[0, 0, 1], [0, 1, 0]], "radius": 1})"},
         {"/joints/1", R"({"type": "distance", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], )"
                       R"("amplitude": 0.5, "frequency": 2})"},
+        {"/joints/0/turn", R"({"polynomial": [0, 2, 1], "sinusoids": [{"amplitude": 0.1, "frequency": 20}]})"},
+        {"/joints/1", R"({"type": "prismatic", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], )"
+                      R"("axis": [1, 0, 0], "shift": {"polynomial": [0, 0, 0.1]}})"},
+        {"/joints/1", R"({"type": "cylindrical", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], )"
+                      R"("axes": [[1, 0, 0], [2, 0, 0]], "turn": {"polynomial": [0, 2]}, "shift": {"sinusoids": )"
+                      R"([{"amplitude": 0.2, "frequency": 1, "phase": 0.5}, )"
+                      R"({"amplitude": -0.2, "frequency": 2, "phase": 0.5}]}})"},
+        {"/joints/1", R"({"type": "screw", "between": ["crank", "rod"], "points": [[1, 0, 0], [1.5, 0, 0]], )"
+                      R"("axis": [1, 0, 0], "lead": -0.3})"},
+        {"/joints/1", R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [1.5, 0, 0]], )"
+                      R"("axis": [0, 1, 0], "teeth": [20, -30]})"},
+        {"/joints/1", R"({"type": "rack", "between": ["rod", "crank"], "points": [[1.5, 0, 0.2], [0, 0, 0]], )"
+                      R"("axes": [[1, 0, 0], [0, 1, 0]]})"},
         {"/joints", "[]"},
         {"/bodies/0/quaternion", "[0.6, 0.8, 0, 0]"},
         {"/forces/0",
@@ -314,6 +381,24 @@ TEST_CASE("velocities that are not given follow from the joints", "[campaign]") 
     const Outcome outcome = engine_binary64().run(plan_with(turning).cells.at(0).cell(), nullptr, {});
     CHECK(outcome.status == "ok");
     CHECK(refusal(turning) == "");
+}
+
+TEST_CASE("velocities that contradict a prescribed coordinate are refused, by what was expected", "[campaign]") {
+    const std::string message =
+        refusal(changed({{"/joints/0/turn", R"({"polynomial": [0, 2]})"}, {"/bodies/0/omega", "[0, 3, 0]"}}));
+    INFO(message);
+    CHECK(message.find("velocity level") != std::string::npos);
+    CHECK(
+        message.find("joint 0 (ground - crank, revolute with driven turn): expected a turn of 2 rad/s, got 3 rad/s") !=
+        std::string::npos);
+    CHECK(refusal(changed({{"/joints/0/turn", R"({"polynomial": [0, 3]})"}, {"/bodies/0/omega", "[0, 3, 0]"}})) == "");
+}
+
+TEST_CASE("a start away from a prescribed coordinate is projected onto it, and that is said", "[campaign]") {
+    const Plan plan =
+        plan_with(changed({{"/joints/0/turn", R"({"polynomial": [0.3, 2]})"}, {"/project_initial", "true"}}));
+    REQUIRE(plan.warnings.size() == 2);
+    CHECK(plan.warnings[0].find("project_initial moved bodies by up to") != std::string::npos);
 }
 
 TEST_CASE("the mechanism of the README is admissible", "[campaign]") {

@@ -8,7 +8,7 @@
 
 #include "driver/config/config.hpp"
 #include "engine/engine.hpp"
-#include "mechanics/parts/joint_type.hpp"
+#include "mechanics/parts/driven_joints.hpp"
 #include "records/json/strict.hpp"
 #include "records/json/writer.hpp"
 
@@ -36,6 +36,11 @@ std::vector<JointData> joints_of_all_types() {
         if (kind.axes != JointAxes::none) joint.axes = {awkward(Vector3{1, 1, 0}), awkward(Vector3{0, 1, 1})};
         if (kind.has(Primitive::distance)) joint.amplitude = awkward(0.2), joint.frequency = awkward(3);
         if (kind.has(Primitive::contact)) joint.length = awkward(0.7);
+        if (kind.has(Primitive::helix)) joint.lead = awkward(-0.3);
+        if (kind.has(Primitive::mesh)) joint.teeth = {17, -23};
+        const Drive drive = drivable(kind);
+        if (drive.turn) joint.turn = {{0, awkward(0.5)}, {{awkward(0.1), awkward(2), awkward(0)}}};
+        if (drive.shift) joint.shift = {{}, {{awkward(0.1), awkward(-2), awkward(0)}}};
         joints.push_back(joint);
     }
     const auto rod = [](const JointData& joint) { return joint.type == "distance"; };

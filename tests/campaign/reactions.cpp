@@ -118,6 +118,32 @@ TEST_CASE("a hinge holds a beam with its weight and a moment, in every formulati
         }
 }
 
+TEST_CASE("a motor that holds a beam is told apart from its hinge, and so is what lifts a table", "[campaign]") {
+    ordered_json held = ordered_json::parse(beam);
+    held["joints"][0]["turn"] = {{"polynomial", {0}}};
+    auto sample = first_sample(held.dump().c_str());
+    CHECK(sample.at("drive.ground-beam.torque").second == "N m");
+    CHECK(std::abs(std::stod(sample.at("drive.ground-beam.torque").first)) < 1e-11);  // about x nothing turns the beam
+    CHECK(std::abs(std::stod(sample.at("reaction.ground-beam.torque.2").first) + 9.81) < 1e-11);
+    CHECK_FALSE(sample.contains("drive.ground-beam.force"));
+    CHECK(first_sample(beam).count("drive.ground-beam.torque") == 0);
+
+    held["joints"][0]["axis"] = {0, 1, 0};
+    const Outcome turned =
+        both_engines.of("quad").run(cells_of(held.dump().c_str(), {"SE3"}, "quad").at(0), nullptr, {});
+    CHECK(std::abs(turned.final->reactions.at(0).driving_torque->value + 9.81) < 1e-11);
+    CHECK(is_near(turned.final->reactions.at(0).torque, {0, 0, 0}));
+    CHECK_FALSE(turned.final->reactions.at(0).driving_force);
+
+    held["joints"][0] = {{"type", "prismatic"}, {"between", {"ground", "beam"}}, {"point", {0, 0, 0}}};
+    held["joints"][0]["axis"] = {0, 0, 1};
+    held["joints"][0]["shift"] = {{"polynomial", {0, 0, 1}}};
+    sample = first_sample(held.dump().c_str());
+    CHECK(sample.at("drive.ground-beam.force").second == "N");
+    CHECK(std::abs(std::stod(sample.at("drive.ground-beam.force").first) - 2 * (9.81 + 2)) < 1e-11);
+    CHECK(std::abs(std::stod(sample.at("reaction.ground-beam.force.3").first)) < 1e-11);
+}
+
 TEST_CASE("columns of multipliers and reactions have their units", "[campaign]") {
     auto sample = first_sample(beam);
     for (int k = 1; k <= 5; ++k)

@@ -93,7 +93,8 @@ TEST_CASE("every member of a line comes back with its bytes") {
         R"("t_reached":0.5,"bodies":3,"final":{"t":"1","bodies":[{"name":"rod","x":["-0","1e-05","3"],)"
         R"("R":[["1","0","0"],["0","1","0"],["0","0","1"]],"v":["1","2","3"],"omega":["4","5","6"]}],)"
         R"("multipliers":["7"],"multiplier_names":["lambda.pin.1 [N]"],)"
-        R"("reactions":[{"joint":"pin","force":["1","2","3"],"torque":["4","5","6"],"unique":false}],)"
+        R"("reactions":[{"joint":"pin","force":["1","2","3"],"torque":["4","5","6"],"driving_force":"7",)"
+        R"("driving_torque":"8","unique":false}],)"
         R"("theta":["8"],"turns":[-2]},)"
         R"("constraints":{"rows":3,"rank":2,"condition":1.5,"redundant":["pin.2"],"least_norm_multipliers":["1"]},)"
         R"("metrics":{"error.position":"1.5e-20"},"lost":{"integral":"energy","share":0.25},)"
@@ -182,7 +183,9 @@ TEST_CASE("a table comes back as the records it was made from, as far as it hold
         records[1].outcome.status = "left_chart";
         records[1].identity.label = "12";
         records[1].outcome.detail = "a, \"b\"\nc";
-        records[0].outcome.final->reactions = {{"pin", {}, {}}};
+        records[0].outcome.final->reactions = {{"pin", {}, {}}, {"motor", {}, {}}};
+        records[0].outcome.final->reactions[1].driving_force = Number{2, "2"};
+        records[0].outcome.final->reactions[1].driving_torque = Number{-3, "-3"};
         records[0].outcome.final->turns = {-1};
         records[0].outcome.final->theta = {{0.5, "0.5"}};
         const TableUnits units{{}, {{"heavy_top", {{"mass", "kg"}, {"inertia", "kg m^2"}}}}};
@@ -197,6 +200,9 @@ TEST_CASE("a table comes back as the records it was made from, as far as it hold
         }
         CHECK(again[0].outcome.final->bodies[0].R[8].text == "1");
         CHECK(again[0].outcome.final->turns == std::vector<long>{-1});
+        CHECK_FALSE(again[0].outcome.final->reactions.at(0).driving_force);
+        CHECK(again[0].outcome.final->reactions.at(1).driving_force->text == "2");
+        CHECK(again[0].outcome.final->reactions.at(1).driving_torque->text == "-3");
     }
 }
 

@@ -63,6 +63,31 @@ TEST_CASE("two routes agree to 25 digits on joints of every kind") {
     for (const Case& subject : joints()) require_agreement(subject, Real(1) / 4);
 }
 
+TEST_CASE("two routes agree to 25 digits on prescribed coordinates, whatever they are as functions of time") {
+    for (const JointType type : models::driven_types()) {
+        require_agreement({type.name(), models::jointed(type)}, Real(1) / 4);
+        Model model = models::jointed(type);
+        model.joints[1].turn = {{Real(1) / 8, 0, -2, Real(1) / 3},
+                                {{Real(1) / 2, 3, 1}, {Real(1) / 5, -2, Real(1) / 2}}};
+        model.joints[1].shift = {{Real(-1) / 8, 1, 1}, {{Real(1) / 4, 4, -1}}};
+        project_start(model);
+        require_agreement({type.name() + std::string(", another motion"), model}, Real(1) / 8);
+    }
+    for (const char* type : {"screw", "gear", "rack"}) require_agreement({type, models::jointed(type)}, Real(1) / 2);
+}
+
+TEST_CASE("two routes agree to 25 digits on a shaft that turns twenty times in a second") {
+    Model model = models::jointed("revolute");
+    for (Joint& joint : model.joints) {
+        joint.type = driven("revolute", {.turn = true});
+        joint.turn = {{0, 40 * pi()}, {}};
+        joint.axes_second = model.axes_of(
+            joint.second, joint.first == ground ? joint.axes_first : Mat3(model.bodies[1].start.R * joint.axes_first));
+    }
+    project_start(model);
+    require_agreement({"twenty turns", model}, Real(1) / 4);
+}
+
 TEST_CASE("two routes agree to 25 digits on forces of every kind") {
     require_agreement({"springs", models::sprung("universal")}, Real(1) / 4);
     require_agreement({"dampers", models::damped("distance")}, Real(1) / 4);
@@ -132,4 +157,12 @@ TEST_CASE("control: a fault of 1e-20 in a joint, a spring or a load is seen") {
     CHECK(agree(disk, [](Model&) {}));
     CHECK_FALSE(agree(disk, [&](Model& m) { m.joints[0].length += small; }));
     CHECK_FALSE(agree(models::driven(), [&](Model& m) { m.joints[1].amplitude += small; }));
+    const Model driven = models::jointed(models::driven_types().back());
+    CHECK(agree(driven, [](Model&) {}));
+    CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[1].turn.polynomial[2] += small; }));
+    CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[2].turn.sinusoids[0].amplitude += small; }));
+    CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[0].turn.sinusoids[0].frequency += small; }));
+    CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[1].shift.polynomial[1] += small; }));
+    CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[2].shift.sinusoids[0].phase += small; }));
+    CHECK_FALSE(agree(models::jointed("screw"), [&](Model& m) { m.joints[1].lead += small; }));
 }

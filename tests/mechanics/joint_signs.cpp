@@ -32,6 +32,57 @@ struct Ends {
     SignedRow along(int k) const { return {b(k).dot(d()), b(k), p1() - second.x, Vec3::Zero()}; }
     SignedRow compare(int i, int k) const { return {a(i).dot(b(k)), Vec3::Zero(), Vec3::Zero(), a(i).cross(b(k))}; }
     SignedRow distance() const { return {d().norm() - joint.length, d().normalized(), p2() - second.x, Vec3::Zero()}; }
+    SignedRow shift() const {
+        SignedRow row = along(3);
+        row.phi += joint.shift.polynomial[0];
+        return row;
+    }
+    /// a_1 turned by f, and its shadow on the plane across b_3, turned by a quarter and divided by its square: what the
+    /// shadow's angle grows with.
+    struct Turned {
+        Vec3 a, growth;
+    };
+    Turned turned(const Real& f) const {
+        const Vec3 a_f = SO3::exp(f * a(3)) * a(1), shadow = a_f - a_f.dot(b(3)) * b(3);
+        return {a_f, b(3).cross(shadow) / shadow.squaredNorm()};
+    }
+    /// The angle from b_1 to the shadow of a_1(f).
+    SignedRow turn(const Real& f) const {
+        const auto [a_f, growth] = turned(f);
+        return {atan2(a_f.dot(b(2)), a_f.dot(b(1))), Vec3::Zero(), Vec3::Zero(), a_f.cross(growth)};
+    }
+    SignedRow helix() const {
+        const Real radians = -2 * pi() / joint.lead, f = radians * b(3).dot(d());
+        const auto [a_f, growth] = turned(f);
+        SignedRow row = turn(f);
+        row.force = radians * a(3).cross(a_f).dot(growth) * b(3), row.point = p1() - second.x;
+        return row;
+    }
+    /// The pinion is compared with the rack's frame (a_3, -a_2).
+    SignedRow rack() const {
+        const Real radians = 2 * pi() / joint.lead, f = radians * a(3).dot(d());
+        const Vec3 side = -a(2), a_f = cos(f) * a(3) + sin(f) * side, shadow = a_f - a_f.dot(b(3)) * b(3);
+        const Vec3 growth = b(3).cross(shadow) / shadow.squaredNorm();
+        return {atan2(a_f.dot(b(2)), a_f.dot(b(1))), radians * a(1).cross(a_f).dot(growth) * a(3), p2() - second.x,
+                a_f.cross(growth)};
+    }
+    /// Angles of the line of centres in both wheels; what they grow with is across the line's shadow on their planes.
+    /// The part of the first wheel acts at the centre of the second, the other at that of the first.
+    SignedRow mesh() const {
+        const auto growth = [&](const Vec3& axis) -> Vec3 {
+            const Vec3 shadow = d() - d().dot(axis) * axis;
+            return axis.cross(shadow) / shadow.squaredNorm();
+        };
+        const Real z1 = joint.teeth[0], z2 = joint.teeth[1];
+        const Real sum = z1 * atan2(a(2).dot(d()), a(1).dot(d())) + z2 * atan2(b(2).dot(d()), b(1).dot(d()));
+        const Real turns = sum - 2 * pi() * floor_of(sum / (2 * pi()) + Real(1) / 2);
+        const Vec3 of_first = z1 / z2 * growth(a(3)), of_second = growth(b(3));
+        return {turns / z2, of_first + of_second, p2() - second.x, d().cross(of_second)};
+    }
+    static Real floor_of(const Real& x) {
+        using std::floor;
+        return floor(x);
+    }
     SignedRow contact(int k) const {
         const Vec3 down = (a(3).dot(b(3)) * b(3) - a(3)).normalized(), touching = p2() + joint.length * down;
         return {k == 3 ? Real(a(3).dot(p1() - touching)) : Real(0), a(k), touching - second.x, Vec3::Zero()};
@@ -47,6 +98,11 @@ std::vector<SignedRow> rows_of_recipe(const Ends& e) {
         if (row.primitive == Primitive::along) rows.push_back(e.along(row.k + 1));
         if (row.primitive == Primitive::orthogonal) rows.push_back(e.compare(row.i + 1, row.k + 1));
         if (row.primitive == Primitive::distance) rows.push_back(e.distance());
+        if (row.primitive == Primitive::shift) rows.push_back(e.shift());
+        if (row.primitive == Primitive::turn) rows.push_back(e.turn(e.joint.turn.polynomial[0]));
+        if (row.primitive == Primitive::helix) rows.push_back(e.helix());
+        if (row.primitive == Primitive::rack) rows.push_back(e.rack());
+        if (row.primitive == Primitive::mesh) rows.push_back(e.mesh());
     }
     return rows;
 }
@@ -93,18 +149,22 @@ template <class F>
 void for_each_order(F f) {
     std::vector<JointType> types = joint_types();
     types.push_back("rolling");
+    for (const JointType type : driven_types()) types.push_back(type);
     for (const JointType type : types)
         for (const auto& [first, second] :
              {std::pair(ground, 1), std::pair(1, ground), std::pair(1, 2), std::pair(2, 1)}) {
             if (type == "rolling" && first != ground) continue;
-            const Joint joint{.first = first,
-                              .second = second,
-                              .r_first = Vec3(1, -1, 2) / 5,
-                              .r_second = Vec3(2, 1, -1) / 3,
-                              .type = type,
-                              .axes_first = axes_about(Vec3(1, -2, 2)),
-                              .axes_second = axes_about(Vec3(3, 1, 1)),
-                              .length = Real(3) / 4};
+            Joint joint{.first = first,
+                        .second = second,
+                        .r_first = Vec3(1, -1, 2) / 5,
+                        .r_second = Vec3(2, 1, -1) / 3,
+                        .type = type,
+                        .axes_first = axes_about(Vec3(1, -2, 2)),
+                        .axes_second = axes_about(Vec3(3, 1, 1)),
+                        .length = Real(3) / 4};
+            prescribe(joint);
+            if (!joint.turn.is_zero()) joint.turn.polynomial[0] = Real(5) / 2;
+            if (!joint.shift.is_zero()) joint.shift.polynomial[0] = Real(1) / 3;
             const auto motion = [](int body) { return body == ground ? Motion() : displaced(body); };
             INFO(type.name() << " between " << first << " and " << second);
             f(Ends{joint, motion(first), motion(second)});
@@ -121,7 +181,7 @@ TEST_CASE("rows of every joint have the signs of the notation, the bodies in eit
         CHECK(fault_of(ends, rows) == "");
         ++judged;
     });
-    CHECK(judged == 4 * static_cast<int>(joint_types().size()) + 1);
+    CHECK(judged == 4 * static_cast<int>(joint_types().size() + driven_types().size()) + 1);
 }
 
 TEST_CASE("a reversed row of any joint is rejected", "[reactions]") {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What joints exert: by hand for bodies at rest, and by Newton's and Euler's laws for moving bodies.
+#include "mechanics/joints/joint_rows.hpp"
+#include "mechanics/parts/driven_joints.hpp"
 #include "mechanics/solve/forest.hpp"
 #include "mechanics/start.hpp"
 #include "tests/mechanics/models/models.hpp"
@@ -43,6 +45,12 @@ Vec3 joint_point(const Joint& joint, const std::vector<BodyState>& states) {
     return p - joint.length * (n - n.dot(b) * b).normalized();
 }
 
+/// The axis of the second body, in space axes.
+Vec3 axis_of(const Joint& joint, const std::vector<BodyState>& states) {
+    const Vec3 axis = joint.axes_second.col(2);
+    return joint.second == ground ? axis : Vec3(states[static_cast<std::size_t>(joint.second)].R * axis);
+}
+
 /// Largest relative residual of m x'' = F and J omega' + omega x J omega = tau about its mass centre.
 Real newton_euler_defect(const Model& model, const Answered& now, const Real& t) {
     const std::size_t n = model.bodies.size();
@@ -55,8 +63,10 @@ Real newton_euler_defect(const Model& model, const Answered& now, const Real& t)
         force[i] += f, torque[i] += moment, size[i] += f.norm() + moment.norm();
     };
     for (std::size_t j = 0; j < model.joints.size(); ++j) {
-        const auto& [f, tau] = now.reactions[j];
-        const Vec3 point = joint_point(model.joints[j], now.states);
+        const Joint& joint = model.joints[j];
+        const Vec3 axis = axis_of(joint, now.states), point = joint_point(joint, now.states);
+        const Vec3 f = now.reactions[j].force + now.reactions[j].driving_force * axis;
+        const Vec3 tau = now.reactions[j].torque + now.reactions[j].driving_torque * axis;
         add(model.joints[j].second, f, tau, point), add(model.joints[j].first, -f, -tau, point);
     }
     const auto motion = [&](int body) -> Motion {
@@ -161,6 +171,8 @@ TEST_CASE("reactions are the same in every formulation", "[reactions]") {
                 const Real size = 1 + b.force.norm() + b.torque.norm() + expected.lambda.norm();
                 CHECK((a.force - b.force).norm() <= tolerance * size);
                 CHECK((a.torque - b.torque).norm() <= tolerance * size);
+                CHECK(abs(a.driving_force - b.driving_force) <= tolerance * size);
+                CHECK(abs(a.driving_torque - b.driving_torque) <= tolerance * size);
             }
         }
     }
@@ -229,4 +241,97 @@ TEST_CASE("a distance joint pulls with a positive multiplier, in either order", 
             const auto system = general_system(model, "SO3xR3");
             CHECK(abs(answered(*system, model, 0).lambda[0] - 20 * side) <= 100 * epsilon);
         }
+}
+
+namespace {
+
+/// dE/dt of kinetic energy and weight.
+Real energy_rate(const Model& model, const Answered& now) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+        const Body& body = model.bodies[i];
+        const BodyState& s = now.states[i];
+        sum += body.mass * s.v.dot(now.acceleration[i] - model.gravity.g) + s.omega.dot(body.J * now.turning[i]);
+    }
+    return sum;
+}
+
+/// What the drives of all joints do in a second, with `factor` times their torques.
+Real power(const Model& model, const Answered& now, const Real& factor) {
+    Real sum = 0;
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+        sum += now.reactions[j].driving_force * model.joints[j].shift.at(0).rate +
+               factor * now.reactions[j].driving_torque * model.joints[j].turn.at(0).rate;
+    return sum;
+}
+
+/// A driven model under constant gravity.
+Model on_drives(JointType type) {
+    Model model = jointed(type);
+    model.gravity.amplitude = 0;
+    return model;
+}
+
+}  // namespace
+
+TEST_CASE("energy grows by what the drives of joints do, and by nothing else", "[reactions][driven]") {
+    for (const JointType type : driven_types()) {
+        INFO(type.name());
+        const Model model = on_drives(type);
+        const auto system = general_system(model, "SO3xR3");
+        const Answered now = answered(*system, model, 0);
+        const Real rate = energy_rate(model, now), tolerance = 1000000 * epsilon * (1 + abs(rate));
+        CHECK(abs(rate) > 1);
+        CHECK(abs(rate - power(model, now, 1)) <= tolerance);
+        if (type->has(Primitive::turn)) CHECK(abs(rate - power(model, now, 2)) > 1000 * tolerance);
+    }
+    const Model screws = on_drives("screw");
+    const auto system = general_system(screws, "SO3xR3");
+    CHECK(abs(energy_rate(screws, answered(*system, screws, 0))) <= 1000000 * epsilon);
+}
+
+TEST_CASE("a motor holds a beam against its weight, the hinge the rest", "[reactions][driven]") {
+    for (const bool other_order : {false, true}) {
+        Model model = at_rest("revolute", Vec3::Zero(), Vec3::UnitY(), Vec3::UnitX() / 2, Vec3(3, 0, 0), other_order);
+        model.joints[0].type = driven("revolute", {.turn = true});
+        const auto system = general_system(model, "SO3xR3");
+        const Answered now = answered(*system, model, 0);
+        const Real sense = other_order ? -1 : 1, tolerance = 10000 * epsilon;
+        CHECK(abs(now.reactions[0].driving_torque + sense * 10) <= tolerance);
+        CHECK((now.reactions[0].torque - sense * Vec3(-3, 0, 0)).norm() <= tolerance);
+        CHECK((now.reactions[0].force - sense * Vec3(0, 0, 20)).norm() <= tolerance);
+        CHECK(now.acceleration[0].norm() + now.turning[0].norm() <= tolerance);
+    }
+}
+
+TEST_CASE("a prescribed turn has no second place half a turn away", "[driven]") {
+    Model model = at_rest("revolute", Vec3::Zero(), Vec3::UnitY(), Vec3::UnitX() / 2, Vec3::Zero(), false);
+    model.joints[0].type = driven("revolute", {.turn = true});
+    const Joint& joint = model.joints[0];
+    for (const int degrees : {0, 30, 89, 91, 150, 180, 270, 720, 790}) {
+        const Real f = degrees * pi() / 180;
+        model.joints[0].turn = {{f}, {}};
+        Motion turned;
+        turned.R = SO3::exp(f * Vec3::UnitY()), turned.x = turned.R * model.bodies[0].start.x;
+        JointRows rows;
+        write_rows(joint, 0, Motion(), turned, rows);
+        CHECK(abs(rows.phi[5]) <= 1000 * epsilon);
+        Motion away = turned;
+        away.R = SO3::exp((f + 3) * Vec3::UnitY()), away.x = away.R * model.bodies[0].start.x;
+        write_rows(joint, 0, Motion(), away, rows);
+        CHECK(abs(rows.phi[5] + 3) <= 1000 * epsilon);
+    }
+}
+
+TEST_CASE("a body is projected to where a joint's motion begins, up to half a turn away", "[start][driven]") {
+    for (const int degrees : {-170, -90, 80, 120, 175}) {
+        INFO(degrees);
+        Model model = at_rest("revolute", Vec3::Zero(), Vec3::UnitY(), Vec3::UnitX() / 2, Vec3::Zero(), false);
+        model.joints[0].type = driven("revolute", {.turn = true});
+        const Real f = degrees * pi() / 180;
+        model.joints[0].turn = {{f, 2}, {}};
+        project_start(model);
+        CHECK((model.bodies[0].start.R - SO3::exp(f * Vec3::UnitY())).norm() <= 10000 * epsilon);
+        CHECK((model.bodies[0].start.omega - 2 * Vec3::UnitY()).norm() <= 10000 * epsilon);
+    }
 }

@@ -29,13 +29,14 @@ Model held_by(const JointKind& kind) {
 struct JointSide {
     Motion pose;
     Vec3 point, axis;
+    Real lead;
 };
 
-JointSide side_of(const Model& model, int body, const Vec3& r, const Mat3& axes) {
+JointSide side_of(const Model& model, int body, const Vec3& r, const Mat3& axes, const Real& lead) {
     Motion pose;
     if (body != ground)
         pose.x = model.bodies[std::size_t(body)].start.x, pose.R = model.bodies[std::size_t(body)].start.R;
-    return {pose, pose.point(r), pose.direction(axes.col(2))};
+    return {pose, pose.point(r), pose.direction(axes.col(2)), lead};
 }
 
 /// A velocity of a body: v at a point, and omega.
@@ -66,8 +67,11 @@ std::vector<Twist> twists_of(FreeMotion motion, const JointSide& held) {
             return {{zero, held.axis, zero}};
         case FreeMotion::slide_across_axis:
             return {{zero, axes.col(0), zero}, {zero, axes.col(1), zero}};
+        case FreeMotion::screw:
+            return {{held.point, held.lead / (2 * pi()) * held.axis, held.axis}};
         case FreeMotion::swing:
         case FreeMotion::roll:
+        case FreeMotion::mesh:
             break;
     }
     return {};
@@ -78,8 +82,8 @@ std::string objection_to(const JointKind& kind) {
     if (const std::string fault = fault_of(kind); !fault.empty()) return fault;
     const Model model = held_by(kind);
     const Joint& joint = model.joints[0];
-    const JointSide first = side_of(model, joint.first, joint.r_first, joint.axes_first),
-                    second = side_of(model, joint.second, joint.r_second, joint.axes_second);
+    const JointSide first = side_of(model, joint.first, joint.r_first, joint.axes_first, joint.lead),
+                    second = side_of(model, joint.second, joint.r_second, joint.axes_second, joint.lead);
     JointRows rows;
     write_rows(joint, 0, first.pose, second.pose, rows);
     if (rows.count != kind.row_count) return "number of rows";
@@ -110,7 +114,19 @@ TEST_CASE("rows of every joint are independent and leave free what its recipe sa
         INFO(kind.name);
         CHECK(objection_to(kind) == "");
     }
-    CHECK(joint_kinds().size() >= 9);
+    CHECK(joint_kinds().size() >= 12);
+}
+
+TEST_CASE("rows of every driven joint are independent and leave free what is not prescribed", "[recipes][driven]") {
+    for (const JointKind& kind : driven_kinds()) {
+        INFO(kind.name);
+        CHECK(objection_to(kind) == "");
+        CHECK(kind.element.name == kind.name.substr(0, kind.name.find(' ')));
+    }
+    CHECK(driven_kinds().size() == 5);
+    CHECK(driven("cylindrical", {.turn = true, .shift = true})->name == "cylindrical with driven turn and shift");
+    CHECK(driven("revolute", {}) == JointType("revolute"));
+    CHECK_THROWS_WITH(driven("revolute", {.shift = true}), "no joint \"revolute with driven shift\"");
 }
 
 TEST_CASE("a wrong recipe of a joint is seen", "[recipes][control]") {
@@ -128,6 +144,10 @@ TEST_CASE("a wrong recipe of a joint is seen", "[recipes][control]") {
     CHECK(objection_to({orthogonal(3, 3), coincidence()}, {Free::turn_about_two}) ==
           "expected the rows on the points before those that compare directions");
     CHECK(objection_to({coincidence(), along(1)}, {Free::turn_about_two}) ==
+          "expected rows on the points of one primitive");
+    CHECK(objection_to({along(1), along(2), orthogonal(3, 1), orthogonal(3, 2), orthogonal(1, 2)}, {Free::screw}) ==
+          "its rows stop a declared motion");
+    CHECK(objection_to({coincidence(), shift()}, {Free::turn_about_two}) ==
           "expected rows on the points of one primitive");
     CHECK(objection_to({orthogonal(4, 1)}, {}) == "axes are numbered 1, 2, 3");
     CHECK(objection_to({contact()}, {Free::roll}) == "a contact, and nothing else, has axes that are not parallel");

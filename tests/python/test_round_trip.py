@@ -143,7 +143,7 @@ class States(unittest.TestCase):
                 self.assert_numbers(state, named)
 
     def assert_numbers(self, state, named):
-        same = self.assertEqual
+        same, drives = self.assertEqual, 0
         for body, part in state.bodies.items():
             for i in range(3):
                 for quantity in ("x", "v", "omega"):
@@ -156,11 +156,16 @@ class States(unittest.TestCase):
         for joint, reaction in state.reactions.items():
             for i in range(3):
                 same(bits(reaction.torque[i]), bits(named[f"final.reaction.{joint}.torque.{i + 1}"]))
+            for quantity, value in (("force", reaction.driving_force), ("torque", reaction.driving_torque)):
+                same(value is not None, f"final.drive.{joint}.{quantity}" in named)
+                if value is not None:
+                    drives += 1
+                    same(bits(value), bits(named[f"final.drive.{joint}.{quantity}"]))
         for i, theta in enumerate(state.theta):
             same(bits(theta), bits(named[f"final.theta.{i + 1}"]))
             same(str(state.turns[i]), named[f"final.turns.{i + 1}"])
         expected = [name for name in named if name.startswith("final.")]
-        same(1 + 18 * len(state.bodies) + len(state.multipliers) + 6 * len(state.reactions) + 2 * len(state.theta),
+        same(1 + 18 * len(state.bodies) + len(state.multipliers) + 6 * len(state.reactions) + 2 * len(state.theta) + drives,
              len(expected))
 
     def test_units_of_multipliers(self):

@@ -29,6 +29,14 @@ Schema body_name() {
     return {{"type", "string"}, {"maxLength", 64}, {"pattern", "^[A-Za-z0-9_-]+$"}, {"not", {{"const", "ground"}}}};
 }
 
+Schema motion() {
+    const Schema sinusoid =
+        object({{"amplitude", number()}, {"frequency", number()}, {"phase", number()}}, {"amplitude", "frequency"});
+    Schema schema = object({{"polynomial", list(number(), 1)}, {"sinusoids", list(sinusoid, 1)}}, {});
+    schema["minProperties"] = 1;
+    return schema;
+}
+
 Schema value(ValueKind kind) {
     switch (kind) {
         case ValueKind::name:
@@ -60,6 +68,10 @@ Schema value(ValueKind kind) {
             return inertia();
         case ValueKind::frame:
             return choice({"space", "body"});
+        case ValueKind::teeth:
+            return list_of(2, integer(-largest_whole, largest_whole));
+        case ValueKind::motion:
+            return motion();
     }
     return {};
 }

@@ -55,19 +55,29 @@ class PointRowSeries {
 /// Those of a joint; null if it has none.
 std::unique_ptr<PointRowSeries> point_rows(const Joint& joint, const JointEnds& ends);
 
-/// orthogonal: a . b = 0, t = a x b.
-class TurnRow {
+/// A row that compares directions; t is the gradient of its residual in the rotation of the first body.
+class DirectionRowSeries {
   public:
-    TurnRow(const Joint& joint, const JointRow& row, const JointEnds& ends);
-    void follow(std::size_t i) { a_.update(i), b_.update(i); }
-    void direct(std::size_t k) { t_[k] = cross(a_.series(), b_.series(), k); }
+    virtual ~DirectionRowSeries() = default;
     const Vectors& t() const { return t_; }
-    Real acceleration(std::size_t k) const { return real(k + 1) * real(k + 2) * dot(a_.series(), b_.series(), k + 2); }
+    /// The gradient in d, whose force acts at the point of the first body; null if there is none.
+    virtual const Vectors* n() const { return nullptr; }
+    /// At the expansion point, at time t.
+    virtual void start(const Real& /*t*/) {}
+    /// Coefficient i of what depends on x and R.
+    virtual void follow(const JointEnds& ends, std::size_t i) = 0;
+    /// Coefficient k of the gradients.
+    virtual void direct(const JointEnds& ends, std::size_t k) = 0;
+    /// Coefficient k of the second derivative of the residual.
+    virtual Real acceleration(std::size_t k) const = 0;
 
-  private:
-    Attached a_, b_;
+  protected:
+    explicit DirectionRowSeries(const JointEnds& ends) : t_(ends.d) {}
     Vectors t_;
 };
+
+/// That of a row; null if it compares no directions.
+std::unique_ptr<DirectionRowSeries> direction_row(const Joint& joint, const JointRow& row, const JointEnds& ends);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -50,12 +50,16 @@ class JointSeries {
     void follow(std::size_t i);
     int forces() const { return points_ ? points_->rows() : 0; }
     bool is_force(int row) const { return row < forces(); }
-    const TurnRow& turn_row(int row) const { return turns_[static_cast<std::size_t>(row - forces())]; }
+    const Vectors& lever() const { return points_ ? points_->lever() : lever_; }
+    DirectionRowSeries& direction(int row) const { return *directions_[static_cast<std::size_t>(row - forces())]; }
+    /// The gradient of a row that compares directions in the points, at the expansion point.
+    Vec3 thrust(int row) const { return direction(row).n() ? (*direction(row).n())[0] : Vec3(Vec3::Zero()); }
 
     JointEnds ends_;
     std::unique_ptr<PointRowSeries> points_;
-    std::vector<TurnRow> turns_;
+    std::vector<std::unique_ptr<DirectionRowSeries>> directions_;
     std::vector<Scalars> lambda_;
+    Vectors lever_;  // from the second mass centre to the point of the first body
     Vectors force_;  // on the second body
     Real length_;
 };

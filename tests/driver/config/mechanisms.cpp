@@ -102,10 +102,16 @@ TEST_CASE("joints of every type are read") {
         {"type": "distance", "between": ["a", "b"], "points": [[1, 0, 0], [0, 0, 0]], "length": 2,
             "amplitude": 0.5, "frequency": 3},
         {"type": "rolling", "between": ["ground", "b"], "points": [[0, 0, 0], [0, 0, 1]], "axes": [[0, 0, 1],
-            [1, 0, 0]], "radius": 1}
+            [1, 0, 0]], "radius": 1},
+        {"type": "screw", "between": ["a", "b"], "point": [1, 0, 0], "axis": [0, 1, 0], "lead": -0.5},
+        {"type": "cylindrical", "between": ["a", "b"], "point": [1, 0, 0], "axis": [0, 1, 0],
+            "turn": {"polynomial": [0, 3]},
+            "shift": {"sinusoids": [{"amplitude": 2, "frequency": 3}, {"amplitude": 1, "frequency": 2, "phase": 4}]}},
+        {"type": "gear", "between": ["a", "b"], "points": [[1, 0, 0], [0, 0, 0]], "axis": [0, 0, 1], "teeth": [20, -30]},
+        {"type": "rack", "between": ["a", "b"], "points": [[1, 0, 0], [0, 0, 0]], "axes": [[0, 1, 0], [0, 0, 1]]}
     ])");
     const Vector3 i = {1, 0, 0}, j = {0, 1, 0}, k = {0, 0, 1}, zero = {0, 0, 0};
-    REQUIRE(joints.size() == 9);
+    REQUIRE(joints.size() == 13);
     CHECK(joints[0] == JointData{"spherical", {"ground", "a"}, {{{1, 2, 3}, {1, 2, 3}}}});
     CHECK(joints[1] == JointData{"revolute", {"a", "b"}, {{i, {2, 0, 0}}}, {{{0, 0, 2}, {0, 0, 2}}}});
     CHECK(joints[2] == JointData{"universal", {"a", "b"}, {i, i}, {j, k}});
@@ -115,6 +121,15 @@ TEST_CASE("joints of every type are read") {
     CHECK(joints[6] == JointData{"fixed", {"a", "b"}, {i, i}});
     CHECK(joints[7] == JointData{"distance", {"a", "b"}, {i, zero}, {}, 2, 0.5, 3});
     CHECK(joints[8] == JointData{"rolling", {"ground", "b"}, {zero, k}, {k, i}, 1});
+    JointData screw{"screw", {"a", "b"}, {i, i}, {j, j}}, driven{"cylindrical", {"a", "b"}, {i, i}, {j, j}};
+    screw.lead = -0.5;
+    driven.turn = MotionData{{0, 3}, {}}, driven.shift = MotionData{{}, {{2, 3, 0}, {1, 2, 4}}};
+    CHECK(joints[9] == screw);
+    CHECK(joints[10] == driven);
+    JointData gear{"gear", {"a", "b"}, {i, zero}, {k, k}};
+    gear.teeth = {20, -30};
+    CHECK(joints[11] == gear);
+    CHECK(joints[12] == JointData{"rack", {"a", "b"}, {i, zero}, {j, k}});
 }
 
 TEST_CASE("forces of every type are read") {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Models with joints of every kind, to the ground and between bodies in both directions, with springs, dampers and a
-// driven length; nothing in them is aligned with an axis.
+// driven length or a prescribed coordinate; nothing in them is aligned with an axis.
 #pragma once
 
+#include "mechanics/parts/driven_joints.hpp"
 #include "mechanics/start.hpp"
 #include "tests/mechanics/models/linked.hpp"
 
@@ -22,6 +23,22 @@ inline const std::vector<JointType>& joint_types() {
     return all;
 }
 
+/// Every joint with a prescribed coordinate.
+inline std::vector<JointType> driven_types() {
+    std::vector<JointType> types;
+    for (const JointKind& kind : driven_kinds()) types.emplace_back(kind);
+    return types;
+}
+
+/// Gives a joint what its rows need of coordinates along and about its axis.
+inline void prescribe(Joint& joint) {
+    if (joint.type->has(Primitive::turn)) joint.turn = {{0, 1, Real(1) / 2}, {{Real(1) / 4, 3, 0}}};
+    if (joint.type->has(Primitive::shift)) joint.shift = {{0, Real(-1) / 2, 1}, {{Real(1) / 8, 2, 0}}};
+    if (joint.type->has(Primitive::helix)) joint.lead = Real(3) / 4;
+    if (joint.type->has(Primitive::rack)) joint.lead = Real(-5) / 2;
+    if (joint.type->has(Primitive::mesh)) joint.teeth = {3, -5};
+}
+
 /// A joint of any kind but rolling between two bodies as they stand.
 inline void join(Model& model, int first, int second, JointType type, const Vec3& point) {
     model.join(first, second, point, type, Vec3(1, -2, 2 + second));
@@ -30,6 +47,7 @@ inline void join(Model& model, int first, int second, JointType type, const Vec3
         const Vec3 other = Vec3(2, 1 + second, -1).cross(Vec3(1, -2, 2 + second));
         joint.axes_second = model.axes_of(second, axes_about(other));
     }
+    if (type->has(Primitive::mesh)) joint.r_first += Vec3(1, 2, -1) / 3;
     if (type->has(Primitive::distance)) {
         joint.r_first += Vec3(1, 2, -1) / 3;
         const auto at = [&](int body, const Vec3& r) -> Vec3 {
@@ -39,6 +57,7 @@ inline void join(Model& model, int first, int second, JointType type, const Vec3
         };
         joint.length = (at(first, joint.r_first) - at(second, joint.r_second)).norm();
     }
+    prescribe(joint);
 }
 
 /// ground - b0, b1 - b0 and b1 - b2 by joints of one kind.

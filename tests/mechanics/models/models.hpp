@@ -90,6 +90,7 @@ inline std::vector<Named> of_tests() {
         models.push_back({std::string(type.name()) + " joints and springs", sprung(type)});
         models.push_back({std::string(type.name()) + " joints and dampers", damped(type)});
     }
+    for (const JointType type : driven_types()) models.push_back({type.name(), jointed(type)});
     return models;
 }
 

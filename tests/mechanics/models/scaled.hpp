@@ -24,14 +24,25 @@ inline BodyState scaled(const BodyState& s, const Units& u) {
     return {s.x * u.L(), s.R, s.v * u.speed(), s.omega / u.T()};
 }
 
+/// A prescribed coordinate, its values times `unit` and the time in which it has them times `time`.
+inline Prescribed scaled(Prescribed law, const Real& unit, const Real& time) {
+    Real power = unit;
+    for (Real& c : law.polynomial) c *= power, power /= time;
+    for (Sinusoid& one : law.sinusoids) one.amplitude *= unit, one.frequency /= time;
+    return law;
+}
+
 inline Model scaled(Model model, const Units& u) {
     for (Body& body : model.bodies) {
         body.start = scaled(body.start, u);
         body.mass *= u.M();
         if (!body.point) body.J *= u.M() * u.L() * u.L();
     }
-    for (Joint& joint : model.joints)
+    for (Joint& joint : model.joints) {
         joint.r_first *= u.L(), joint.r_second *= u.L(), joint.length *= u.L(), joint.frequency /= u.T();
+        joint.turn = scaled(joint.turn, 1, u.T()), joint.shift = scaled(joint.shift, u.L(), u.T());
+        joint.lead *= u.L();
+    }
     model.gravity.g *= u.acceleration(), model.gravity.frequency /= u.T();
     for (Load& load : model.loads)
         load.force *= u.force(), load.torque *= u.torque(), load.point *= u.L(), load.frequency /= u.T();

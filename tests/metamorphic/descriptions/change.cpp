@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mechanics/model/symmetries.hpp"
+#include "tests/mechanics/models/scaled.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -56,9 +57,13 @@ Joint Change::joint(const Joint& old, bool reverse) const {
     changed.first = place(old.first), changed.second = place(old.second);
     changed.length *= length;
     changed.frequency /= time;
+    const int back = reverse ? -1 : 1;
+    changed.turn = models::scaled(old.turn, back * hand(), time);
+    changed.shift = models::scaled(old.shift, back * length, time);
+    changed.lead *= hand() * length;
     if (!reverse) return changed;
     std::swap(changed.first, changed.second), std::swap(changed.r_first, changed.r_second);
-    std::swap(changed.axes_first, changed.axes_second);
+    std::swap(changed.axes_first, changed.axes_second), std::swap(changed.teeth[0], changed.teeth[1]);
     return changed;
 }
 

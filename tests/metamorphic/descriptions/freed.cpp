@@ -41,6 +41,16 @@ class Wrenches {
                 return force(d_.normalized() * next(), Vec3::Zero());
             case Primitive::contact:
                 return contact();
+            case Primitive::shift:
+                return push(2);
+            case Primitive::turn:
+                return sum_.add({Vec3::Zero(), b(2) * next()});
+            case Primitive::helix:
+                return thread();
+            case Primitive::rack:
+                return rack();
+            case Primitive::mesh:
+                return mesh();
         }
     }
     const Real& next() { return *lambda_++; }
@@ -53,6 +63,28 @@ class Wrenches {
     }
     void push(int k) { force(b(k) * next(), d_); }
     void turn(int i, int k) { sum_.add({Vec3::Zero(), a(i).cross(b(k)) * next()}); }
+    /// At the start, where the row is met.
+    void thread() {
+        const Real lambda = next();
+        force(b(2) * (-2 * pi() / joint_.lead * lambda), d_);
+        sum_.add({Vec3::Zero(), b(2) * lambda});
+    }
+    /// What the angle of a vector grows with about an axis.
+    static Vec3 growth(const Vec3& vector, const Vec3& axis) {
+        const Vec3 shadow = vector - vector.dot(axis) * axis;
+        return axis.cross(shadow) / shadow.squaredNorm();
+    }
+    void rack() {
+        const Real lambda = next(), radians = 2 * pi() / joint_.lead, f = radians * a(2).dot(d_);
+        const Vec3 turned = cos(f) * a(2) - sin(f) * a(1), grows = growth(turned, b(2));
+        force(a(2) * (radians * a(0).cross(turned).dot(grows) * lambda), Vec3::Zero());
+        sum_.add({Vec3::Zero(), turned.cross(grows) * lambda});
+    }
+    void mesh() {
+        const Real lambda = next();
+        force(growth(d_, a(2)) * (lambda * joint_.teeth[0] / joint_.teeth[1]), Vec3::Zero());
+        force(growth(d_, b(2)) * lambda, d_);
+    }
     void contact() {
         const Vec3 n = a(2), s = n - n.dot(b(2)) * b(2), arm = -joint_.length / s.norm() * s;
         for (const int k : {2, 0, 1}) force(a(k) * next(), arm);

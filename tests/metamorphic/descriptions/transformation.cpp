@@ -104,7 +104,7 @@ Made reordered(const Model& model) {
     return with(model, {.bodies = backwards(model.bodies.size()), .joints = backwards(model.joints.size())});
 }
 
-bool reversible(const Joint& joint) { return joint.type != "rolling"; }
+bool reversible(const Joint& joint) { return joint.type != "rolling" && joint.type != "rack"; }
 /// Those whose rows only change their sign.
 bool symmetric(const Joint& joint) { return joint.type == "spherical" || joint.type == "distance"; }
 

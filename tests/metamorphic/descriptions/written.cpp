@@ -21,6 +21,16 @@ Matrix3 data(const Mat3& A) {
     return rows;
 }
 
+/// Coordinates are written from the configuration at the start.
+MotionData from_the_start(const Prescribed& law) {
+    MotionData written;
+    for (const Real& c : law.polynomial) written.polynomial.push_back(to_double(c));
+    for (const Sinusoid& one : law.sinusoids)
+        written.sinusoids.push_back({to_double(one.amplitude), to_double(one.frequency), to_double(one.phase)});
+    if (law.at(0).f != 0) written.polynomial.at(0) -= to_double(law.at(0).f);
+    return written;
+}
+
 class Writer {
   public:
     explicit Writer(const Model& model) : model_(model) {
@@ -38,11 +48,15 @@ class Writer {
                 .point = it.point};
     }
     JointData joint(const Joint& it) const {
-        JointData written{.type = it.type.name(), .between = between(it.first, it.second)};
+        JointData written{.type = it.type->element.name, .between = between(it.first, it.second)};
         written.points = {place(it.first, it.r_first), place(it.second, it.r_second)};
         written.axes = {axis(it.first, it.axes_first), axis(it.second, it.axes_second)};
         if (it.length > 0) written.length = to_double(it.length);
         written.amplitude = to_double(it.amplitude), written.frequency = to_double(it.frequency);
+        if (it.type->has(Primitive::turn)) written.turn = from_the_start(it.turn);
+        if (it.type->has(Primitive::shift)) written.shift = from_the_start(it.shift);
+        if (it.type->has(Primitive::mesh)) written.teeth = {it.teeth[0], it.teeth[1]};
+        if (it.type->has(Primitive::helix)) written.lead = to_double(it.lead);
         return written;
     }
     ForceData spring(const Spring& it) const {

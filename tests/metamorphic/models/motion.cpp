@@ -192,7 +192,11 @@ Real fastest_rate(const Model& model) {
         allow(sqrt(spring.stiffness * mu)), allow(spring.damping * mu);
     }
     for (const Load& load : model.loads) allow(abs(load.frequency));
-    for (const Joint& joint : model.joints) allow(abs(joint.frequency));
+    for (const Joint& joint : model.joints) {
+        allow(abs(joint.frequency)), allow(joint.turn.pace()), allow(joint.shift.pace() / size);
+        for (const Prescribed& law : {joint.turn, joint.shift})
+            for (const Sinusoid& one : law.sinusoids) allow(abs(one.frequency));
+    }
     return rate;
 }
 

@@ -30,8 +30,8 @@ inline Model three_bodies() {
     return model;
 }
 
-/// The model with its gravity and its loads as they are at a time and in a pose, constant and in space axes, and
-/// without torsion springs.
+/// The model with its gravity and its loads as they are at a time and in a pose, constant and in space axes, prescribed
+/// coordinates as they are there at time 0, and without torsion springs.
 inline Model frozen(Model model, const Real& t, const std::vector<BodyState>& bodies) {
     model.gravity = {model.gravity.at(t)};
     for (Load& load : model.loads) {
@@ -41,6 +41,12 @@ inline Model frozen(Model model, const Real& t, const std::vector<BodyState>& bo
         load = {load.body, Load::Axes::space, axes * load.force * factor, axes * load.torque * factor, 0,
                 0,         load.point};
     }
+    for (Joint& joint : model.joints)
+        for (Prescribed* law : {&joint.turn, &joint.shift}) {
+            if (law->is_zero()) continue;
+            const auto [f, rate, second] = law->at(t);
+            *law = {{f, rate, second / 2}, {}};
+        }
     model.torsion_springs.clear();
     return model;
 }

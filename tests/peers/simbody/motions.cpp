@@ -54,6 +54,55 @@ TEST_CASE("joints of every kind but rolling move as in Simbody") {
     }
 }
 
+TEST_CASE("bodies with prescribed coordinates move as in Simbody") {
+    for (const JointType type : models::driven_types()) {
+        CAPTURE(type.name());
+        Model model = models::jointed(type);
+        model.gravity.amplitude = 0;
+        moves_alike(model, Real(1) / 2);
+    }
+}
+
+namespace {
+
+/// Two wheels on hinges and a slide on the ground, out of balance; the wheels mesh, the second one with a rack on the
+/// slide.
+Model geared_slide() {
+    Model model = models::bodies_in_a_row(3);
+    const Vec3 n(0, 0, 1), e(0, 1, 0), one(0, 0, 0), two(2, 0, 0), line(Real(5) / 2, -1, 0);
+    model.join(ground, 0, one, "revolute", n);
+    model.join(ground, 1, two, "revolute", n);
+    model.join(ground, 2, line, "prismatic", e);
+    Mat3 along, rack, pinion;
+    along << -Vec3::UnitX(), n.cross(-Vec3::UnitX()), n;
+    Joint gear{.first = 0, .second = 1, .type = "gear", .teeth = {30, 20}};
+    gear.r_first = model.point_of(0, one), gear.r_second = model.point_of(1, two);
+    gear.axes_first = model.axes_of(0, along), gear.axes_second = model.axes_of(1, along);
+    Joint meshed{.first = 2, .second = 1, .type = "rack"};
+    meshed.r_first = model.point_of(2, line), meshed.r_second = model.point_of(1, two);
+    meshed.lead = -2 * pi() * n.cross(e).dot(line - two);
+    const Real f = 2 * pi() * e.dot(line - two) / meshed.lead;
+    rack << n, e.cross(n), e;
+    pinion << e, n.cross(e), n;
+    meshed.axes_first = model.axes_of(2, rack);
+    meshed.axes_second = model.axes_of(1, SO3::exp(f * n) * pinion);
+    model.joints.push_back(gear), model.joints.push_back(meshed);
+    model.gravity.g = Vec3(1, -9, 2);
+    project_start(model);
+    return model;
+}
+
+}  // namespace
+
+TEST_CASE("wheels and a rack move as in Simbody, which couples coordinates") {
+    const Model model = geared_slide();
+    moves_alike(model, 1);
+    Model other = model;
+    other.joints[3].teeth = {30, 21};
+    const auto ours = by_kreisel(model, "SO3xR3", Real(1) / 2, 1000);
+    CHECK(stepping::worst(distance(by_simbody(other, Real(1) / 2, 1e-9), ours)) > 1e-4);
+}
+
 TEST_CASE("bodies on bushings move as in Simbody") {
     for (const Model& built : {models::bent("universal"), models::softened("spherical")}) {
         Model model = built;

@@ -3,6 +3,7 @@
 // Models in Simbody's terms.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <stdexcept>
 
@@ -13,10 +14,22 @@ namespace outside {
 
 using namespace kreisel;
 
+/// Whether a joint of a type holds a body to the ground.
+inline bool on_ground(const Model& model, int body, const char* type) {
+    return std::any_of(model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
+        return joint.first == ground && joint.second == body && joint.type == type;
+    });
+}
+
 /// Why a model is not compared with Simbody; empty if it is.
 inline std::string why_not(const Model& model) {
     for (const Joint& joint : model.joints) {
         if (joint.type == "rolling") return "rolling joints";
+        if (joint.type == "gear" || joint.type == "rack") {
+            const char* first = joint.type == "gear" ? "revolute" : "prismatic";
+            if (!on_ground(model, joint.first, first) || !on_ground(model, joint.second, "revolute"))
+                return "wheels whose line of centres moves";
+        }
         if (joint.amplitude != 0) return "driven lengths";
     }
     if (!model.warnings.empty()) return "inertias that no body has";
@@ -30,6 +43,13 @@ inline std::string why_not(const Model& model) {
     return "";
 }
 
+inline std::optional<Law> law_of(const Joint& joint, Primitive row, const Prescribed& motion) {
+    if (!joint.type->has(row)) return {};
+    Law law{motion.polynomial, {}};
+    for (const Sinusoid& one : motion.sinusoids) law.waves.push_back({one.amplitude, one.frequency, one.phase});
+    return law;
+}
+
 /// Throws std::invalid_argument if why_not is not empty.
 inline Mechanism translate(const Model& model) {
     if (const std::string reason = why_not(model); !reason.empty())
@@ -37,8 +57,18 @@ inline Mechanism translate(const Model& model) {
     Mechanism result;
     for (const Body& b : model.bodies) result.bodies.push_back({b.mass, b.J});
     for (const Joint& j : model.joints)
-        result.links.push_back(
-            {j.first, j.second, j.type.name(), j.r_first, j.r_second, j.axes_first, j.axes_second, j.length});
+        result.links.push_back({j.first,
+                                j.second,
+                                j.type->element.name,
+                                j.r_first,
+                                j.r_second,
+                                j.axes_first,
+                                j.axes_second,
+                                j.length,
+                                j.lead,
+                                law_of(j, Primitive::turn, j.turn),
+                                law_of(j, Primitive::shift, j.shift),
+                                {j.teeth[0], j.teeth[1]}});
     for (const Spring& s : model.springs)
         result.springs.push_back({s.first, s.second, s.r_first, s.r_second, s.stiffness, s.damping, s.length});
     for (const Bushing& b : model.bushings)

@@ -6,7 +6,9 @@
 #include <Simbody.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace outside {
 
@@ -41,6 +43,36 @@ SimTK::Body rigid(const RigidBody& body) {
     return SimTK::Body::Rigid(SimTK::MassProperties(body.mass, SimTK::Vec3(0), inertia));
 }
 
+/// A law, times a sign.
+class LawFunction : public SimTK::Function {
+  public:
+    LawFunction(Law law, int sign) : law_(std::move(law)), sign_(sign) {}
+    SimTK::Real calcValue(const SimTK::Vector& t) const override { return derivative(t[0], 0); }
+    SimTK::Real calcDerivative(const SimTK::Array_<int>& components, const SimTK::Vector& t) const override {
+        return derivative(t[0], static_cast<int>(components.size()));
+    }
+    int getArgumentSize() const override { return 1; }
+    int getMaxDerivativeOrder() const override { return 2; }
+    LawFunction* clone() const override { return new LawFunction(*this); }
+
+  private:
+    double derivative(double t, int order) const {
+        double sum = 0;
+        for (int j = order; j < static_cast<int>(law_.polynomial.size()); ++j) {
+            double term = law_.polynomial[static_cast<std::size_t>(j)] * std::pow(t, j - order);
+            for (int i = 0; i < order; ++i) term *= j - i;
+            sum += term;
+        }
+        for (const Law::Wave& wave : law_.waves)
+            sum += wave.amplitude * std::pow(wave.frequency, order) *
+                   std::sin(wave.frequency * t + wave.phase + order * SimTK::Pi / 2);
+        return sign_ * sum;
+    }
+
+    Law law_;
+    int sign_;
+};
+
 /// One end of a joint.
 struct End {
     Vec point;
@@ -49,9 +81,10 @@ struct End {
 
 /// Mobilizers whose axis is the third of both frames, the first (slider), or the first of the parent and the second of
 /// the child (universal).
-SimTK::MobilizedBody mobilizer(const std::string& type, SimTK::MobilizedBody& parent, const End& at_parent,
+SimTK::MobilizedBody mobilizer(const Link& joint, SimTK::MobilizedBody& parent, const End& at_parent,
                                const SimTK::Body& body, const End& at_child) {
     using M = SimTK::MobilizedBody;
+    const std::string& type = joint.type;
     const auto F = [&](int k) { return frame(from_column(at_parent.axes, k), at_parent.point); };
     const auto B = [&](int k) { return frame(from_column(at_child.axes, k), at_child.point); };
     if (type == "spherical") return M::Ball(parent, F(0), body, B(0));
@@ -59,6 +92,7 @@ SimTK::MobilizedBody mobilizer(const std::string& type, SimTK::MobilizedBody& pa
     if (type == "universal") return M::Universal(parent, F(2), body, B(1));
     if (type == "prismatic") return M::Slider(parent, F(2), body, B(2));
     if (type == "cylindrical") return M::Cylinder(parent, F(0), body, B(0));
+    if (type == "screw") return M::Screw(parent, F(0), body, B(0), joint.lead / (2 * SimTK::Pi));
     if (type == "planar") return M::Planar(parent, F(0), body, B(0));
     if (type == "fixed") return M::Weld(parent, F(0), body, B(0));
     throw std::invalid_argument("Simbody has no mobilizer: " + type);
@@ -108,7 +142,10 @@ struct Simbody::Parts {
         for (std::size_t j = 0; j < mechanism.links.size(); ++j)
             if (!is_in_tree(static_cast<int>(j))) {
                 const Link& joint = mechanism.links[j];
-                constrain(joint, body(joint.first), body(joint.second));
+                if (meshes(joint))
+                    couple(joint);
+                else
+                    constrain(joint, body(joint.first), body(joint.second));
             }
         add_forces(mechanism);
         state = system.realizeTopology();
@@ -127,18 +164,41 @@ struct Simbody::Parts {
     bool reach_by_joint(const Mechanism& mechanism) {
         for (std::size_t j = 0; j < mechanism.links.size(); ++j) {
             const Link& joint = mechanism.links[j];
-            if (joint.type == "distance" || is_reached(joint.first) == is_reached(joint.second)) continue;
+            if (joint.type == "distance" || meshes(joint) || is_reached(joint.first) == is_reached(joint.second))
+                continue;
             const bool forwards = is_reached(joint.first);
             const End first{joint.r_first, joint.axes_first}, second{joint.r_second, joint.axes_second};
             const int parent = forwards ? joint.first : joint.second, child = forwards ? joint.second : joint.first;
             const SimTK::Body mass = rigid(mechanism.bodies[static_cast<std::size_t>(child)]);
-            body(child) =
-                mobilizer(joint.type, body(parent), forwards ? first : second, mass, forwards ? second : first);
+            body(child) = mobilizer(joint, body(parent), forwards ? first : second, mass, forwards ? second : first);
+            prescribe(joint, body(child), forwards ? 1 : -1);
             joint_of[static_cast<std::size_t>(child)] = static_cast<int>(j);
             order.push_back(child);
             return true;
         }
         return false;
+    }
+    static bool meshes(const Link& joint) { return joint.type == "gear" || joint.type == "rack"; }
+    /// z_1 q_1 + z_2 q_2 = 0 of wheels, 2 pi/lead q_1 - q_2 = 0 of a rack and its pinion.
+    void couple(const Link& joint) {
+        SimTK::Vector factors(3, 0.0);
+        if (joint.type == "gear")
+            factors[0] = joint.teeth[0], factors[1] = joint.teeth[1];
+        else
+            factors[0] = 2 * SimTK::Pi / joint.lead, factors[1] = -1;
+        SimTK::Array_<SimTK::MobilizedBodyIndex> coupled;
+        for (const int index : {joint.first, joint.second}) coupled.push_back(body(index).getMobilizedBodyIndex());
+        SimTK::Constraint::CoordinateCoupler(matter, new SimTK::Function::Linear(factors), coupled,
+                                             SimTK::Array_<SimTK::MobilizerQIndex>(2, SimTK::MobilizerQIndex(0)));
+    }
+    /// A cylinder turns by its first coordinate and slides by its second.
+    void prescribe(const Link& joint, SimTK::MobilizedBody& child, int sign) {
+        const auto hold = [&](const Law& law, int coordinate) {
+            SimTK::Constraint::PrescribedMotion(matter, new LawFunction(law, sign), child.getMobilizedBodyIndex(),
+                                                SimTK::MobilizerQIndex(coordinate));
+        };
+        if (joint.turn) hold(*joint.turn, 0);
+        if (joint.shift) hold(*joint.shift, joint.type == "cylindrical" ? 1 : 0);
     }
     void reach_freely(const Mechanism& mechanism) {
         int index = 0;

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,27 @@ struct RigidBody {
     Mat J;
 };
 
+/// A coordinate as a function of time: c_0 + c_1 t + ... and waves A sin(W t + p).
+struct Law {
+    struct Wave {
+        double amplitude, frequency, phase;
+    };
+    std::vector<double> polynomial;
+    std::vector<Wave> waves;
+};
+
 /// Points from the mass centre and axes (columns) in body axes, as in mechanics/model/model.hpp; the third axis is that
-/// of the joint, whose type is named as there.
+/// of the joint, whose type is named as there. A prescribed coordinate has a law, any other none; the lead is that of a
+/// screw or a rack, the teeth are those of a gear.
 struct Link {
     int first, second;
     std::string type;
     Vec r_first, r_second;
     Mat axes_first, axes_second;
     double length;
+    double lead = 0;
+    std::optional<Law> turn = {}, shift = {};
+    int teeth[2] = {0, 0};
 };
 
 struct LinearSpring {
@@ -80,9 +94,10 @@ struct Reaction {
     Vec force, torque;
 };
 
-/// A mechanism in Simbody. Joints that reach a body for the first time are its mobilizers, all others and every
-/// distance joint are constraints; a body that no joint reaches is free. Throws std::invalid_argument for joints
-/// Simbody lacks.
+/// A mechanism in Simbody. Joints that reach a body for the first time are its mobilizers, whose coordinates may be
+/// prescribed, all others and every distance joint are constraints; a body that no joint reaches is free. Throws
+/// std::invalid_argument for joints Simbody lacks. Wheels that mesh, and racks, couple the coordinates of joints of the
+/// tree, which are to hold both bodies to the ground, named first, about or along the axes of the mesh.
 class Simbody {
   public:
     explicit Simbody(const Mechanism& mechanism);
