@@ -7,6 +7,7 @@
 #include "lie/so3.hpp"
 #include "mechanics/formulation.hpp"
 #include "mechanics/start/least_correction.hpp"
+#include "mechanics/start/positions.hpp"
 #include "mechanics/start/start_state.hpp"
 #include "mechanics/start/start_tolerances.hpp"
 
@@ -21,21 +22,6 @@ void check_springs(const Model& model) {
     const auto system = formulation(StartState::coordinates).make(model);
     const std::vector<Real> y = initial_state(*system, model);
     if (system->begin_step(0, 0, y.data()) != Status::ok) throw ParameterError("", system->reason(Status::turn_lost));
-}
-
-/// Gauss-Newton steps onto Phi = 0, as far as round-off lets them.
-void project_positions(StartState& start) {
-    constexpr int most_steps = 50;
-    const System& system = start.system();
-    VecX phi = start.position_residual();
-    for (int i = 0; i < most_steps; ++i) {
-        const Real before = start.size_of(phi);
-        const VecX step = least_correction(start, system.position_constraints(), phi);
-        system.group().append_exp(start.q(), step.data(), start.q());
-        phi = start.position_residual();
-        if (is_round_off(start, phi)) break;
-        if (i > 2 && start.size_of(phi) > before / 2) break;  // round-off amplified, or no convergence
-    }
 }
 
 StartCorrection largest_change(const Model& model, const std::vector<BodyState>& states) {
@@ -67,7 +53,8 @@ void check_start(const Model& model) {
 
 StartCorrection project_start(Model& model) {
     if (model.joints.empty()) return {};
-    StartState start(model);
+    const Model aligned = with_aligned_axes(model);
+    StartState start(aligned);
     project_positions(start);
     require_positions(start);
     const Real speed = start.speed();

@@ -21,8 +21,9 @@ struct StartCorrection {
     bool noise = true;  ///< no more than the round-off of data given in double precision
 };
 
-/// Moves the start onto the constraints, first positions, then velocities, by steps of least norm in the metric M.
-/// Throws ParameterError, naming the joints and their residuals, if that does not converge.
+/// Moves the start onto the constraints, first positions, then velocities, by steps of least norm in the metric M. Axes
+/// that joints keep parallel come to point in one direction, whatever the angle between them. Throws ParameterError,
+/// naming the joints and their residuals, if that does not converge, and on axes that are opposite.
 StartCorrection project_start(Model& model);
 
 }  // namespace KREISEL_PRECISION

@@ -4,6 +4,9 @@
 // loads (mechanics/forces/), gravity g (1 + A sin(W t)). Velocities that are not given follow from the joints. The
 // model holds what the config says and nothing else. The demonstration is a crank that turns about the y axis, with a
 // rod on a spherical joint at its end, which a spring holds; the data are our own.
+#include <algorithm>
+
+#include "lie/so3.hpp"
 #include "mechanics/formulation.hpp"
 #include "mechanics/start.hpp"
 #include "problems/problem.hpp"
@@ -17,14 +20,29 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Moves the start onto the joints and reports by how much, unless that is round-off.
+/// `"crank" by 0.01 m, 0.2 rad, 0 m/s, 0 rad/s`.
+std::string change_of(const Body& body, const BodyState& old) {
+    using reading::text;
+    const Real turn = SO3::log(old.R.transpose() * body.start.R).norm();
+    return "\"" + body.name + "\" by " + text((body.start.x - old.x).norm()) + " m, " + text(turn) + " rad, " +
+           text((body.start.v - old.v).norm()) + " m/s, " + text((body.start.omega - old.omega).norm()) + " rad/s";
+}
+
+/// Moves the start onto the joints and reports by how much, unless that is round-off: the largest changes, and those of
+/// the first bodies.
 void project(Model& model) {
     using reading::text;
+    constexpr std::size_t most_bodies = 20;
+    const std::vector<Body> before = model.bodies;
     const StartCorrection moved = project_start(model);
     if (moved.noise) return;
-    model.warnings.push_back("project_initial moved bodies by up to " + text(moved.position) + " m and " +
-                             text(moved.rotation) + " rad, and changed velocities by up to " + text(moved.velocity) +
-                             " m/s and " + text(moved.omega) + " rad/s");
+    std::string report = "project_initial moved bodies by up to " + text(moved.position) + " m and " +
+                         text(moved.rotation) + " rad, and changed velocities by up to " + text(moved.velocity) +
+                         " m/s and " + text(moved.omega) + " rad/s";
+    for (std::size_t i = 0; i < std::min(most_bodies, before.size()); ++i)
+        report += (i == 0 ? ": " : "; ") + change_of(model.bodies[i], before[i].start);
+    if (before.size() > most_bodies) report += "; and so on";
+    model.warnings.push_back(report);
 }
 
 Model multibody(const Parameters& p) {

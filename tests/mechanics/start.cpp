@@ -60,6 +60,50 @@ TEST_CASE("a correction of the start is reported by its largest parts", "[start]
     CHECK(start.v.norm() + start.omega.norm() <= 100 * epsilon);
 }
 
+namespace {
+
+/// A sphere on a revolute joint at its centre, whose axis is off that of the ground by an angle about x.
+Model tilted(const Real& angle) {
+    Model model = held("revolute", Vec3::Zero());
+    model.bodies[0].J = Mat3::Identity();
+    model.bodies[0].start.x.setZero();
+    model.bodies[0].start.R = SO3::exp(angle * Vec3::UnitX());
+    model.joints[0].r_second.setZero();
+    model.joints[0].axes_first = model.joints[0].axes_second = Mat3::Identity();
+    return model;
+}
+
+}  // namespace
+
+TEST_CASE("directed axes come to point in one direction, by the angle between them", "[start]") {
+    for (const int degrees : {1, 44, 46, 80, 90, 100, 179}) {
+        INFO(degrees);
+        const Real angle = pi() * degrees / 180;
+        for (const Real& signed_angle : {angle, Real(-angle)}) {
+            Model model = tilted(signed_angle);
+            const StartCorrection moved = project_start(model);
+            CHECK(abs(moved.rotation - angle) <= 10000 * epsilon);
+            CHECK((model.bodies[0].start.R - Mat3::Identity()).norm() <= 10000 * epsilon);
+        }
+    }
+    Model opposite = tilted(pi());
+    CHECK_THROWS_WITH(project_start(opposite),
+                      Catch::Contains("joint 0 (ground - ") &&
+                          Catch::Contains("axes less than 180 degrees apart, got opposite ones"));
+}
+
+TEST_CASE("two bodies share the angle between their axes by their moments of inertia", "[start]") {
+    Model model = tilted(0);
+    model.bodies.push_back(model.bodies[0]);
+    model.bodies[1].name = "second", model.bodies[1].J *= 3;
+    model.joints[0].first = 0, model.joints[0].second = 1;
+    const Real angle = pi() * 100 / 180;
+    model.bodies[1].start.R = SO3::exp(angle * Vec3::UnitY());
+    project_start(model);
+    CHECK((model.bodies[0].start.R - SO3::exp(angle * 3 / 4 * Vec3::UnitY())).norm() <= 10000 * epsilon);
+    CHECK((model.bodies[1].start.R - model.bodies[0].start.R).norm() <= 10000 * epsilon);
+}
+
 TEST_CASE("a start on its joints stays where it is", "[start]") {
     for (const JointType type : joint_types()) {
         INFO(type.name());
