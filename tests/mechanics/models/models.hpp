@@ -87,6 +87,7 @@ inline std::vector<Named> of_tests() {
     models.push_back({"softened", softened("cylindrical")});
     for (const JointType type : joint_types()) {
         models.push_back({std::string(type.name()) + " joints", jointed(type)});
+        if (type == "gear" || type == "rack") continue;  // nothing holds the axes of torsion springs
         models.push_back({std::string(type.name()) + " joints and springs", sprung(type)});
         models.push_back({std::string(type.name()) + " joints and dampers", damped(type)});
     }
