@@ -161,7 +161,7 @@ TEST_CASE("control: a fault of 1e-20 in a joint, a spring or a load is seen") {
     CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[1].turn.polynomial[2] += small; }));
     CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[2].turn.sinusoids[0].amplitude += small; }));
     CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[0].turn.sinusoids[0].frequency += small; }));
-    CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[1].shift.polynomial[1] += small; }));
+    CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[1].shift.polynomial[2] += small; }));
     CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[2].shift.sinusoids[0].phase += small; }));
     CHECK_FALSE(agree(models::jointed("screw"), [&](Model& m) { m.joints[1].lead += small; }));
 }
