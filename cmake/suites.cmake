@@ -20,7 +20,7 @@ set(KREISEL_FOLDERS_orders orders judges/families judges/steps judges/steps/mult
 set(KREISEL_FOLDERS_outside peers/simbody)
 set(KREISEL_FOLDERS_peers peers/methods)
 set(KREISEL_FOLDERS_problems problems judges/problems)
-set(KREISEL_FOLDERS_reference engine engine/stability peers)
+set(KREISEL_FOLDERS_reference engine engine/joints engine/stability peers)
 set(KREISEL_FOLDERS_tables plots records)
 
 # kreisel_suite(name variant LIBRARIES ... SOURCES ...): the *.cpp of its folders, and further sources or objects.

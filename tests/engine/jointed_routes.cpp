@@ -73,7 +73,6 @@ TEST_CASE("two routes agree to 25 digits on prescribed coordinates, whatever the
         project_start(model);
         require_agreement({type.name() + std::string(", another motion"), model}, Real(1) / 8);
     }
-    for (const char* type : {"screw", "gear", "rack"}) require_agreement({type, models::jointed(type)}, Real(1) / 2);
 }
 
 TEST_CASE("two routes agree to 25 digits on a shaft that turns twenty times in a second") {
@@ -85,7 +84,7 @@ TEST_CASE("two routes agree to 25 digits on a shaft that turns twenty times in a
             joint.second, joint.first == ground ? joint.axes_first : Mat3(model.bodies[1].start.R * joint.axes_first));
     }
     project_start(model);
-    require_agreement({"twenty turns", model}, Real(1) / 4);
+    require_agreement({"twenty turns a second", model}, Real(1) / 8);
 }
 
 TEST_CASE("two routes agree to 25 digits on forces of every kind") {
@@ -162,7 +161,7 @@ TEST_CASE("control: a fault of 1e-20 in a joint, a spring or a load is seen") {
     CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[1].turn.polynomial[2] += small; }));
     CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[2].turn.sinusoids[0].amplitude += small; }));
     CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[0].turn.sinusoids[0].frequency += small; }));
-    CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[1].shift.polynomial[1] += small; }));
+    CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[1].shift.polynomial[2] += small; }));
     CHECK_FALSE(agree(driven, [&](Model& m) { m.joints[2].shift.sinusoids[0].phase += small; }));
     CHECK_FALSE(agree(models::jointed("screw"), [&](Model& m) { m.joints[1].lead += small; }));
 }

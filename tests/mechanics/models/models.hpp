@@ -86,6 +86,7 @@ inline std::vector<Named> of_tests() {
     models.push_back({"bent", bent("universal")});
     models.push_back({"softened", softened("cylindrical")});
     for (const JointType type : joint_types()) {
+        if (type == "gear" || type == "rack") continue;  // wheels that only mesh tumble: other joints are to hold them
         models.push_back({std::string(type.name()) + " joints", jointed(type)});
         models.push_back({std::string(type.name()) + " joints and springs", sprung(type)});
         models.push_back({std::string(type.name()) + " joints and dampers", damped(type)});

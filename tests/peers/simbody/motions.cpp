@@ -50,6 +50,7 @@ TEST_CASE("joints of every kind but rolling move as in Simbody") {
         CAPTURE(type.name());
         Model model = models::sprung(type);
         model.torsion_springs.clear();
+        if (type == "gear" || type == "rack") continue;  // of bodies on the ground, below
         moves_alike(model, Real(1) / 2);
     }
 }
