@@ -147,6 +147,37 @@ inline Model rolling() {
     return model;
 }
 
+/// Two wheels on the ground, with their weight off the axes, and a rack that the second one moves.
+inline Model meshing() {
+    Model model = bodies_in_a_row(3);
+    const Vec3 n = Vec3(1, 2, 3).normalized(), centres[] = {Vec3(1, -1, 2) / 3, Vec3(4, 2, -2) / 3};
+    for (const int i : {0, 1}) model.join(ground, i, centres[i], "revolute", n);
+    const Vec3 line = centres[0] - centres[1], e = (line - line.dot(n) * n).normalized(), across = n.cross(e);
+    Mat3 wheel, rack;
+    wheel << e, across, n;
+    rack << n, e.cross(n), e;
+    model.joints.push_back({.first = 0,
+                            .second = 1,
+                            .r_first = model.point_of(0, centres[0]),
+                            .r_second = model.point_of(1, centres[1]),
+                            .type = "gear",
+                            .axes_first = model.axes_of(0, wheel),
+                            .axes_second = model.axes_of(1, wheel),
+                            .teeth = {17, 23}});
+    model.join(ground, 2, Vec3(5, 2, -4) / 3, "prismatic", e);
+    model.joints.push_back({.first = 2,
+                            .second = 1,
+                            .r_first = model.point_of(2, centres[1] + across / 2),
+                            .r_second = model.point_of(1, centres[1]),
+                            .type = "rack",
+                            .axes_first = model.axes_of(2, rack),
+                            .axes_second = model.axes_of(1, wheel),
+                            .lead = pi()});
+    model.gravity.g = Vec3(1, -2, -9);
+    project_start(model);
+    return model;
+}
+
 /// A closed loop of four bars, the ground one of them: hinge, spherical, universal and cylindrical joint, 16 rows for
 /// 18.
 inline Model closed_loop() {

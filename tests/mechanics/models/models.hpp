@@ -82,11 +82,12 @@ inline std::vector<Named> of_tests() {
     models.push_back({"chain listed from its tip", linked(3, {{1, 2}, {0, 1}, {ground, 0}})});
     models.push_back({"driven", driven()});
     models.push_back({"rolling", rolling()});
+    models.push_back({"gear and rack", meshing()});
     models.push_back({"closed loop", closed_loop()});
     models.push_back({"bent", bent("universal")});
     models.push_back({"softened", softened("cylindrical")});
     for (const JointType type : joint_types()) {
-        if (type == "gear" || type == "rack") continue;  // wheels that only mesh tumble: other joints are to hold them
+        if (type == "gear" || type == "rack") continue;  // which other joints are to hold: they are in "gear and rack"
         models.push_back({std::string(type.name()) + " joints", jointed(type)});
         models.push_back({std::string(type.name()) + " joints and springs", sprung(type)});
         models.push_back({std::string(type.name()) + " joints and dampers", damped(type)});
