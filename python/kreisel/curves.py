@@ -75,9 +75,17 @@ def _array(values: list[float | None]) -> np.ndarray:
     return np.array([np.nan if value is None else value for value in values], dtype=np.float64)
 
 
+def _abscissae(curves: list[dict[str, Any]]) -> list[np.ndarray]:
+    """A curve with the x of an earlier one has the index of that curve in place of numbers."""
+    all_x: list[np.ndarray] = []
+    for one in curves:
+        all_x.append(all_x[one["x"]] if isinstance(one["x"], int) else _array(one["x"]))
+    return all_x
+
+
 def _panel(data: dict[str, Any]) -> Panel:
-    curves = tuple(Curve(one["label"], one["style"], _array(one["x"]), _array(one["y"]), tuple(one.get("fitted", ())))
-                   for one in data["curves"])
+    curves = tuple(Curve(one["label"], one["style"], x, _array(one["y"]), tuple(one.get("fitted", ())))
+                   for one, x in zip(data["curves"], _abscissae(data["curves"])))
     guides = tuple((_array(one["x"]), _array(one["y"])) for one in data["guides"])
     marks = tuple(Mark(**one) for one in data["marks"])
     return Panel(data["title"], data["x_label"], data["y_label"], data["log_x"], data["log_y"], data["from_zero"],

@@ -79,7 +79,7 @@ const std::vector<Bad> bad = {
     {"/bodies/0/name", "\"a b\"", "/bodies/0/name", {"letters, digits"}},
     // bodies
     {"/bodies/1/inertia", "[1, 1, 3]", "/bodies/1/inertia", {"no body has this inertia"}},
-    {"/bodies/1/inertia", "[1, 1, 0]", "/bodies/1/inertia", {"positive definite"}},
+    {"/bodies/1/inertia", "[[1, 1, 0], [1, 1, 0], [0, 0, 2]]", "/bodies/1/inertia", {"positive definite"}},
     {"/bodies/1/R", "[[1, 0, 0], [0, 1, 0], [0, 0.1, 1]]", "/bodies/1/R", {"rotation matrix"}},
     {"/bodies/1/R", "[[1, 0, 0], [0, 1, 0], [0, 0, -1]]", "/bodies/1/R", {"det R = -1"}},
     // points and axes

@@ -167,7 +167,7 @@ inline Model meshing() {
     model.join(ground, 2, Vec3(5, 2, -4) / 3, "prismatic", e);
     model.joints.push_back({.first = 2,
                             .second = 1,
-                            .r_first = model.point_of(2, centres[1] + across / 2),
+                            .r_first = model.point_of(2, centres[1] - across / 2),
                             .r_second = model.point_of(1, centres[1]),
                             .type = "rack",
                             .axes_first = model.axes_of(2, rack),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Accelerations and joint forces as computed by Simbody.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/peers/simbody/compare.hpp"
@@ -33,6 +34,13 @@ Worst worst(const Model& model, const std::string& formulation, const auto& chan
     return worst;
 }
 
+/// Wheels push on each other, where Simbody's coupled coordinates have forces about and along the axes of their joints:
+/// these carry another load.
+bool joints_carry_the_same(const Model& model) {
+    return std::none_of(model.joints.begin(), model.joints.end(),
+                        [](const Joint& joint) { return joint.type == "gear" || joint.type == "rack"; });
+}
+
 void agree(const models::Named& named, const Real& tolerance) {
     for (const std::string& formulation : of_free_bodies) {
         const Worst d = worst(named.model, formulation, [](Model&) {});
@@ -40,7 +48,7 @@ void agree(const models::Named& named, const Real& tolerance) {
         CHECK(d.poses > 1);
         CHECK(d.state < 1e-12);
         CHECK(d.acceleration < tolerance);
-        CHECK(d.reaction < tolerance);
+        if (joints_carry_the_same(named.model)) CHECK(d.reaction < tolerance);
     }
 }
 
