@@ -23,10 +23,11 @@ std::string adaptive_methods() {
     return names;
 }
 
-std::string adaptive_config(const std::string& kind, const std::string& rest) {
-    return R"({"name": "adaptive", "kind": ")" + kind + R"(", "problems": ["heavy_top", "double_pendulum"],
+std::string adaptive_config(const std::string& kind, const std::string& problems, int levels, const std::string& rest) {
+    return R"({"name": "adaptive", "kind": ")" + kind + R"(", "problems": [)" + problems + R"(],
         "formulations": ["SO3xR3"], "projections": ["none", "position_velocity"], "methods": [)" +
-           adaptive_methods() + R"(], "time": {"end": 0.0625, "tolerance": {"from": 1e-3, "levels": 4}})" + rest + "}";
+           adaptive_methods() + R"(], "time": {"end": 0.0625, "tolerance": {"from": 1e-3, "levels": )" +
+           std::to_string(levels) + "}}" + rest + "}";
 }
 
 }  // namespace
@@ -34,7 +35,8 @@ std::string adaptive_config(const std::string& kind, const std::string& rest) {
 TEST_CASE("adaptive cells are the same bytes for any number of workers, and verified", "[campaign]") {
     REQUIRE_FALSE(adaptive_methods().empty());
     const Folder folder;
-    const auto config = folder.file("adaptive.json", adaptive_config("convergence", R"(, "output": {"samples": 5})"));
+    const auto config = folder.file("adaptive.json", adaptive_config("convergence", R"("heavy_top", "double_pendulum")",
+                                                                     4, R"(, "output": {"samples": 5})"));
     const std::string one = (folder.path / "one").string(), four = (folder.path / "four").string();
     REQUIRE(kreisel_with({"run", config, "-o", one, "-j", "1"}).code == 0);
     REQUIRE(kreisel_with({"run", config, "-o", four, "-j", "4"}).code == 0);
@@ -57,7 +59,9 @@ TEST_CASE("adaptive cells are the same bytes for any number of workers, and veri
 
 TEST_CASE("a cell of a work_precision experiment has its CPU time and counts, and its results none", "[campaign]") {
     const Folder folder;
-    const auto config = folder.file("priced.json", adaptive_config("work_precision", R"(, "metrics": ["error.*"])"));
+    // Each cell is timed for a good part of a second, so one of each method has to do.
+    const auto config = folder.file(
+        "priced.json", adaptive_config("work_precision", R"("heavy_top")", 1, R"(, "metrics": ["error.*"])"));
     const std::string out = (folder.path / "out").string();
     REQUIRE(kreisel_with({"run", config, "-o", out}).code == 0);
     CHECK(read_text(folder.path / "out" / "results.jsonl").find("run_s") == std::string::npos);
