@@ -14,7 +14,8 @@ if(TARGET kreisel)
   add_custom_target(kreisel_installed ALL DEPENDS ${written}/kreisel.1 ${written}/schema.json)
 
   install(TARGETS kreisel)
-  install(DIRECTORY experiments DESTINATION share/kreisel FILES_MATCHING PATTERN "*.json" PATTERN "*.urdf" PATTERN "published.csv")
+  install(DIRECTORY experiments DESTINATION share/kreisel FILES_MATCHING
+          PATTERN "*.json" PATTERN "*.urdf" PATTERN "published.csv")
   install(DIRECTORY plots/gnuplot/ DESTINATION share/kreisel/plots FILES_MATCHING PATTERN "*.gp")
   install(DIRECTORY python/kreisel DESTINATION share/kreisel/python FILES_MATCHING PATTERN "*.py")
   install(FILES ${written}/schema.json DESTINATION share/kreisel)

@@ -19,8 +19,8 @@
 //
 // mechanics/joints/row_writer.hpp and coordinate_rows.hpp write them, engine/reference/taylor/row_series.hpp derives
 // them a second time. All else follows from the recipe: counts of rows, keys in configs, `kreisel info`, what a joint
-// may hold, symmetries. A joint is one file in mechanics/parts/joints/; one whose coordinate is prescribed has a row for it
-// in place of the free motion (driven_joints.hpp). Plain data, compiled once for all precisions.
+// may hold, symmetries. A joint is one file in mechanics/parts/joints/; one whose coordinate is prescribed has a row
+// for it in place of the free motion (driven_joints.hpp). Plain data, compiled once for all precisions.
 #pragma once
 
 #include <string>

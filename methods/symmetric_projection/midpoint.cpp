@@ -7,8 +7,8 @@
 //   V = (v~ + v~+)/2,   q~+ = q~ exp(h V),   v~+ = v~ + h f(t + h/2, q~ exp(h V/2), V),
 //   q+ = q~+ exp(h G(q+) mu),   v+ = v~+ + G(q+) nu,
 // with mu and nu such that Phi(t+, q+) = 0 and C(t+, q+) v+ + b(t+, q+) = 0. Exchanging the ends, h by -h and nu by -nu
-// gives the same equations: the method is symmetric. The cited papers have C^T for G; mu and nu are O(h^2) and O(h^3), so
-// that the order is that of the midpoint rule. Without joints it is rkmk/implicit_midpoint.
+// gives the same equations: the method is symmetric. The cited papers have C^T for G; mu and nu are O(h^2) and O(h^3),
+// so that the order is that of the midpoint rule. Without joints it is rkmk/implicit_midpoint.
 #include <algorithm>
 
 #include "methods/contract/integrator.hpp"
@@ -131,8 +131,8 @@ class SymmetricMidpoint final : public Integrator, private Equations {
     }
     Real round_off() const override { return rows_.remoteness() * system_.kkt_round_off(); }
 
-    /// What is linear in the constraints holds for the last w' = h f. Where something is stiff that has the round-off of
-    /// large forces, and w is more accurate: mu and nu are then those for w.
+    /// What is linear in the constraints holds for the last w' = h f. Where something is stiff that has the round-off
+    /// of large forces, and w is more accurate: mu and nu are then those for w.
     Status settle() {
         constexpr int most_corrections = 4;
         const bool stiff = scale_.of_velocity(r_.data()) > 64 * round_off() * size();

@@ -10,8 +10,8 @@ namespace kreisel {
 
 std::string gnuplot_quoted(const std::string& text) {
     if (has_control_character(text)) { throw std::invalid_argument("a label of a figure holds a control character"); }
-    // gnuplot 5.4 does not read its own escape '' at the start of a string nor in an array, and goes on with the rest as a
-    // command. The empty group ends the number of the sign.
+    // gnuplot 5.4 does not read its own escape '' at the start of a string nor in an array, and goes on with the rest
+    // as a command. The empty group ends the number of the sign.
     std::string quoted = "'";
     for (const char c : text) { quoted += c == '\'' ? std::string("\\U+0027{}") : std::string(1, c); }
     return quoted + "'";

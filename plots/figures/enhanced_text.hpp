@@ -8,8 +8,8 @@
 
 namespace kreisel {
 
-/// `text`, enhanced text or a plain name, as a single-quoted string of gnuplot. Throws std::invalid_argument on a control
-/// character.
+/// `text`, enhanced text or a plain name, as a single-quoted string of gnuplot. Throws std::invalid_argument on a
+/// control character.
 std::string gnuplot_quoted(const std::string& text);
 /// Makes enhanced text show `text` as it is.
 std::string enhanced_escape(const std::string& text);

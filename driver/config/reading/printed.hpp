@@ -13,7 +13,8 @@ namespace kreisel {
 
 /// Takes for a value that round-off made invalid the nearest valid one, with a warning that gives the size
 /// of the change: for the largest entry L and the last printed decimal u of the entry with most decimals, at most
-/// min(max(2 u, 16 eps L), 1e-5 L) in any entry, eps that of double. Other values are returned as they are, for the engine to judge.
+/// min(max(2 u, 16 eps L), 1e-5 L) in any entry, eps that of double. Other values are returned as they are, for the
+/// engine to judge.
 class PrintedNumbers {
   public:
     /// `exact`: changes nothing.

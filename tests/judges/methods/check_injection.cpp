@@ -19,8 +19,8 @@ namespace {
 const int step_count = KREISEL_QUAD ? 3 : 10;
 const Real step_size = Real(1) / 100;
 
-/// What is injected into the i-th quantity of a run after some healthy steps: everything, and in quad, which is slow, one
-/// of the three in turn, so that each quantity still meets each of them, and each step too.
+/// What is injected into the i-th quantity of a run after some healthy steps: everything, and in quad, which is slow,
+/// one of the three in turn, so that each quantity still meets each of them, and each step too.
 std::vector<Real> poisons_for(std::size_t i, int healthy_steps) {
     const std::vector<Real> all = poisons();
     if (!KREISEL_QUAD) return all;
