@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <memory>
+#include <set>
 
 #include "plots/figures/gnuplot.hpp"
+#include "plots/figures/joined.hpp"
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
 #include "plots/wanting.hpp"
@@ -25,16 +28,38 @@ std::vector<std::string> files_of(const Figure& figure) {
     return files;
 }
 
-void draw(Figure& figure, const Results& results, const std::filesystem::path& folder,
-          const std::filesystem::path& scripts) {
-    figure.note = what_is_wanting(results);
-    require_derived(folder, files_of(figure));
-    figure.write(results, folder);
-    announce_files(folder, files_of(figure));
-    const std::string said = run_gnuplot(folder, scripts, find_figure_kind(figure.kind)->script, figure.name);
+void write_and_draw(const Figure& figure, const Results& results, const std::filesystem::path& output) {
+    figure.write(results, output);
+    const std::string said = run_gnuplot(output, plot_scripts(), find_figure_kind(figure.kind)->script, figure.name);
     if (!said.empty()) { std::cerr << "gnuplot on " << figure.name << ": " << said << "\n"; }
+    fmt::print("{}\n", (output / "figures" / (figure.name + ".{pdf,svg,png}")).string());
+}
+
+// In a folder of results the files are derived ones, elsewhere files like any other.
+void draw(Figure& figure, const Results& results, const PlotSettings& settings) {
+    figure.note = what_is_wanting(results);
+    if (!settings.output.empty()) { return write_and_draw(figure, results, settings.output); }
+    const std::filesystem::path& folder = settings.folders.front();
+    require_derived(folder, files_of(figure));
+    announce_files(folder, files_of(figure));
+    write_and_draw(figure, results, folder);
     record_sums(folder, files_of(figure));
-    fmt::print("{}\n", (folder / "figures" / (figure.name + ".{pdf,svg,png}")).string());
+}
+
+using Locked = std::unique_ptr<FolderLock>;
+
+// Each folder once.
+std::vector<Locked> locked(const std::vector<std::filesystem::path>& folders) {
+    std::vector<Locked> locks;
+    std::set<std::filesystem::path> known;
+    for (const std::filesystem::path& folder : folders) {
+        require_results(folder);
+        if (!known.insert(std::filesystem::canonical(folder)).second) {
+            throw UsageError(fmt::format("plot: expected each folder once, got {} again", folder.string()));
+        }
+        locks.push_back(std::make_unique<FolderLock>(folder, ""));
+    }
+    return locks;
 }
 
 // False, with a message, if what it does cannot be drawn.
@@ -51,17 +76,25 @@ bool is_drawn(const Draw& draw_it) {
 
 }  // namespace
 
-Exit plot_command(const std::filesystem::path& folder, const PlannedCells& planned) {
-    require_results(folder);
-    const FolderLock lock(folder, "");
-    const Results results = read_results(folder, planned);
-    print_wanting(results);
+Exit plot_command(const PlotSettings& settings, const PlannedIn& planned) {
+    if (settings.folders.size() > 1 && settings.figure.empty()) {
+        throw UsageError("plot: expected --figure FILE, which says what figures of several folders show; got none");
+    }
+    const std::vector<Locked> folders = locked(settings.folders);
+    std::vector<Results> all;
+    for (const std::filesystem::path& folder : settings.folders) {
+        all.push_back(read_results(folder, planned ? PlannedCells([&] { return planned(folder); }) : PlannedCells()));
+        print_wanting(all.back());
+    }
+    const Results results = joined(std::move(all));
     std::vector<std::unique_ptr<Figure>> figures;
-    bool drawn = is_drawn([&] { figures = figures_of(results); });
-    const auto scripts = plot_scripts();
-    make_folder(folder / "figures");
+    bool drawn = is_drawn([&] {
+        figures = settings.figure.empty() ? figures_of(results)
+                                          : figures_in_file(settings.figure, settings.figure.stem().string());
+    });
+    make_folder((settings.output.empty() ? settings.folders.front() : settings.output) / "figures");
     for (const auto& figure : figures) {
-        drawn = is_drawn([&] { draw(*figure, results, folder, scripts); }) && drawn;
+        drawn = is_drawn([&] { draw(*figure, results, settings); }) && drawn;
     }
     if (!results.damage.empty()) { return Exit::io; }
     return drawn ? Exit::ok : Exit::cells_failed;

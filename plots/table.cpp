@@ -67,7 +67,7 @@ Exit table_command(const std::filesystem::path& folder, const PlannedCells& plan
     TableCollector tables;
     for (const ResultTable& table : result_tables()) {
         if (!table.applies(results)) { continue; }
-        for (const TablePair& pair : table.make(results, folder)) { tables.add(pair, table.is_printed(results)); }
+        for (const TablePair& pair : table.make(results)) { tables.add(pair, table.is_printed(results)); }
     }
     replace_derived(folder, "tables", tables.texts());
     fmt::print("tables in {}\n", (folder / "tables").string());

@@ -93,12 +93,14 @@ void add_missing(const std::vector<CellIdentity>& planned, Results& results) {
     if (!results.rows.empty() && results.missing.size() == planned.size()) { results.missing.clear(); }
 }
 
-void read_lines_into(const std::vector<std::string>& lines, bool summed, Results& results) {
+void read_lines_into(const std::vector<std::string>& lines, bool summed, const std::filesystem::path& folder,
+                     Results& results) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (lines[i].empty()) { continue; }
         try {
             require_sum(lines[i], summed);
             results.rows.push_back(read_result_line(lines[i]));
+            results.rows.back().folder = folder;
         } catch (const std::exception& error) {
             results.damage.push_back(fmt::format("results.jsonl:{}: not a result line: {}", i + 1, error.what()));
         }
@@ -142,7 +144,7 @@ Results read_results(const std::filesystem::path& folder, const PlannedCells& pl
     const auto manifest = read_manifest_into(folder, results);
     const bool summed = lines_have_sums(lines, format_of(folder) >= folder_format);
     results.warning = summed ? "" : format_warning(folder);
-    read_lines_into(lines, summed, results);
+    read_lines_into(lines, summed, folder, results);
     if (manifest) {
         std::string missing = missing_lines(folder / "results.jsonl", lines.size(), *manifest);
         if (!missing.empty()) { results.damage.push_back(std::move(missing)); }

@@ -37,7 +37,9 @@ struct ResultRow {
     std::map<std::string, double> cost;             ///< counts; from the journals "step_s", "memory", "run_s"
     std::map<std::string, int> declared_order;      ///< by error.* metric; empty where the method declares none
     bool has_trajectory = false;
-    std::string trajectory_sum;  ///< of its samples; empty: not told
+    std::string trajectory_sum;    ///< of its samples; empty: not told
+    std::filesystem::path folder;  ///< of the results that it was read from
+    std::string results;           ///< what these are called beside others; empty: alone
 
     bool ok() const { return status == "ok"; }
     bool adaptive() const { return tolerance > 0; }
@@ -84,7 +86,7 @@ struct TrajectoryTable {
     std::string unit(const std::string& name) const;
 };
 
-/// DIR/trajectories/<cell>.csv. Throws FileError if it cannot be read or is damaged.
-TrajectoryTable read_trajectory(const std::filesystem::path& folder, const ResultRow& row);
+/// trajectories/<cell>.csv in its folder. Throws FileError if it cannot be read or is damaged.
+TrajectoryTable read_trajectory(const ResultRow& row);
 
 }  // namespace kreisel

@@ -57,8 +57,8 @@ std::string TrajectoryTable::unit(const std::string& name) const {
     return at == names.end() ? "" : units[static_cast<std::size_t>(at - names.begin())];
 }
 
-TrajectoryTable read_trajectory(const std::filesystem::path& folder, const ResultRow& row) {
-    const auto file = folder / "trajectories" / (row.cell + ".csv");
+TrajectoryTable read_trajectory(const ResultRow& row) {
+    const auto file = row.folder / "trajectories" / (row.cell + ".csv");
     const auto lines = split(read_text(file), '\n');
     TrajectoryTable table;
     for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -139,8 +139,16 @@ void CommandLine::add_results() {
     const auto planned = [this] { return planned_cells(arguments_.folder, engines_); };
     add_folder(
         command("table", "Tables from results", [this, planned] { return table_command(arguments_.folder, planned); }));
-    add_folder(
-        command("plot", "Figures from results", [this, planned] { return plot_command(arguments_.folder, planned); }));
+    CLI::App* plot = command("plot", "Figures from results", [this] {
+        return plot_command({arguments_.folders, arguments_.figure, arguments_.output},
+                            [this](const std::filesystem::path& folder) { return planned_cells(folder, engines_); });
+    });
+    plot->add_option("folder", arguments_.folders, "Folders that kreisel run has written")->required();
+    plot->add_option("--figure", arguments_.figure,
+                     "JSON file of a figure, or a list of them, as under \"figure\" in configs (default: those of\n"
+                     "the config); asked for where there are several folders, whose cells it draws together");
+    plot->add_option("-o,--output", arguments_.output,
+                     "Folder in which figures/ and plotdata/ are written (default: the first folder)");
     CLI::App* report = command("report", "One page (HTML) with results, tables, figures and motion", [this, planned] {
         return report_command(arguments_.folder, arguments_.output, planned);
     });

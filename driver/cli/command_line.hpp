@@ -39,7 +39,7 @@ class CommandLine {
         MethodFilter filter;
         Paths configs, folders;
         ConfigChanges changes;
-        std::filesystem::path config, folder, output;
+        std::filesystem::path config, folder, figure, output;
         RunSettings settings;
         DiffSettings diff;
         SlurmSettings slurm;

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
+#include "plots/figures/cell_value.hpp"
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
 #include "records/json/diagnostics.hpp"
@@ -33,6 +36,7 @@ std::vector<std::string> selectable(const std::string& key, const Config& config
     if (key == "steps") {
         for (const long steps : config.steps) { values.push_back(fmt::format("{}", steps)); }
     }
+    if (key == "results") { values = {config.name}; }
     if (key == "problem") {
         for (const ProblemEntry& problem : config.problems) {
             values.insert(values.end(), {problem.label, problem.series, problem.name});
@@ -58,13 +62,40 @@ bool is_selected(const Figure& figure, const std::string& key, const std::vector
     });
 }
 
+bool fits_values(const Figure& figure, const CellIdentity& identity) {
+    const auto names_one = [](const auto& entry) { return is_cell_value(entry.first); };
+    if (std::none_of(figure.select.begin(), figure.select.end(), names_one)) { return true; }
+    const ResultRow row = result_row({.identity = identity, .outcome = {}, .times = {}});
+    return std::all_of(figure.select.begin(), figure.select.end(), [&](const auto& entry) {
+        const auto& [key, values] = entry;
+        const auto value = is_cell_value(key) ? cell_value(row, key) : std::nullopt;
+        return !is_cell_value(key) || (value && in_list(values, *value));
+    });
+}
+
 bool fits(const Figure& figure, const PlannedCell& cell) {
     const CellIdentity& of = cell.run->identity;
     return is_selected(figure, "problem", {of.label, of.series, of.problem}) &&
            is_selected(figure, "formulation", {of.formulation}) && is_selected(figure, "method", {of.method}) &&
            is_selected(figure, "projection", {of.projection}) && is_selected(figure, "precision", {of.precision}) &&
            is_selected(figure, "steps", {fmt::format("{}", cell.steps)}) &&
-           is_selected(figure, "tolerance", {fmt::format("{}", cell.tolerance)});
+           is_selected(figure, "tolerance", {fmt::format("{}", cell.tolerance)}) && fits_values(figure, of);
+}
+
+// By name, the parameters and options of the cells that are run.
+std::map<std::string, std::set<std::string>> values_of_cells(const Plan& plan, const Figure& figure) {
+    std::map<std::string, std::set<std::string>> known;
+    const PlannedRun* last = nullptr;
+    for (const PlannedCell& cell : plan.cells) {
+        if (cell.run.get() == last) { continue; }
+        last = cell.run.get();
+        const ResultRow row = result_row({.identity = cell.run->identity, .outcome = {}, .times = {}});
+        for (const auto& [key, wanted] : figure.select) {
+            if (!is_cell_value(key)) { continue; }
+            if (const auto value = cell_value(row, key)) { known[key].insert(*value); }
+        }
+    }
+    return known;
 }
 
 std::vector<std::string> bodies_of(const Figure& figure, const Config& config, const Engine& engine) {
@@ -143,6 +174,7 @@ class FigureCheck {
     }
 
     void check_selection(const Figure& figure, const std::string& key, const std::string& value, std::size_t i) {
+        if (is_cell_value(key)) { return; }  // known when the cells are
         const auto values = selectable(key, config_);
         const bool with_options = (key == "method" || key == "projection") && value.find(' ') != std::string::npos;
         if (in_list(values, value) || with_options) { return; }
@@ -165,6 +197,28 @@ std::vector<std::unique_ptr<Figure>> figures_in(const Document& document, const 
     return read_figures(Node(document.value.at("figure"), "/figure", quiet), plan.config.name);
 }
 
+// False, with errors, where `select` names parameters or options, or values of these, that no cell has.
+bool check_cell_values(const Figure& figure, const Plan& plan, Diagnostics& sink) {
+    const auto known = values_of_cells(plan, figure);
+    bool all = true;
+    for (const auto& [key, wanted] : figure.select) {
+        const auto values = known.find(key);
+        for (const std::string& value : wanted) {
+            if (!is_cell_value(key) || (values != known.end() && values->second.contains(value))) { continue; }
+            all = false;
+            const std::string expected =
+                values == known.end()
+                    ? "a parameter or an option of cells of this experiment (see kreisel info)"
+                    : fmt::format("a value of it in this experiment ({})", fmt::join(values->second, ", "));
+            sink.add({.pointer = figure.pointer + "/select/" + key,
+                      .expected = expected,
+                      .got = values == known.end() ? in_quotes(key) : value,
+                      .rule = Rule::figure_selection});
+        }
+    }
+    return all;
+}
+
 }  // namespace
 
 void check_figures(const Document& document, const Plan& plan, const std::vector<std::string>& metrics,
@@ -179,7 +233,7 @@ void check_selections(const Document& document, const Plan& plan, Diagnostics& s
         const bool some = std::any_of(plan.cells.begin(), plan.cells.end(), [&](const PlannedCell& cell) {
             return cell.skip_reason().empty() && fits(*figure, cell);
         });
-        if (some || figure->select.empty()) { continue; }
+        if (some || figure->select.empty() || !check_cell_values(*figure, plan, sink)) { continue; }
         sink.add({.pointer = figure->pointer + "/select",
                   .expected = "a choice that fits a cell which is run (see kreisel plan)",
                   .got = "one that fits none",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/observers/errors.hpp"
 
+#include <limits>
+#include <map>
 #include <utility>
 
 namespace kreisel {
@@ -8,10 +10,20 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
+using Uncertainties = std::map<std::string, Number>;
+
+bool is_above(const Uncertainties& uncertainties, const std::string& metric, const Real& error) {
+    const auto uncertainty = uncertainties.find(metric);
+    return uncertainty != uncertainties.end() && error > 100 * from_number(uncertainty->second);
+}
+
 bool is_known(const Reference& reference, double t_end, const std::string& metric, const Real& error) {
-    if (t_end <= reference.horizon) return true;
-    const auto uncertainty = reference.error.find(metric);
-    return uncertainty != reference.error.end() && error > 100 * from_number(uncertainty->second);
+    return t_end <= reference.horizon || is_above(reference.error, metric, error);
+}
+
+Real if_known(const ReferenceSample& sample, double horizon, const std::string& metric, const Real& error) {
+    const bool known = sample.state.t.value <= horizon || is_above(sample.error, metric, error);
+    return known ? error : std::numeric_limits<Real>::quiet_NaN();
 }
 
 bool is_error(const Metric& metric, const std::vector<ConstraintRow>& rows) {
@@ -66,10 +78,24 @@ SampleErrors::SampleErrors(const Reference& reference, std::vector<ConstraintRow
 
 void SampleErrors::add(const RunState& sample) {
     const std::size_t k = taken_++;
+    for (Entry& entry : entries_) entry.last = std::numeric_limits<Real>::quiet_NaN();
     if (idle() || k == 0 || k > reference_.samples.size()) return;
-    const Compared compared(sample, reference_.samples[k - 1].state, rows_);
-    for (Entry& entry : entries_) keep_worst(entry.worst, compared.error(*entry.metric));
+    const ReferenceSample& exact = reference_.samples[k - 1];
+    const Compared compared(sample, exact.state, rows_);
+    for (Entry& entry : entries_) {
+        const Real error = compared.error(*entry.metric);
+        keep_worst(entry.worst, error);
+        entry.last = if_known(exact, reference_.horizon, entry.metric->description.name, error);
+    }
     ++compared_;
+}
+
+void SampleErrors::add_columns(std::vector<Column>& all) const {
+    for (const Entry& entry : entries_) all.push_back({entry.metric->description.name, entry.metric->description.unit});
+}
+
+void SampleErrors::append_values(std::vector<Real>& row) const {
+    for (const Entry& entry : entries_) row.push_back(entry.last);
 }
 
 void SampleErrors::report(double t_end, MeasuredMetrics& all) const {

@@ -36,13 +36,17 @@ class SampleErrors {
     void add(const RunState& sample);
     /// The next sample is not known.
     void leave_out() { ++taken_; }
+    /// The errors of a sample, under the names of their metrics.
+    void add_columns(std::vector<Column>& all) const;
+    /// Those of the sample added last; NaN where an error is not known, as at the start.
+    void append_values(std::vector<Real>& row) const;
     /// Adds the maxima of a run that has ended at t_end (s).
     void report(double t_end, MeasuredMetrics& all) const;
 
   private:
     struct Entry {
         const Metric* metric;
-        Real worst = 0;
+        Real worst = 0, last = 0;
     };
     const Reference& reference_;
     std::vector<ConstraintRow> rows_;

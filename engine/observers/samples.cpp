@@ -59,6 +59,7 @@ std::vector<Column> Samples::columns() const {
     for (Column& column : sources_.joint_forces.columns()) all.push_back(std::move(column));
     sources_.step_metrics.add_columns(all);
     sources_.integral_metrics.add_columns(all);
+    if (sources_.errors) sources_.errors->add_columns(all);
     if (sources_.work)
         for (const auto& [name, count] : work_columns) all.push_back({name, "1"});
     return all;
@@ -75,6 +76,7 @@ void Samples::take(Observation& now, const Real* multipliers) {
     if (sources_.errors) sources_.errors->add({now.bodies(), found ? sources_.joint_forces.multipliers() : unknown});
     sources_.step_metrics.append_values(measured);
     sources_.integral_metrics.append_values(measured);
+    if (sources_.errors) sources_.errors->append_values(measured);
     if (sources_.work) {
         const Cost cost = sources_.work();
         for (const auto& [name, count] : work_columns) measured.push_back(Real(cost.*count));

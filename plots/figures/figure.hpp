@@ -27,7 +27,7 @@ struct FigureSpec {
     std::string title;  ///< above the figure; empty: none
     std::string note;   ///< small: what is wanting of the results
     std::map<std::string, std::vector<std::string>>
-        select;  ///< values by axis, "steps" and "tolerance"; empty: all cells
+        select;  ///< values by axis, "steps", "tolerance", and names of parameters and options; empty: all cells
 };
 
 /// A kind of figure derives from it: its members are the keys of the kind, with their defaults.

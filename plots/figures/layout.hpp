@@ -24,9 +24,16 @@ struct LegendLayout {
     std::size_t columns = 1, rows = 0;
     double column_width = 0;  ///< cm
 };
-LegendLayout legend_of(const Panel& panel, double panel_width);
+LegendLayout legend_of(const Panel& panel, const PanelFigure& figure, double panel_width);
 /// Height of a row of it, cm.
-inline constexpr double legend_row_height = 0.335;
+double legend_row_height(const PanelFigure& figure);
+
+/// The label that does not fit below its panel, in a figure whose width is given; null where all do.
+struct TooWide {
+    const Curve* curve = nullptr;
+    double width = 0, space = 0;  ///< cm
+};
+TooWide too_wide_label(const PanelFigure& figure);
 
 struct AxisRange {
     double low = std::numeric_limits<double>::infinity(), high = -low;

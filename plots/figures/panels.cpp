@@ -7,37 +7,12 @@
 
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/layout.hpp"
+#include "plots/figures/settings.hpp"
 #include "support/files.hpp"
 
 namespace kreisel {
 
 namespace {
-
-// Text file of assignments, read by plots/gnuplot/panels.gp.
-class Settings {
-  public:
-    void number(const std::string& name, double value) { text_ += fmt::format("{} = {}\n", name, value); }
-    void string(const std::string& name, const std::string& value) {
-        text_ += fmt::format("{} = {}\n", name, gnuplot_quoted(value));
-    }
-    template <class Item, class Write>
-    void array(const std::string& name, const std::vector<Item>& items, const Write& write) {
-        std::string list;
-        for (const Item& item : items) { list += (list.empty() ? "" : ",") + std::string(write(item)); }
-        text_ += fmt::format("array {}[{}] = [{}]\n", name, std::max<std::size_t>(items.size(), 1),
-                             items.empty() ? "0" : list);
-    }
-    void numbers(const std::string& name, const std::vector<double>& values) {
-        array(name, values, [](double value) { return fmt::format("{}", value); });
-    }
-    void strings(const std::string& name, const std::vector<std::string>& values) {
-        array(name, values, [](const std::string& value) { return gnuplot_quoted(value); });
-    }
-    const std::string& text() const { return text_; }
-
-  private:
-    std::string text_ = "# Written by kreisel plot.\n";
-};
 
 std::string points_text(const std::vector<Point>& points, const Panel& panel) {
     std::string text;
@@ -80,12 +55,12 @@ void write_axes(Settings& settings, const PanelFigure& figure, double width) {
     const auto flag = [](bool value) { return value ? "1" : "0"; };
     settings.array("log_x", panels, [&](const Panel& panel) { return flag(panel.log_x); });
     settings.array("log_y", panels, [&](const Panel& panel) { return flag(panel.log_y); });
-    settings.number("legend_row", legend_row_height);
+    settings.number("legend_row", legend_row_height(figure));
     settings.array("legend_width", panels, [&](const Panel& panel) {  // of a column of it
-        return fmt::format("{}", legend_of(panel, width).column_width);
+        return fmt::format("{}", legend_of(panel, figure, width).column_width);
     });
     settings.array("legend_rows", panels,
-                   [&](const Panel& panel) { return fmt::format("{}", legend_of(panel, width).rows); });
+                   [&](const Panel& panel) { return fmt::format("{}", legend_of(panel, figure, width).rows); });
     settings.array("panel_title", panels, [](const Panel& panel) { return gnuplot_quoted(panel.title); });
     settings.array("x_label", panels, [](const Panel& panel) { return gnuplot_quoted(panel.x_label); });
     settings.array("y_label", panels, [](const Panel& panel) { return gnuplot_quoted(panel.y_label); });
@@ -136,6 +111,7 @@ void write_panels(const std::filesystem::path& plotdata, const PanelFigure& figu
     settings.string("figure_name", figure.name);
     settings.string("figure_title", figure.title);
     settings.string("figure_note", figure.note);
+    settings.number("font_size", figure.font_size);
     settings.number("panels", static_cast<double>(figure.panels.size()));
     const PageLayout layout = layout_of(figure);
     write_layout(settings, layout);

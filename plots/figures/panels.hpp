@@ -3,7 +3,9 @@
 // A figure as plain data: panels with curves, axes and labels, and where they lie on the page. gnuplot only draws it.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,8 @@ namespace kreisel {
 
 struct Point {
     double x = 0, y = 0;
+
+    bool operator==(const Point&) const = default;
 };
 
 /// Labels here are enhanced text of gnuplot: text from outside must pass through enhanced_escape first.
@@ -19,6 +23,7 @@ struct Curve {
     std::vector<Point> points;
     int style = 1;                   ///< line, point and dash type; equal numbers have equal styles in all panels
     std::vector<Point> fitted = {};  ///< those that the order in the label was fitted to
+    std::string name = {};           ///< plain text that keys of a figure call it by; empty: they do not
 };
 
 struct Mark {
@@ -33,14 +38,20 @@ struct Panel {
     std::vector<std::vector<Point>> guides;  ///< thin grey lines without a legend: fitted laws, slope triangles
     std::vector<Mark> marks;                 ///< small grey texts centred at a point
     bool from_zero = false;                  ///< a linear y axis that starts at zero, whatever the data
+    std::optional<std::array<double, 2>> x_range = {}, y_range = {};  ///< nothing: all that is drawn
 };
+
+/// In points, on the page.
+inline constexpr double standard_font_size = 7.5;
 
 struct PanelFigure {
     std::string name, title;
     std::vector<Panel> panels;
     long columns = 2;
-    double axes_height = 5;  ///< cm
-    std::string note = {};   ///< small, below the title
+    double axes_height = 5;                 ///< cm
+    std::optional<double> width = {};       ///< of the page, cm; nothing: as the panels and their legends require
+    double font_size = standard_font_size;  ///< points
+    std::string note = {};                  ///< small, below the title
 };
 
 /// Writes plotdata/<name>.gp (titles, ranges, layout) and one data file per curve and panel. Throws FileError, and

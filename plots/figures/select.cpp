@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "plots/figures/cell_value.hpp"
 #include "plots/tables/names.hpp"
 
 namespace kreisel {
@@ -25,6 +26,10 @@ std::vector<ResultRow> selected_rows(const FigureSpec& spec, const Results& resu
             const auto& [key, values] = entry;
             if (key == "steps") { return has(values, fmt::format("{}", row.steps)); }
             if (key == "tolerance") { return has(values, fmt::format("{}", row.tolerance)); }
+            if (is_cell_value(key)) {
+                const auto value = cell_value(row, key);
+                return value && has(values, *value);
+            }
             if (key == "problem") {
                 return has(values, row.label) || has(values, row.series) || has(values, row.problem);
             }
@@ -55,8 +60,8 @@ ResultRow selected_trajectory(const FigureSpec& spec, const Results& results) {
     return rows.front();
 }
 
-TrajectoryTable samples_until(std::optional<double> until, const ResultRow& row, const std::filesystem::path& folder) {
-    TrajectoryTable table = read_trajectory(folder, row);
+TrajectoryTable samples_until(std::optional<double> until, const ResultRow& row) {
+    TrajectoryTable table = read_trajectory(row);
     const auto* t = table.find("t");
     if (!until || t == nullptr) { return table; }
     // Times are sums of decimals: half a step's rounding must not lose the last sample.

@@ -24,7 +24,7 @@ ResultRow selected_trajectory(const FigureSpec& spec, const Results& results);
 std::vector<ResultRow> with_samples(std::vector<ResultRow> rows, const FigureSpec& spec);
 
 /// The samples of a cell, up to the time `until` (s) if there is one.
-TrajectoryTable samples_until(std::optional<double> until, const ResultRow& row, const std::filesystem::path& folder);
+TrajectoryTable samples_until(std::optional<double> until, const ResultRow& row);
 
 /// The body that the figure draws: `wanted`, or the first if that is empty. Throws FigureError where there is no such
 /// body.

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "plots/figures/kind.hpp"
+#include "plots/figures/overlay_files.hpp"
 #include "records/json/strict.hpp"
 #include "records/kinds/kind.hpp"
 #include "support/errors.hpp"
@@ -75,6 +76,15 @@ std::vector<std::unique_ptr<Figure>> read_figures(const Node& figure, const std:
         }
         figures.push_back(std::move(one));
     }
+    return figures;
+}
+
+std::vector<std::unique_ptr<Figure>> figures_in_file(const std::filesystem::path& file, const std::string& experiment) {
+    Document document = read_document(file);
+    insert_overlay_files(document, "");
+    Diagnostics diagnostics(document);
+    auto figures = read_figures(Node(document.value, "", diagnostics), experiment);
+    diagnostics.raise();
     return figures;
 }
 

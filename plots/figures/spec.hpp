@@ -17,6 +17,10 @@ namespace kreisel {
 /// expected, what came; figures with such errors are left out. `experiment` gives the default name.
 std::vector<std::unique_ptr<Figure>> read_figures(const Node& figure, const std::string& experiment);
 
+/// The figures that a file describes, a JSON object or a list of them. `experiment` gives the default name. Throws
+/// UsageError where they cannot be read, FileError.
+std::vector<std::unique_ptr<Figure>> figures_in_file(const std::filesystem::path& file, const std::string& experiment);
+
 /// A figure of that kind with all keys at their defaults. Throws FigureError where there is no such kind.
 std::unique_ptr<Figure> standard_figure(const std::string& kind, const std::string& experiment);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "plots/figures/cell_value.hpp"
 #include "plots/tables/names.hpp"
 #include "records/metrics/catalogue.hpp"
 #include "support/nearest.hpp"
@@ -19,6 +20,7 @@ namespace {
 using Schema = nlohmann::ordered_json;
 
 constexpr std::size_t longest_metric = 100, longest_text = 200;
+constexpr double column_width = 85, full_width = 170, least_width = 30, most_width = 500;  // mm
 
 Schema text_schema() {
     return {
@@ -26,6 +28,15 @@ Schema text_schema() {
 }
 
 Schema positive_schema() { return {{"type", "number"}, {"minimum", least_positive}, {"maximum", largest_number}}; }
+
+Schema between_schema(double least, double most) { return {{"type", "number"}, {"minimum", least}, {"maximum", most}}; }
+
+std::optional<double> read_between(const Node& node, double least, double most, const std::string& expected) {
+    const auto number = node.number(expected);
+    if (!number || (*number >= least && *number <= most)) { return number; }
+    node.mismatch(expected);
+    return std::nullopt;
+}
 
 Schema one_or_many(const Schema& one) {
     return {{"anyOf", {one, {{"type", "array"}, {"items", one}, {"minItems", 1}}}}};
@@ -97,23 +108,42 @@ std::optional<std::string> read_selected(const Node& node, const std::string& ke
     return steps ? std::optional(fmt::format("{}", *steps)) : std::nullopt;
 }
 
+// A list as a value stands in a list of values.
+std::optional<std::string> read_cell_value(const Node& node) {
+    if (node.json().is_null() || node.is_object()) {
+        node.mismatch("a number, a text, true, false, a list as a value in a list of values, or a list of these");
+        return std::nullopt;
+    }
+    return cell_value_text(parse_exactly(node.json().dump()));
+}
+
+Schema cell_value_schema() {
+    const Schema one = {{"type", {"number", "string", "boolean", "array"}}};
+    Schema several = one_or_many(one);
+    several["anyOf"][0]["type"].erase(3);  // a list is one of values
+    return several;
+}
+
 Names selection_keys() {
-    Names keys = CellNames::axes();
+    Names keys = CellNames::figure_axes();
     keys.insert(keys.end(), {"steps", "tolerance"});
     return keys;
 }
 
 std::optional<Selection> read_selection(const Node& node) {
     if (!node.require_object("an object such as {\"formulation\": \"SE3\"}")) { return std::nullopt; }
-    node.only_keys(selection_keys());
+    Names known = selection_keys();
     Selection selection;
-    for (const std::string& key : selection_keys()) {
-        const auto value = node.find(key);
-        if (!value) { continue; }
-        for (const Node& entry : read_one_or_many(*value, "a value, or a list of at least one")) {
-            if (const auto one = read_selected(entry, key)) { selection[key].push_back(*one); }
+    for (const auto& entry : node.json().items()) {
+        const std::string& key = entry.key();
+        if (is_cell_value(key)) { known.push_back(key); }
+        if (std::find(known.begin(), known.end(), key) == known.end()) { continue; }
+        for (const Node& one : read_one_or_many(*node.find(key), "a value, or a list of at least one")) {
+            const auto value = is_cell_value(key) ? read_cell_value(one) : read_selected(one, key);
+            if (value) { selection[key].push_back(*value); }
         }
     }
+    node.only_keys(known);
     return selection;
 }
 
@@ -138,7 +168,7 @@ Type<std::string> choice(const std::string& what, const Names& names) {
             [=](const Node& node) { return node.name(what, names); }};
 }
 
-Type<std::string> axis() { return choice("facet", CellNames::axes()); }
+Type<std::string> axis() { return choice("facet", CellNames::figure_axes()); }
 
 Type<bool> flag() {
     return {"true or false", fixed({{"type", "boolean"}}), [](const Node& node) { return node.flag(); }};
@@ -152,6 +182,72 @@ Type<long> count(long least, long most, const std::string& what) {
 
 Type<double> positive(const std::string& expected) {
     return {expected, fixed(positive_schema()), [=](const Node& node) { return node.positive(expected); }};
+}
+
+Type<double> number(const std::string& expected) {
+    return {expected, fixed(between_schema(-largest_number, largest_number)),
+            [=](const Node& node) { return node.number(expected); }};
+}
+
+Type<double> between(double least, double most, const std::string& what) {
+    const std::string expected = fmt::format("{} from {} to {}", what, least, most);
+    return {expected, fixed(between_schema(least, most)),
+            [=](const Node& node) { return read_between(node, least, most, expected); }};
+}
+
+Type<double> page_width() {
+    const Schema named = {{"type", "string"}, {"enum", {"column", "page"}}};
+    const std::string expected = fmt::format("\"column\" ({} mm), \"page\" ({} mm), or a width from {} to {} mm",
+                                             column_width, full_width, least_width, most_width);
+    return {expected, fixed({{"anyOf", {named, between_schema(least_width, most_width)}}}),
+            [=](const Node& node) -> std::optional<double> {
+                if (node.json() == "column") { return column_width; }
+                if (node.json() == "page") { return full_width; }
+                return read_between(node, least_width, most_width, expected);
+            }};
+}
+
+Type<std::array<double, 2>> range() {
+    auto type = numbers<2>("a list of two numbers, the smaller one first");
+    const auto read_two = type.read;
+    type.read = [=](const Node& node) -> std::optional<std::array<double, 2>> {
+        auto two = read_two(node);
+        if (two && !(two->front() < two->back())) {
+            node.violates(Rule::figure_range, "a lower and a higher number",
+                          fmt::format("{} and {}", two->front(), two->back()));
+            return std::nullopt;
+        }
+        return two;
+    };
+    return type;
+}
+
+Type<Names> names(const std::string& expected) {
+    const Schema schema = {{"type", "array"}, {"items", text_schema()}, {"minItems", 1}, {"uniqueItems", true}};
+    return {"a list: each " + expected, fixed(schema), [=](const Node& node) -> std::optional<Names> {
+                const auto entries = node.elements("a list of at least one entry: each " + expected);
+                if (!entries) { return std::nullopt; }
+                Names all;
+                for (const Node& entry : distinct(*entries, "name")) {
+                    if (const auto one = entry.text(expected, longest_text)) { all.push_back(*one); }
+                }
+                return all;
+            }};
+}
+
+Type<std::map<std::string, std::string>> texts(const std::string& expected) {
+    using Texts = std::map<std::string, std::string>;
+    const Schema schema = {{"type", "object"}, {"additionalProperties", text_schema()}};
+    return {"an object: by name, " + expected, fixed(schema), [=](const Node& node) -> std::optional<Texts> {
+                if (!node.require_object("an object: by name, " + expected)) { return std::nullopt; }
+                Texts all;
+                for (const auto& entry : node.json().items()) {
+                    if (const auto one = node.find(entry.key())->text(expected, longest_text)) {
+                        all[entry.key()] = *one;
+                    }
+                }
+                return all;
+            }};
 }
 
 template <std::size_t n>
@@ -199,8 +295,14 @@ Type<Selection> selection() {
     properties["steps"] = one_or_many({{"type", "integer"}, {"minimum", 1}, {"maximum", largest_count}});
     properties["tolerance"] = one_or_many(positive_schema());
     properties["precision"] = one_or_many({{"type", "string"}, {"enum", precisions()}});
-    return {"an object of names or lists of names: keys " + listed(selection_keys()),
-            fixed({{"type", "object"}, {"properties", properties}, {"additionalProperties", false}}), read_selection};
+    const Schema values = {{"^(parameter|option|projection_option)[.].", cell_value_schema()}};
+    return {"an object of values or lists of values: keys " + listed(selection_keys()) +
+                ", and \"parameter.NAME\", \"option.NAME\", \"projection_option.NAME\"",
+            fixed({{"type", "object"},
+                   {"properties", properties},
+                   {"patternProperties", values},
+                   {"additionalProperties", false}}),
+            read_selection};
 }
 
 }  // namespace figure_value

@@ -37,6 +37,13 @@ Type<std::string> axis();
 Type<bool> flag();
 Type<long> count(long least, long most, const std::string& what);
 Type<double> positive(const std::string& expected);
+Type<double> number(const std::string& expected);
+/// A number in [least, most].
+Type<double> between(double least, double most, const std::string& what);
+/// Of a figure, in mm: a number, or "column" or "page" for those of a journal.
+Type<double> page_width();
+/// Two numbers, the first one smaller.
+Type<std::array<double, 2>> range();
 /// A list of exactly n numbers.
 template <std::size_t n>
 Type<std::array<double, n>> numbers(const std::string& expected);
@@ -45,7 +52,11 @@ extern template Type<std::array<double, 3>> numbers(const std::string& expected)
 /// A metric, or a list of them: those of the engine and first integrals whose names begin with one of `families`, such
 /// as "error.", and those that are the `own` ones of the figure.
 Type<Names> metrics(const Names& families, const Names& own = {});
-/// Values, one or a list, by axis, "steps" and "tolerance".
+/// A list of different texts that is not empty.
+Type<Names> names(const std::string& expected);
+/// Texts by names.
+Type<std::map<std::string, std::string>> texts(const std::string& expected);
+/// Values, one or a list, by axis, "steps", "tolerance", "parameter.NAME", "option.NAME", "projection_option.NAME".
 Type<Selection> selection();
 
 }  // namespace kreisel::figure_value

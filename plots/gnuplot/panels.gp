@@ -5,6 +5,8 @@
 # estimate of letter sizes, and lie beyond the page in SVG.
 page_width = width_cm
 page_height = height_cm
+letter_scale = font_size / 7.5  # of what stands beside letters
+small_font = sprintf(',%g', 6.5 * letter_scale)
 full_title = figure_title
 if (strlen(figure_note)) {  # what is wanting of the results
     full_title = figure_title . (strlen(figure_title) ? "\n" : '') . '{/*0.85 ' . figure_note . '}'
@@ -42,21 +44,23 @@ do for [format in 'pdf svg png'] {
         set yrange [y_low[p]:y_high[p]]
         unset label
         unset arrow
-        set label 1001 x_label[p] at screen (panel_left[p] + panel_right[p]) / 2, screen panel_bottom[p] - 0.75 / height_cm center
-        set label 1002 y_label[p] at screen panel_left[p] - 1.28 / width_cm, screen (panel_bottom[p] + panel_top[p]) / 2 center rotate by 90
+        set label 1001 x_label[p] at screen (panel_left[p] + panel_right[p]) / 2, screen panel_bottom[p] - 0.75 * letter_scale / height_cm center
+        set label 1002 y_label[p] at screen panel_left[p] - 1.28 * letter_scale / width_cm, screen (panel_bottom[p] + panel_top[p]) / 2 center rotate by 90
         do for [m = first_mark[p]:last_mark[p]] {
-            set label m mark_text[m] at mark_x[m], mark_y[m] center textcolor rgb '#555555' font ',6.5'
+            set label m mark_text[m] at mark_x[m], mark_y[m] center textcolor rgb '#555555' font small_font
         }
         unset key
         if (legend_rows[p]) {
             do for [c = first_curve[p]:last_curve[p]] {
                 k = c - first_curve[p]
-                entry_x = panel_left[p] + (k / legend_rows[p] * legend_width[p] - 1.5) / width_cm
+                entry_x = panel_left[p] + (k / legend_rows[p] * legend_width[p] - 1.5 * letter_scale) / width_cm
                 entry_y = legend_top[p] - (k % legend_rows[p] + 0.5) * legend_row / height_cm
-                set arrow 2000 + c from screen entry_x, screen entry_y to screen entry_x + 0.75 / width_cm, screen entry_y nohead ls curve_style[c]
-                set label 2000 + c curve_label[c] at screen entry_x + 0.9 / width_cm, screen entry_y left
-                if (curve_with eq 'linespoints') {
-                    set label 3000 + c '' at screen entry_x + 0.375 / width_cm, screen entry_y point ls curve_style[c]
+                if (curve_with ne 'points') {
+                    set arrow 2000 + c from screen entry_x, screen entry_y to screen entry_x + 0.75 * letter_scale / width_cm, screen entry_y nohead ls curve_style[c]
+                }
+                set label 2000 + c curve_label[c] at screen entry_x + 0.9 * letter_scale / width_cm, screen entry_y left
+                if (curve_with ne 'lines') {
+                    set label 3000 + c '' at screen entry_x + 0.375 * letter_scale / width_cm, screen entry_y point ls curve_style[c]
                 }
             }
         }

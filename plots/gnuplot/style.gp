@@ -2,7 +2,7 @@
 #
 # Line styles of all figures. Fonts are given for the page: 7.5 points in a column 8.5 cm wide.
 # Colours of Okabe and Ito, distinguishable with any colour vision; point and dash types differ as well.
-face = 'DejaVu Sans,7.5'
+font_size = 7.5
 pixels_per_cm = 80.0
 
 array colour[7] = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#000000']

@@ -14,11 +14,11 @@ double value_or_zero(const ResultRow& row, const std::string& name) {
 
 }  // namespace
 
-std::optional<EnergySeries> energy_series(const ResultRow& row, const std::filesystem::path& folder) {
+std::optional<EnergySeries> energy_series(const ResultRow& row) {
     if (!row.ok() || row.adaptive() || !row.has_trajectory || !row.metrics.contains(energy_metric)) {
         return std::nullopt;
     }
-    const TrajectoryTable trajectory = read_trajectory(folder, row);
+    const TrajectoryTable trajectory = read_trajectory(row);
     const auto *t = trajectory.find("t"), *drift = trajectory.find(energy_metric);
     if (t == nullptr || drift == nullptr || t->size() < least_energy_samples) { return std::nullopt; }
     const double largest = value_or_zero(row, energy_metric);
@@ -26,10 +26,10 @@ std::optional<EnergySeries> energy_series(const ResultRow& row, const std::files
     return EnergySeries{row.h, *t, *drift, largest, relative > 0 ? largest / relative : 0};
 }
 
-std::optional<EnergyLaw> energy_law_of(const CellGroup& group, const std::filesystem::path& folder) {
+std::optional<EnergyLaw> energy_law_of(const CellGroup& group) {
     std::vector<EnergySeries> runs;
     for (const ResultRow* row : group.rows) {
-        if (auto series = energy_series(*row, folder)) { runs.push_back(std::move(*series)); }
+        if (auto series = energy_series(*row)) { runs.push_back(std::move(*series)); }
     }
     return runs.size() < 2 ? std::nullopt : std::optional(energy_law(std::move(runs)));
 }

@@ -13,9 +13,9 @@ namespace kreisel {
 
 /// E - E_0 of a cell, with |E_0| from its relative metric; nothing unless it is ok, has steps of one size, at least 65
 /// samples, and the metric invariant.energy.
-std::optional<EnergySeries> energy_series(const ResultRow& row, const std::filesystem::path& folder);
+std::optional<EnergySeries> energy_series(const ResultRow& row);
 
-/// The law of the cells of a group that have a series; nothing where fewer than two have. `folder` holds the results.
-std::optional<EnergyLaw> energy_law_of(const CellGroup& group, const std::filesystem::path& folder);
+/// The law of the cells of a group that have a series; nothing where fewer than two have.
+std::optional<EnergyLaw> energy_law_of(const CellGroup& group);
 
 }  // namespace kreisel

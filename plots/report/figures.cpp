@@ -81,21 +81,28 @@ std::string figure_json(const Figure& figure, const ObjectWriter& more) {
     return object.open_text() + (rest.empty() ? "" : ",") + rest + "}";
 }
 
+std::string range_json(const std::array<double, 2>& range) {
+    return fmt::format("[{},{}]", json_number(range.front()), json_number(range.back()));
+}
+
 ObjectWriter panels_json(const Figure& figure, const PanelFigure& drawn) {
     const FigureKind* kind = find_figure_kind(figure.kind);
     ObjectWriter object;
-    object.member("columns", std::to_string(drawn.columns))
-        .member("marks", flag_json(kind != nullptr && kind->script == "linespoints"))
+    if (drawn.width) { object.member("width", json_number(*drawn.width)); }
+    object.member("axes_height", json_number(drawn.axes_height))
+        .member("font_size", json_number(drawn.font_size))
+        .member("columns", std::to_string(drawn.columns))
+        .member("marks", flag_json(kind != nullptr && kind->script != "lines"))
+        .member("lines", flag_json(kind == nullptr || kind->script != "points"))
         .member("panels", json_list(drawn.panels, [](const Panel& panel) { return json_value(panel); }));
     return object;
 }
 
-std::string drawn_json(const Figure& figure, const Results& results, const std::filesystem::path& folder,
-                       std::vector<std::string>& not_drawn) {
+std::string drawn_json(const Figure& figure, const Results& results, std::vector<std::string>& not_drawn) {
     const auto* kind = dynamic_cast<const PanelKind*>(&figure);
     if (kind == nullptr) { return figure_json(figure, ObjectWriter().member("space", "true")); }
     try {
-        return figure_json(figure, panels_json(figure, kind->panels(results, folder)));
+        return figure_json(figure, panels_json(figure, kind->panels(results)));
     } catch (const FigureError& error) {
         not_drawn.emplace_back(error.what());
         return figure_json(figure, ObjectWriter().member("not_drawn", json_text(error.what())));
@@ -105,8 +112,10 @@ std::string drawn_json(const Figure& figure, const Results& results, const std::
 }  // namespace
 
 std::string json_value(const Panel& panel) {
-    return ObjectWriter()
-        .member("title", json_text(panel.title))
+    ObjectWriter object;
+    if (panel.x_range) { object.member("x_range", range_json(*panel.x_range)); }
+    if (panel.y_range) { object.member("y_range", range_json(*panel.y_range)); }
+    return object.member("title", json_text(panel.title))
         .member("x_label", json_text(panel.x_label))
         .member("y_label", json_text(panel.y_label))
         .member("log_x", flag_json(panel.log_x))
@@ -118,12 +127,12 @@ std::string json_value(const Panel& panel) {
         .text();
 }
 
-ReportFigures report_figures(const Results& results, const std::filesystem::path& folder) {
+ReportFigures report_figures(const Results& results) {
     ReportFigures all;
     std::string list;
     try {
         for (const auto& figure : figures_of(results)) {
-            list += (list.empty() ? "" : ",") + drawn_json(*figure, results, folder, all.not_drawn);
+            list += (list.empty() ? "" : ",") + drawn_json(*figure, results, all.not_drawn);
         }
     } catch (const FigureError& error) { all.not_drawn.emplace_back(error.what()); }
     all.json = "[" + list + "]";

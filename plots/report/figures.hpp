@@ -20,7 +20,7 @@ struct ReportFigures {
 /// A list of {"name", "kind", "title", "columns", "marks", "panels"}, or with "not_drawn", why, in place of the last;
 /// one in space has "space": true. Labels are enhanced text of gnuplot. A curve has "x" (or the index of an
 /// earlier curve with the same), "y" (null: a gap), "style", "fitted" (indices).
-ReportFigures report_figures(const Results& results, const std::filesystem::path& folder);
+ReportFigures report_figures(const Results& results);
 
 /// A panel as JSON, for tests.
 std::string json_value(const Panel& panel);

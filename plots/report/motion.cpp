@@ -72,12 +72,12 @@ MotionSelection selection_of(std::vector<ShownCell> cells, std::size_t bodies) {
 
 class MotionWriter {
   public:
-    explicit MotionWriter(const std::filesystem::path& folder) : folder_(folder), mechanisms_(read_geometry(folder)) {}
+    explicit MotionWriter(const std::filesystem::path& folder) : mechanisms_(read_geometry(folder)) {}
 
     std::string json(const std::vector<ShownCell>& all) {
         std::string list;
         if (!all.empty()) {
-            const std::size_t bodies = bodies_in(read_trajectory(folder_, *all.front().result)).size();
+            const std::size_t bodies = bodies_in(read_trajectory(*all.front().result)).size();
             const MotionSelection selection = selection_of(all, bodies);
             for (const ShownCell& cell : selection.cells) {
                 list += (list.empty() ? "" : ",") + cell_json(cell, selection.instants);
@@ -93,7 +93,7 @@ class MotionWriter {
 
   private:
     std::string cell_json(const ShownCell& cell, std::size_t most) {
-        const TrajectoryTable trajectory = read_trajectory(folder_, *cell.result);
+        const TrajectoryTable trajectory = read_trajectory(*cell.result);
         std::vector<std::string> bodies = bodies_in(trajectory);
         fewer_bodies_ = std::max(fewer_bodies_, bodies.size());
         if (bodies.size() > most_bodies) { bodies.resize(most_bodies); }
@@ -138,7 +138,6 @@ class MotionWriter {
         }
     }
 
-    const std::filesystem::path& folder_;
     std::vector<CellGeometry> mechanisms_;
     std::vector<std::string> remarks_;
     std::size_t fewer_bodies_ = 0, most_samples_ = 0, most_shown_ = 0;

@@ -54,7 +54,7 @@ std::string data_json(const Results& results, const std::filesystem::path& folde
         .member("provenance", provenance_json(folder))
         .member("figures", figures)
         .member("motions", report_motion(results, folder))
-        .member("tables", report_tables(results, folder))
+        .member("tables", report_tables(results))
         .text();
 }
 
@@ -75,7 +75,7 @@ Exit report_command(const std::filesystem::path& folder, const std::filesystem::
     const FolderLock lock(folder, "");
     const Results results = read_results(folder, planned);
     print_wanting(results);
-    const ReportFigures figures = report_figures(results, folder);
+    const ReportFigures figures = report_figures(results);
     for (const std::string& why : figures.not_drawn) { std::cerr << "not drawn: " << why << "\n"; }
     const std::string page = report_page(results.name + " — kreisel", data_json(results, folder, figures.json));
     write_page(page, folder, output);

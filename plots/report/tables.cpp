@@ -19,11 +19,11 @@ struct NamedTable {
     TextTable table;
 };
 
-std::vector<NamedTable> tables_of(const Results& results, const std::filesystem::path& folder) {
+std::vector<NamedTable> tables_of(const Results& results) {
     std::vector<NamedTable> all;
     for (const ResultTable& table : result_tables()) {
         if (!table.applies(results)) { continue; }
-        for (TablePair& pair : table.make(results, folder)) {
+        for (TablePair& pair : table.make(results)) {
             pair.full.notes.insert(pair.full.notes.end(), pair.brief.notes.begin(), pair.brief.notes.end());
             if (!pair.full.rows.empty()) { all.push_back({table.repeats_cells, std::move(pair.full)}); }
         }
@@ -34,10 +34,10 @@ std::vector<NamedTable> tables_of(const Results& results, const std::filesystem:
 
 }  // namespace
 
-std::string report_tables(const Results& results, const std::filesystem::path& folder) {
+std::string report_tables(const Results& results) {
     std::string list = json_value(cell_columns(all_cells(results), results.units));
     const std::size_t most = std::max(list.size(), room_for_tables);
-    for (const auto& [last, table] : tables_of(results, folder)) {
+    for (const auto& [last, table] : tables_of(results)) {
         std::string json = json_value(by_columns(table));
         if (list.size() + json.size() > most) {
             json = ObjectWriter()

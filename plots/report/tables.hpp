@@ -12,6 +12,6 @@ namespace kreisel {
 
 /// A list of tables (plots/report/column_table.hpp): all cells, then what `kreisel table` writes, as far as there is
 /// room; of one without {"name", "title", "left_out": true}. Some two thirds of the largest page are tables.
-std::string report_tables(const Results& results, const std::filesystem::path& folder);
+std::string report_tables(const Results& results);
 
 }  // namespace kreisel

@@ -114,7 +114,7 @@ TextTable table_of(const std::string& label, bool single, const std::vector<Cell
     return table;
 }
 
-std::vector<TablePair> certification_tables(const Results& results, const std::filesystem::path& /*folder*/) {
+std::vector<TablePair> certification_tables(const Results& results) {
     const CellNames names(results.rows);
     const auto groups = group_by_method(results.rows);
     std::vector<std::string> labels;

@@ -17,7 +17,7 @@ std::vector<std::string> growth_cells(const std::optional<GrowthLaw>& growth) {
             fmt::format("{:.4g}–{:.4g}", growth->from, growth->to)};
 }
 
-TextTable drift_table(const Results& results, const std::filesystem::path& folder, std::string (*number)(double)) {
+TextTable drift_table(const Results& results, std::string (*number)(double)) {
     const CellNames names(results.rows);
     TextTable table = cell_table("drift", "Constraint and orthogonality defects: " + results.name,
                                  {"steps", "h [s]", "defect", "maximum", "final", "exponent", "spread", "range [s]"});
@@ -28,7 +28,7 @@ TextTable drift_table(const Results& results, const std::filesystem::path& folde
     const auto metrics = plain_metrics(results.rows, "defect.");
     for (const ResultRow& row : results.rows) {
         if (row.status == "skipped") { continue; }
-        const auto trajectory = row.has_trajectory ? read_trajectory(folder, row) : TrajectoryTable{};
+        const auto trajectory = row.has_trajectory ? read_trajectory(row) : TrajectoryTable{};
         for (const std::string& name : metrics) {
             if (!row.metrics.contains(name)) { continue; }
             std::vector<std::string> cells = {steps_cell(row), number(step_size(row)), name.substr(7),
@@ -43,8 +43,8 @@ TextTable drift_table(const Results& results, const std::filesystem::path& folde
     return table;
 }
 
-std::vector<TablePair> drift_tables(const Results& results, const std::filesystem::path& folder) {
-    return {{drift_table(results, folder, exact_number), drift_table(results, folder, short_number)}};
+std::vector<TablePair> drift_tables(const Results& results) {
+    return {{drift_table(results, exact_number), drift_table(results, short_number)}};
 }
 
 }  // namespace

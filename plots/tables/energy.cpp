@@ -43,7 +43,7 @@ void add_energy_law(TextTable& table, const CellNames& names, const CellGroup& g
              short_number(finest.error)});
 }
 
-std::vector<TablePair> energy_tables(const Results& results, const std::filesystem::path& folder) {
+std::vector<TablePair> energy_tables(const Results& results) {
     const CellNames names(results.rows);
     const std::string title = "Energy over long times: " + results.name;
     const std::vector<std::string> columns = {"law", "h [s]", "max |E - E_0| [J]", "rate [J/s]", "error [J/s]"};
@@ -51,7 +51,7 @@ std::vector<TablePair> energy_tables(const Results& results, const std::filesyst
               brief = cell_table("energy", title, columns);
     brief.notes = energy_notes;
     for (const CellGroup& group : group_by_method(results.rows)) {
-        const auto law = energy_law_of(group, folder);
+        const auto law = energy_law_of(group);
         if (!law) { continue; }
         add_energy_runs(full, names, group, *law);
         add_energy_law(brief, names, group, *law);

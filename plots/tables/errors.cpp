@@ -97,7 +97,7 @@ TextTable errors_in_brief(const Results& results) {
     return without_constant_columns(table, with(CellNames::axes(), steps_titles(tolerances)));
 }
 
-std::vector<TablePair> errors_tables(const Results& results, const std::filesystem::path& /*folder*/) {
+std::vector<TablePair> errors_tables(const Results& results) {
     return {{errors_in_full(results), errors_in_brief(results)}};
 }
 

@@ -30,7 +30,7 @@ TextTable invariants_table(const Results& results, std::string (*number)(double)
     return table;
 }
 
-std::vector<TablePair> invariants_tables(const Results& results, const std::filesystem::path& /*folder*/) {
+std::vector<TablePair> invariants_tables(const Results& results) {
     return {{invariants_table(results, exact_number), invariants_table(results, short_number)}};
 }
 

@@ -82,7 +82,17 @@ const std::vector<std::string>& CellNames::axes() {
     return all;
 }
 
+const std::vector<std::string>& CellNames::figure_axes() {
+    static const std::vector<std::string> all = [] {
+        std::vector<std::string> names = axes();
+        names.insert(names.begin(), "results");
+        return names;
+    }();
+    return all;
+}
+
 std::string CellNames::axis(const ResultRow& row, const std::string& axis) const {
+    if (axis == "results") { return row.results; }
     if (axis == "problem") { return row.label; }
     if (axis == "formulation") { return row.formulation; }
     if (axis == "method") {
@@ -100,7 +110,7 @@ std::string CellNames::axis(const ResultRow& row, const std::string& axis) const
 
 std::vector<std::string> CellNames::varying_axes(const std::vector<std::string>& left_out) const {
     std::vector<std::string> result;
-    for (const std::string& name : axes()) {
+    for (const std::string& name : figure_axes()) {
         if (std::find(left_out.begin(), left_out.end(), name) != left_out.end()) { continue; }
         std::set<std::string> values;
         for (const ResultRow& row : rows_) { values.insert(axis(row, name)); }
@@ -133,9 +143,10 @@ std::vector<CellGroup> grouped(const std::vector<ResultRow>& rows, bool (*same)(
 }
 
 bool same_but_for_size(const ResultRow& a, const ResultRow& b) {
-    return a.problem == b.problem && a.label == b.label && a.formulation == b.formulation && a.method == b.method &&
-           a.options == b.options && a.projection == b.projection && a.projection_options == b.projection_options &&
-           a.precision == b.precision && a.adaptive() == b.adaptive() && a.controller == b.controller;
+    return a.results == b.results && a.problem == b.problem && a.label == b.label && a.formulation == b.formulation &&
+           a.method == b.method && a.options == b.options && a.projection == b.projection &&
+           a.projection_options == b.projection_options && a.precision == b.precision && a.adaptive() == b.adaptive() &&
+           a.controller == b.controller;
 }
 
 std::vector<CellGroup> group_by_method(const std::vector<ResultRow>& rows) {

@@ -18,14 +18,18 @@ class CellNames {
   public:
     explicit CellNames(const std::vector<ResultRow>& rows);
 
-    /// "problem" (the label), "formulation", "method" (with varying options), "projection", "precision".
+    /// "results" (of one folder among several), "problem" (the label), "formulation", "method" (with varying options),
+    /// "projection", "precision".
     std::string axis(const ResultRow& row, const std::string& axis) const;
     /// The axes that vary among the rows, without `left_out`.
     std::vector<std::string> varying_axes(const std::vector<std::string>& left_out) const;
     /// The values of `axes`, separated by commas; only the method if nothing varies.
     std::string legend(const ResultRow& row, const std::vector<std::string>& axes) const;
 
+    /// The axes of an experiment.
     static const std::vector<std::string>& axes();
+    /// Those of figures: "results", of several folders, and the same.
+    static const std::vector<std::string>& figure_axes();
 
   private:
     const std::vector<ResultRow>& rows_;

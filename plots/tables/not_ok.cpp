@@ -20,9 +20,7 @@ TextTable not_ok_table(const Results& results) {
     return table;
 }
 
-std::vector<TablePair> not_ok_tables(const Results& results, const std::filesystem::path& /*folder*/) {
-    return {unabridged(not_ok_table(results))};
-}
+std::vector<TablePair> not_ok_tables(const Results& results) { return {unabridged(not_ok_table(results))}; }
 
 }  // namespace
 

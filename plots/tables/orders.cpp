@@ -119,7 +119,7 @@ TextTable orders_in_brief(const Results& results) {
     return without_constant_columns(table, CellNames::axes());
 }
 
-std::vector<TablePair> orders_tables(const Results& results, const std::filesystem::path& /*folder*/) {
+std::vector<TablePair> orders_tables(const Results& results) {
     return {{orders_in_full(results), orders_in_brief(results)}};
 }
 

@@ -67,7 +67,7 @@ TextTable proportionality_in_brief(const Results& results) {
     return without_constant_columns(table, with(CellNames::axes(), {"controller"}));
 }
 
-std::vector<TablePair> proportionality_tables(const Results& results, const std::filesystem::path& /*folder*/) {
+std::vector<TablePair> proportionality_tables(const Results& results) {
     return {{proportionality_in_full(results), proportionality_in_brief(results)}};
 }
 

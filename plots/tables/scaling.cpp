@@ -34,7 +34,7 @@ TextTable scaling_table(const Results& results, std::string (*number)(double)) {
     return table;
 }
 
-std::vector<TablePair> scaling_tables(const Results& results, const std::filesystem::path& /*folder*/) {
+std::vector<TablePair> scaling_tables(const Results& results) {
     return {{scaling_table(results, exact_number), scaling_table(results, short_number)}};
 }
 

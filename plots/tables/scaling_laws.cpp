@@ -37,9 +37,7 @@ TextTable scaling_laws_table(const Results& results) {
     return table;
 }
 
-std::vector<TablePair> scaling_laws_tables(const Results& results, const std::filesystem::path& /*folder*/) {
-    return {unabridged(scaling_laws_table(results))};
-}
+std::vector<TablePair> scaling_laws_tables(const Results& results) { return {unabridged(scaling_laws_table(results))}; }
 
 }  // namespace
 

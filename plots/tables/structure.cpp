@@ -42,12 +42,12 @@ std::vector<std::string> structure_metrics() {
     return names;
 }
 
-std::string energy_text(const ResultRow& row, const std::filesystem::path& folder) {
+std::string energy_text(const ResultRow& row) {
     const std::string energy = "invariant.energy";
     const auto value = row.metrics.find(energy);
     if (value == row.metrics.end()) { return "-"; }
     if (!row.has_trajectory) { return short_number(value->second); }
-    const TrajectoryTable trajectory = read_trajectory(folder, row);
+    const TrajectoryTable trajectory = read_trajectory(row);
     if (value->second <= roundoff_level(trajectory, row.precision)) { return "kept"; }
     const auto law = growth_of(trajectory, energy, row.precision);
     if (!law) { return "no law"; }
@@ -78,7 +78,7 @@ std::string largest_constraint_defect(const ResultRow& row) {
     return largest_text(values, row.precision);
 }
 
-TextTable structure_in_brief(const Results& results, const std::filesystem::path& folder) {
+TextTable structure_in_brief(const Results& results) {
     const CellNames names(results.rows);
     TextTable table = cell_table("structure", "What is preserved: " + results.name,
                                  {"two-form", "reversal", "energy", "momenta", "constraints"});
@@ -88,8 +88,8 @@ TextTable structure_in_brief(const Results& results, const std::filesystem::path
         if (best == nullptr) { continue; }
         add_row(table, names, *best,
                 {structure_text(structure_of(group, "structure.symplectic")),
-                 structure_text(structure_of(group, "structure.reversal")), energy_text(*best, folder),
-                 momenta_text(*best), largest_constraint_defect(*best)});
+                 structure_text(structure_of(group, "structure.reversal")), energy_text(*best), momenta_text(*best),
+                 largest_constraint_defect(*best)});
     }
     return without_constant_columns(table, CellNames::axes());
 }
@@ -113,8 +113,8 @@ TextTable structure_in_full(const Results& results) {
     return table;
 }
 
-std::vector<TablePair> structure_tables(const Results& results, const std::filesystem::path& folder) {
-    return {{structure_in_full(results), structure_in_brief(results, folder)}};
+std::vector<TablePair> structure_tables(const Results& results) {
+    return {{structure_in_full(results), structure_in_brief(results)}};
 }
 
 }  // namespace

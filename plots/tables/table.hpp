@@ -37,7 +37,7 @@ struct ResultTable {
     OfResults is_printed = always;  ///< on the terminal, not only written
     bool repeats_cells = false;     ///< shows nothing but columns of all cells
     /// `folder` holds the results and their trajectories. A table without rows is not written.
-    std::vector<TablePair> (*make)(const Results& results, const std::filesystem::path& folder) = nullptr;
+    std::vector<TablePair> (*make)(const Results& results) = nullptr;
 };
 
 /// All of them, by `place`.

@@ -115,7 +115,7 @@ TextTable work_precision_in_brief(const Results& results, const std::vector<Cell
     return table;
 }
 
-std::vector<TablePair> work_precision_tables(const Results& results, const std::filesystem::path& /*folder*/) {
+std::vector<TablePair> work_precision_tables(const Results& results) {
     const std::vector<CellGroup> groups = group_by_method(results.rows);
     return {{work_precision_in_full(results, groups), work_precision_in_brief(results, groups)}};
 }

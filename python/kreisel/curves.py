@@ -57,6 +57,8 @@ class Panel:
     curves: tuple[Curve, ...]
     guides: tuple[tuple[np.ndarray, np.ndarray], ...]  #: fitted laws and slope triangles
     marks: tuple[Mark, ...]
+    x_range: tuple[float, float] | None = None  #: none: all that is drawn
+    y_range: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -69,6 +71,10 @@ class FigureData:
     columns: int
     with_marks: bool  #: curves through measured points, not over time
     panels: tuple[Panel, ...]
+    width: float | None = None  #: of the page, cm; none: as the legends require
+    axes_height: float = 5.0  #: cm
+    font_size: float = 7.5  #: points
+    with_lines: bool = True  #: between the points of curves
 
 
 def _array(values: list[float | None]) -> np.ndarray:
@@ -89,7 +95,7 @@ def _panel(data: dict[str, Any]) -> Panel:
     guides = tuple((_array(one["x"]), _array(one["y"])) for one in data["guides"])
     marks = tuple(Mark(**one) for one in data["marks"])
     return Panel(data["title"], data["x_label"], data["y_label"], data["log_x"], data["log_y"], data["from_zero"],
-                 curves, guides, marks)
+                 curves, guides, marks, *(tuple(data[key]) if key in data else None for key in ("x_range", "y_range")))
 
 
 def _report_of(results: Results) -> dict[str, Any]:
@@ -108,7 +114,8 @@ def read_figures(results: Results) -> dict[str, FigureData | NotDrawn]:
     for one in report["figures"]:
         if "panels" in one:
             figures[one["name"]] = FigureData(one["name"], one["title"], report["wanting"], one["columns"],
-                                              one["marks"], tuple(map(_panel, one["panels"])))
+                                              one["marks"], tuple(map(_panel, one["panels"])), one.get("width"),
+                                              one["axes_height"], one["font_size"], one["lines"])
         else:
             reason = one.get("not_drawn", f"{one['name']}: a figure in space, which only kreisel plot draws")
             figures[one["name"]] = NotDrawn(reason)

@@ -10,7 +10,7 @@ import pandas as pd
 from . import style
 from .curves import FigureData, NotDrawn, Panel, read_figures
 from .labels import matplotlib_text
-from .layout import legend_below, new_axes
+from .layout import Page, legend_below, new_axes
 from .legends import Legends, identity_columns
 from .results import Cell, Results
 
@@ -34,31 +34,37 @@ def _drawable(values: np.ndarray, logarithmic: bool) -> np.ndarray:
     return np.where(values > 0, values, np.nan) if logarithmic else values
 
 
-def draw_panel(ax: Axes, panel: Panel, with_marks: bool) -> None:
+def draw_panel(ax: Axes, panel: Panel, with_marks: bool, page: Page = Page(), with_lines: bool = True) -> None:
     """Draws a panel of a figure into axes."""
     for x, y in panel.guides:
         ax.plot(_drawable(x, panel.log_x), _drawable(y, panel.log_y), **style.GUIDE)
     for curve in panel.curves:
+        looks = style.line_style(curve.style, with_marks)
         ax.plot(_drawable(curve.x, panel.log_x), _drawable(curve.y, panel.log_y),
-                label=matplotlib_text(curve.label) or None, **style.line_style(curve.style, with_marks))
+                label=matplotlib_text(curve.label) or None, **(looks if with_lines else {**looks, "linestyle": "none"}))
     for mark in panel.marks:
         ax.text(mark.x, mark.y, matplotlib_text(mark.text), ha="center", va="center", **style.NOTE)
     _set_scales(ax, panel.log_x, panel.log_y)
     if panel.from_zero:
         ax.set_ylim(bottom=0)
+    if panel.x_range:
+        ax.set_xlim(panel.x_range)
+    if panel.y_range:
+        ax.set_ylim(panel.y_range)
     ax.set_title(matplotlib_text(panel.title))
     ax.set_xlabel(matplotlib_text(panel.x_label))
     ax.set_ylabel(matplotlib_text(panel.y_label))
-    legend_below(ax)
+    legend_below(ax, page)
 
 
 def draw_figure(data: FigureData) -> Figure:
     """Draws the panels of a figure, beside and below each other."""
     title = "\n".join(filter(None, map(matplotlib_text, (data.title, data.note))))
-    axes = new_axes([[curve.label for curve in panel.curves] for panel in data.panels], data.columns, title)
-    with style.house_style():
+    page = Page(data.width, data.axes_height, data.font_size)
+    axes = new_axes([[curve.label for curve in panel.curves] for panel in data.panels], data.columns, title, page)
+    with style.house_style(page.font_size):
         for ax, panel in zip(axes, data.panels):
-            draw_panel(ax, panel, data.with_marks)
+            draw_panel(ax, panel, data.with_marks, page, data.with_lines)
     return axes[0].figure
 
 

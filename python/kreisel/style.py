@@ -15,10 +15,11 @@ GUIDE = {"color": "#777777", "linewidth": 0.6}
 GRID = {"color": "#bbbbbb", "linewidth": 0.4}
 NOTE = {"color": "#555555", "fontsize": 6.5}
 
+FONT_SIZE = 7.5  # points on the page
+_LETTERS = ("font.size", "axes.titlesize", "axes.labelsize", "legend.fontsize", "xtick.labelsize", "ytick.labelsize",
+            "figure.titlesize")
 RC = {
-    "font.family": "DejaVu Sans", "font.size": 7.5, "axes.titlesize": 7.5, "axes.labelsize": 7.5,
-    "legend.fontsize": 7.5, "xtick.labelsize": 7.5, "ytick.labelsize": 7.5, "figure.titlesize": 7.5,
-    "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.5, "axes.grid": True,
+    "font.family": "DejaVu Sans", "axes.spines.top": False, "axes.spines.right": False, "axes.linewidth": 0.5, "axes.grid": True,
     "axes.axisbelow": True, "grid.color": GRID["color"], "grid.linewidth": GRID["linewidth"],
     "legend.frameon": False, "lines.linewidth": 1.0, "lines.markersize": 3.5, "lines.markeredgewidth": 0.8,
 }
@@ -34,12 +35,12 @@ def line_style(number: int, marks: bool) -> dict[str, Any]:
 
 
 @contextmanager
-def house_style() -> Iterator[None]:
-    """What is drawn within has the fonts, lines and axes of kreisel; the settings of the caller come back afterwards.
+def house_style(font_size: float = FONT_SIZE) -> Iterator[None]:
+    """What is drawn within has the fonts (size in points), lines and axes of kreisel; the settings of the caller come back afterwards.
 
     The page itself is made outside: with it matplotlib may choose a backend, which would be forgotten with the rest.
     """
     import matplotlib.pyplot as plt
 
-    with plt.rc_context(RC):
+    with plt.rc_context({**RC, **dict.fromkeys(_LETTERS, font_size)}):
         yield

@@ -28,6 +28,7 @@ enum class Rule {
     figure_selection,
     figure_body,
     figure_until,
+    figure_range,
 };
 
 struct RuleDescription {

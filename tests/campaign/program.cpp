@@ -136,7 +136,7 @@ TEST_CASE("a campaign over the real engines is run, verified and tabled", "[camp
         INFO(row.formulation << row.projection << row.precision);
         CHECK(row.metrics.at("error.position") < 1e-3);
         CHECK(row.reference_error.at("error.position") < 1e-20);
-        const TrajectoryTable trajectory = read_trajectory(out, row);
+        const TrajectoryTable trajectory = read_trajectory(row);
         const auto *x = trajectory.find("top.x1"), *y = trajectory.find("top.x2"), *z = trajectory.find("top.x3");
         REQUIRE(x != nullptr);
         REQUIRE(x->size() == 5);

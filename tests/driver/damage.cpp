@@ -85,9 +85,7 @@ std::string everything(const std::filesystem::path& folder, const Results& resul
         text += numbers_text(row.metrics) + numbers_text(row.scale) + numbers_text(row.cost) +
                 numbers_text(row.reference_error);
         if (!row.has_trajectory) { continue; }
-        for (const auto& column : read_trajectory(folder, row).columns) {
-            text += fmt::format(" {}", fmt::join(column, " "));
-        }
+        for (const auto& column : read_trajectory(row).columns) { text += fmt::format(" {}", fmt::join(column, " ")); }
     }
     return text;
 }

@@ -186,6 +186,7 @@ TEST_CASE("fast motions of stiff springs that nothing damps are solved, or are n
     for_each_implicit([&](const Method& entry) {
         if (is_stable_for_small_steps_alone(entry)) return;
         for (const int stiffness : {10000, 100000, 1000000}) {
+            if (KREISEL_QUAD && stiffness != 100000) continue;  // slow, and the same code
             INFO("stiffness " << stiffness);
             const bool solvable = stiffness < 1000000;
             Trip trip(with_stiff_springs(chain, stiffness, 0), "SO3xR3", entry, damping_options(entry));

@@ -21,9 +21,8 @@ inline std::unique_ptr<Figure> figure_read_from(const nlohmann::json& figure) {
     return std::move(figures.at(0));
 }
 
-inline PanelFigure panels_of(const nlohmann::json& figure, const Results& results,
-                             const std::filesystem::path& folder = {}) {
-    return dynamic_cast<const PanelKind&>(*figure_read_from(figure)).panels(results, folder);
+inline PanelFigure panels_of(const nlohmann::json& figure, const Results& results) {
+    return dynamic_cast<const PanelKind&>(*figure_read_from(figure)).panels(results);
 }
 
 }  // namespace kreisel::test

@@ -47,7 +47,7 @@ std::string growth_legend(const std::function<double(double)>& defect) {
                 .dump() +
             "\n");
     const PanelFigure figure =
-        panels_of({{"kind", "drift"}, {"metric", "defect.position"}}, read_results(folder.path()), folder.path());
+        panels_of({{"kind", "drift"}, {"metric", "defect.position"}}, read_results(folder.path()));
     return figure.panels.at(0).curves.at(0).label;
 }
 
@@ -118,8 +118,8 @@ TEST_CASE("a cell that did not come to its end is drawn as far as it came, and s
                                 {"metrics", {{"defect.position", 1e-6}, {"invariant.energy", 1e-3}}}};
     folder.write("results.jsonl", result_line("aa", 50, 0, end).dump() + "\n");
     const Results results = read_results(folder.path());
-    const PanelFigure drift = panels_of({{"kind", "drift"}, {"metric", "defect.position"}}, results, folder.path());
-    const PanelFigure energy = panels_of({{"kind", "invariants"}}, results, folder.path());
+    const PanelFigure drift = panels_of({{"kind", "drift"}, {"metric", "defect.position"}}, results);
+    const PanelFigure energy = panels_of({{"kind", "invariants"}}, results);
     for (const PanelFigure* figure : {&drift, &energy}) {
         REQUIRE(figure->panels.size() == 1);
         REQUIRE(figure->panels[0].curves.size() == 1);
@@ -182,7 +182,7 @@ TEST_CASE("components are drawn until the time asked for, in one panel or stacke
     const Results results = read_results(folder.path());
     const auto figure = [&](nlohmann::json more) {
         more["kind"] = "components";
-        return panels_of(more, results, folder.path());
+        return panels_of(more, results);
     };
     const PanelFigure all = figure({{"quantity", "x"}});
     REQUIRE(all.panels.size() == 1);

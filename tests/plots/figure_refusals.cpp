@@ -29,7 +29,7 @@ Plotted plot(const ResultFolder& folder) {
         std::streambuf* old;
         ~Restore() { std::cerr.rdbuf(old); }
     } const restore{old};
-    const Exit code = plot_command(folder.path());
+    const Exit code = plot_command({.folders = {folder.path()}, .figure = {}, .output = {}});
     std::string messages = text.str();
     // The folders written here have no sums.
     const std::string warning = "without check sums: damage cannot be noticed\n";
@@ -137,7 +137,8 @@ TEST_CASE("a body without a lever is drawn as a top only with one from the figur
 TEST_CASE("results without a config, or of a kind without a figure, are not drawn") {
     const ResultFolder folder;
     folder.write("results.jsonl", convergence_lines(4));
-    CHECK_THROWS_WITH(plot_command(folder.path()), Catch::Contains("no config in it; figures need one"));
+    CHECK_THROWS_WITH(plot_command({.folders = {folder.path()}, .figure = {}, .output = {}}),
+                      Catch::Contains("no config in it; figures need one"));
     folder.manifest({{"name", "n"}, {"kind", "timing"}});
     const Plotted plotted = plot(folder);
     CHECK(plotted.code == Exit::cells_failed);
@@ -161,18 +162,20 @@ TEST_CASE("a gnuplot that is not there, fails or complains is told apart") {
     folder.manifest({{"name", "n"}, {"kind", "convergence"}});
     {
         const Variable scripts("KREISEL_PLOTS", folder.path().string());
-        CHECK_THROWS_WITH(plot_command(folder.path()), Catch::Contains(folder.path().string()) &&
-                                                           Catch::Contains("style.gp is missing") &&
-                                                           Catch::Contains("set KREISEL_PLOTS"));
+        CHECK_THROWS_WITH(plot_command({.folders = {folder.path()}, .figure = {}, .output = {}}),
+                          Catch::Contains(folder.path().string()) && Catch::Contains("style.gp is missing") &&
+                              Catch::Contains("set KREISEL_PLOTS"));
     }
     {
         const Variable path("PATH", folder.path().string());
-        CHECK_THROWS_WITH(plot_command(folder.path()), Catch::Contains("gnuplot cannot be started: No such file"));
+        CHECK_THROWS_WITH(plot_command({.folders = {folder.path()}, .figure = {}, .output = {}}),
+                          Catch::Contains("gnuplot cannot be started: No such file"));
     }
     folder.write("scripts/style.gp", "");
     const Variable scripts("KREISEL_PLOTS", (folder.path() / "scripts").string());
     folder.write("scripts/linespoints.gp", "printerr 'a word'\nexit status 3\n");
-    CHECK_THROWS_WITH(plot_command(folder.path()), Catch::Contains("gnuplot failed with exit code 3: a word"));
+    CHECK_THROWS_WITH(plot_command({.folders = {folder.path()}, .figure = {}, .output = {}}),
+                      Catch::Contains("gnuplot failed with exit code 3: a word"));
     folder.write("scripts/linespoints.gp", "printerr 'only a warning'\n");
     const Plotted plotted = plot(folder);
     CHECK(plotted.code == Exit::ok);

@@ -140,7 +140,7 @@ TEST_CASE("every kind of figure is drawn, without messages from gnuplot") {
            {{"kind", "convergence"}, {"name", "convergence"}, {"facet", "formulation"}, {"title", "T"}},
            {{"kind", "drift"}, {"name", "drift"}, {"metric", "defect.position"}},
            {{"kind", "invariants"}, {"name", "energy"}, {"relative", true}}}}});
-    CHECK(plot_command(folder.path()) == drawn);
+    CHECK(plot_command({.folders = {folder.path()}, .figure = {}, .output = {}}) == drawn);
     for (const char* name : {"path", "motion", "omega", "convergence", "drift", "energy"}) {
         check_drawn(folder, name);
     }
@@ -175,7 +175,7 @@ TEST_CASE("nothing in a label is executed") {
     folder.manifest({{"name", "labels"},
                      {"kind", "convergence"},
                      {"figure", {{"kind", "convergence"}, {"title", "`touch " + mark + "`"}}}});
-    CHECK(plot_command(folder.path()) == drawn);
+    CHECK(plot_command({.folders = {folder.path()}, .figure = {}, .output = {}}) == drawn);
     check_drawn(folder, "labels");
     CHECK(!std::filesystem::exists(mark));
 }
@@ -187,7 +187,7 @@ TEST_CASE("a figure that cannot be drawn says so, and the others are drawn") {
         {{"name", "some"},
          {"kind", "convergence"},
          {"figure", {{{"kind", "path3d"}, {"name", "none"}}, {{"kind", "convergence"}, {"name", "good"}}}}});
-    CHECK(plot_command(folder.path()) == not_drawn);
+    CHECK(plot_command({.folders = {folder.path()}, .figure = {}, .output = {}}) == not_drawn);
     CHECK(!folder.has("figures/none.pdf"));
     check_drawn(folder, "good");
 }
@@ -196,6 +196,6 @@ TEST_CASE("an experiment without a figure gets the one of its kind") {
     const ResultFolder folder;
     folder.write("results.jsonl", convergence_lines(2));
     folder.manifest({{"name", "plain"}, {"kind", "convergence"}});
-    CHECK(plot_command(folder.path()) == drawn);
+    CHECK(plot_command({.folders = {folder.path()}, .figure = {}, .output = {}}) == drawn);
     check_drawn(folder, "plain");
 }

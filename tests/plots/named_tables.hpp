@@ -11,10 +11,9 @@
 
 namespace kreisel::test {
 
-inline std::vector<TablePair> tables_named(const std::string& name, const Results& results,
-                                           const std::filesystem::path& folder = {}) {
+inline std::vector<TablePair> tables_named(const std::string& name, const Results& results) {
     for (const ResultTable& table : result_tables()) {
-        if (table.name == name) { return table.make(results, folder); }
+        if (table.name == name) { return table.make(results); }
     }
     throw std::invalid_argument("no table " + name);
 }

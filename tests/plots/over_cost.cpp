@@ -36,7 +36,7 @@ TEST_CASE("a figure over time can be drawn over solves, steps or CPU time") {
     const auto drawn = [&](const char* kind, const char* x, const char* metric = "") {
         nlohmann::json figure = {{"kind", kind}, {"x", x}};
         if (*metric != '\0') { figure["metric"] = metric; }
-        return panels_of(figure, results, folder.path()).panels.at(0);
+        return panels_of(figure, results).panels.at(0);
     };
     const auto end = [](const Panel& panel) { return panel.curves.at(0).points.at(3); };
     CHECK(end(drawn("drift", "t", "defect.position")).x == 4);
@@ -58,7 +58,7 @@ TEST_CASE("CPU time is shared out by steps where there are no solves, and of a p
     for (const char* count : {",40,", ",60,", ",80,"}) { unsolved.replace(unsolved.find(count), 4, ",0,"); }
     const Results results = sampled_results(folder, unsolved);
     const nlohmann::json figure = {{"kind", "components"}, {"x", "cpu"}, {"until", 2}};
-    const auto points = panels_of(figure, results, folder.path()).panels.at(0).curves.at(0).points;
+    const auto points = panels_of(figure, results).panels.at(0).curves.at(0).points;
     REQUIRE(points.size() == 3);
     CHECK(points[1].x == Approx(1e-3));
     CHECK(points[2].x == Approx(1.5e-3));
@@ -69,10 +69,10 @@ TEST_CASE("samples that do not tell their cost cannot be drawn over it") {
     const Results results = sampled_results(folder, trajectory_text());
     for (const char* kind : {"drift", "invariants", "components"}) {
         const nlohmann::json figure = {{"kind", kind}, {"x", "evaluations"}};
-        CHECK_THROWS_AS(panels_of(figure, results, folder.path()), FigureError);
-        CHECK_NOTHROW(panels_of({{"kind", kind}}, results, folder.path()));
+        CHECK_THROWS_AS(panels_of(figure, results), FigureError);
+        CHECK_NOTHROW(panels_of({{"kind", kind}}, results));
     }
     Results untimed = sampled_results(folder, counted_samples);
     untimed.rows.at(0).cost.erase("run_s");
-    CHECK_THROWS_AS(panels_of({{"kind", "drift"}, {"x", "cpu"}}, untimed, folder.path()), FigureError);
+    CHECK_THROWS_AS(panels_of({{"kind", "drift"}, {"x", "cpu"}}, untimed), FigureError);
 }

@@ -183,7 +183,7 @@ TEST_CASE("a drift table gives what was measured, and dashes where there is no g
                                 {"metrics", {{"defect.position", 1e-6}, {"defect.position.final", 1e-7}}},
                                 {"trajectory", "trajectories/ab.csv"}}) +
                     line("ac", {{"method", "c"}, {"status", "skipped"}, {"metrics", {{"defect.velocity", 2}}}}));
-    const TextTable table = tables_named("drift", results, folder.path()).at(0).full;
+    const TextTable table = tables_named("drift", results).at(0).full;
     REQUIRE(table.rows.size() == 2);
     const auto tail = [](const std::vector<std::string>& row) { return std::vector(row.end() - 6, row.end()); };
     CHECK(tail(table.rows[0]) == std::vector<std::string>{"velocity", "2", "", "-", "-", "-"});

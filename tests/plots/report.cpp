@@ -94,7 +94,7 @@ TEST_CASE("a page holds every cell with its numbers as they are, and the curves 
     CHECK(column_named(cells, "error.position [m]").at("numbers").at(5) == std::pow(1.0 / 2048, 4));
     CHECK(column_named(cells, "method").at("same") == "rkmk/rk4");
     const Results results = read_results(folder.path());
-    const PanelFigure drawn = panels_of({{"kind", "convergence"}}, results, folder.path());
+    const PanelFigure drawn = panels_of({{"kind", "convergence"}}, results);
     const nlohmann::json& curve = data.at("figures").at(0).at("panels").at(0).at("curves").at(0);
     REQUIRE(drawn.panels.at(0).curves.at(0).points.size() == curve.at("x").size());
     for (std::size_t i = 0; i < curve.at("x").size(); ++i) {

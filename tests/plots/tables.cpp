@@ -174,7 +174,7 @@ TEST_CASE("growth laws come from the running maxima of the trajectory") {
             "\n");
     folder.write("trajectories/ab.csv", trajectory_text());
     const Results results = read_results(folder.path());
-    const auto law = growth_of(read_trajectory(folder.path(), results.rows.front()), "defect.position", "double");
+    const auto law = growth_of(read_trajectory(results.rows.front()), "defect.position", "double");
     REQUIRE(law);
     CHECK(law->exponent == Approx(2));
     CHECK(law->coefficient == Approx(1e-6));

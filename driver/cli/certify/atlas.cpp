@@ -34,7 +34,7 @@ std::vector<ObservedOrders> observed_in(const Paths& folders) {
         const Results results = read_results(folder);
         if (!certification->applies(results)) { continue; }
         const std::string precision = results.rows.front().precision;
-        for (TablePair& pair : certification->make(results, folder)) {
+        for (TablePair& pair : certification->make(results)) {
             const std::string label = pair.brief.title.substr(pair.brief.title.rfind(": ") + 2);
             all.push_back({label + (precision == "double" ? "" : ", " + precision), std::move(pair.brief)});
         }

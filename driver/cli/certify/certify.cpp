@@ -82,11 +82,11 @@ TextTable stability_of(const RotationStability& found) {
 }
 
 // What `kreisel table` would print of the results, and orders at a glance.
-void add_tables(const Results& results, const std::filesystem::path& folder, DataSheet& sheet) {
+void add_tables(const Results& results, DataSheet& sheet) {
     for (const ResultTable& table : result_tables()) {
         const bool shown = table.is_printed(results) || table.name == "certification";
         if (!shown || !table.applies(results)) { continue; }
-        for (const TablePair& pair : table.make(results, folder)) {
+        for (const TablePair& pair : table.make(results)) {
             if (!pair.brief.rows.empty()) { sheet.tables.push_back(without_constant_columns(pair.brief, once)); }
         }
     }
@@ -140,11 +140,11 @@ std::vector<std::string> try_out(const MethodDescription& method, bool is_long, 
         const int times = is_long && name == "certified_energy" ? times_as_long : 1;
         const Results results = run_trial(name, method, times, folder, engines, messages);
         const std::size_t before = sheet.tables.size();
-        add_tables(results, folder / name, sheet);
+        add_tables(results, sheet);
         append(complaints, complaints_about(results, sheet, before));
         Findings found;
         if (name == "certified_structure") { found = structure_findings(method, results); }
-        if (name == "certified_energy") { found = energy_findings(method, results, folder / name); }
+        if (name == "certified_energy") { found = energy_findings(method, results); }
         append(sheet.remarks, found.remarks);
         append(complaints, found.complaints);
     }

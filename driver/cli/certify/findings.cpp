@@ -107,10 +107,10 @@ Findings structure_findings(const MethodDescription& method, const Results& resu
     return findings;
 }
 
-Findings energy_findings(const MethodDescription& method, const Results& results, const std::filesystem::path& folder) {
+Findings energy_findings(const MethodDescription& method, const Results& results) {
     Findings findings;
     for (const CellGroup& group : group_by_method(results.rows)) {
-        const auto law = energy_law_of(group, folder);
+        const auto law = energy_law_of(group);
         const Domain domain = domain_of_cell(group.front());
         const bool claimed = method.claims(Property::symplectic, domain) || method.claims(Property::energy, domain);
         if (!law || !claimed || law->verdict == EnergyVerdict::kept || law->verdict == EnergyVerdict::bounded) {

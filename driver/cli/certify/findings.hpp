@@ -24,7 +24,7 @@ struct Findings {
 Findings structure_findings(const MethodDescription& method, const Results& results);
 
 /// Of the trial certified_energy: where it declares a property that bounds the energy error, symplectic or
-/// energy-preserving, the error must be kept or bounded. `folder` holds the results.
-Findings energy_findings(const MethodDescription& method, const Results& results, const std::filesystem::path& folder);
+/// energy-preserving, the error must be kept or bounded.
+Findings energy_findings(const MethodDescription& method, const Results& results);
 
 }  // namespace kreisel

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "driver/config/composition/mechanism_files.hpp"
+#include "plots/figures/overlay_files.hpp"
 #include "records/json/node.hpp"
 #include "records/json/strict.hpp"
 #include "records/manifest.hpp"
@@ -147,6 +148,7 @@ Document merged_config(const std::filesystem::path& file, const std::vector<std:
 Document composed_config(const std::filesystem::path& file, const std::vector<std::string>& settings) {
     Document config = merged_config(file, settings);
     insert_mechanism_files(config);
+    insert_overlay_files(config, "/figure");
     return config;
 }
 

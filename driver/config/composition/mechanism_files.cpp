@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "driver/config/urdf/mechanism.hpp"
+#include "records/json/layers.hpp"
 #include "records/json/node.hpp"
 #include "records/json/strict.hpp"
 #include "support/files.hpp"
@@ -17,12 +18,6 @@ using nlohmann::json;
 
 constexpr const char* expected_path = "the path of a mechanism (JSON or URDF), relative to this file's folder";
 constexpr const char* robot_keys[] = {"positions", "rates", "root"};
-
-// A path in a setting is relative to the folder of the config.
-fs::path folder_of(const Document& config, const std::string& pointer) {
-    const Document& writer = writer_of(config, pointer);
-    return fs::path(writer.file.starts_with("--set ") ? config.file : writer.file).parent_path();
-}
 
 bool is_xml(const std::string& text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
@@ -63,12 +58,6 @@ Document mechanism_in(const fs::path& file, const Node& parameters, json& patch,
     sink.raise();
     for (const char* key : robot_keys) { patch.erase(key); }
     return robot_document(file, start);
-}
-
-// The layers of a document, with itself where it has none.
-std::vector<Layer> layers_of(const Document& document) {
-    if (!document.layers.empty()) { return document.layers; }
-    return {{"", std::make_shared<const Document>(document)}};
 }
 
 void insert_at(Document& config, const std::string& pointer) {

@@ -20,7 +20,7 @@ const std::map<std::string, std::string> component_symbols = {
     {"x", "x"}, {"v", "v"}, {"omega", "ω"}, {"multipliers", "λ"}};
 
 struct Component {
-    std::string label, unit;
+    std::string name, label, unit;  // "x1", or "pin.1" of multipliers
     const std::vector<double>* values;
 };
 
@@ -34,7 +34,7 @@ std::vector<Component> components_of(const std::string& prefix, const std::strin
         const std::string index = enhanced_escape(name.substr(prefix.size()));
         const std::string label =
             index.size() > 1 ? fmt::format("{}_{{{}}}", symbol, index) : fmt::format("{}_{}", symbol, index);
-        all.push_back({label, trajectory.units[i], &trajectory.columns[i]});
+        all.push_back({name.substr(name.find('.') + 1), label, trajectory.units[i], &trajectory.columns[i]});
     }
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.unit < b.unit; });
     return all;
@@ -52,11 +52,12 @@ class ComponentsFigure final : public PanelKind {
     std::string drawn_body() const override { return body; }
     std::optional<double> drawn_until() const override { return until; }
 
-    PanelFigure panels(const Results& results, const std::filesystem::path& folder) const override {
+  private:
+    PanelFigure make_panels(const Results& results) const override {
         const ResultRow row = selected_trajectory(*this, results);
-        const TrajectoryTable trajectory = samples_until(until, row, folder);
-        auto at = abscissa_of_samples(read_trajectory(folder, row), row, x);
-        const auto components = components_of(prefix_in(trajectory), symbol(), trajectory);
+        const TrajectoryTable trajectory = samples_until(until, row);
+        auto at = abscissa_of_samples(read_trajectory(row), row, x);
+        auto components = components_of(prefix_in(trajectory), symbol(), trajectory);
         if (!at) { throw FigureError(fmt::format("{}: the trajectory does not tell {}", name, x)); }
         at->resize(trajectory.columns.front().size());
         if (components.empty()) {
@@ -66,19 +67,21 @@ class ComponentsFigure final : public PanelKind {
         PanelFigure figure{name, enhanced_escape(title), {}, columns};
         if (stacked) { figure.axes_height = 2.2; }
         std::string unit;
-        for (const Component& component : components) {
+        for (Component& component : components) {
+            if (legend.contains(component.name)) { component.label = label_of(component.name); }
             if (stacked || figure.panels.empty() || component.unit != unit) {
                 unit = component.unit;
                 add_panel(component, figure);
             }
             auto& curves = figure.panels.back().curves;
-            curves.push_back({stacked ? "" : component.label, zipped(*at, *component.values),
-                              stacked ? 1 : static_cast<int>(curves.size()) + 1});
+            curves.push_back({stacked ? "" : component.label,
+                              zipped(*at, *component.values),
+                              stacked ? 1 : static_cast<int>(curves.size()) + 1,
+                              {},
+                              component.name});
         }
         return figure;
     }
-
-  private:
     bool draws_multipliers() const { return quantity == "multipliers"; }
     const std::string& symbol() const { return component_symbols.at(quantity); }
     // What the names of the columns begin with.

@@ -75,8 +75,8 @@ class ConvergenceFigure final : public CurveKind {
 
   private:
     std::string x_of(const CellGroup& group) const { return !x.empty() ? x : is_adaptive(group) ? "tolerance" : "h"; }
-    std::vector<ResultRow> rows_of(const Results& results) const override {
-        return selected_rows(*this, results, true);
+    std::vector<ResultRow> rows_of(const FigureSpec& of, const Results& results) const override {
+        return selected_rows(of, results, true);
     }
     std::vector<CellGroup> groups_of(const std::vector<ResultRow>& rows) const override {
         return group_by_method(rows);
@@ -84,8 +84,7 @@ class ConvergenceFigure final : public CurveKind {
     std::optional<Panel> empty_panel(const std::string& metric, const Units& units) const override {
         return Panel{"", abscissa_label(x.empty() ? "h" : x), metric_label(metric, units), true, true, {}, {}, {}};
     }
-    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
-                                    const std::filesystem::path& /*folder*/) const override {
+    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric) const override {
         const std::vector<WorkPoint> points = work_points(group, metric, x_of(group));
         const auto some = [&](bool (*is)(const ResultRow*)) {
             return std::any_of(group.rows.begin(), group.rows.end(), is);

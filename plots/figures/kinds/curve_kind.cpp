@@ -7,6 +7,7 @@
 #include <map>
 
 #include "plots/figures/enhanced_text.hpp"
+#include "plots/figures/legends.hpp"
 #include "records/metrics/catalogue.hpp"
 
 namespace kreisel {
@@ -28,45 +29,17 @@ std::string facet_title(const std::string& facet, const std::string& value) {
     return value == "none" && facet == "projection" ? "no projection" : enhanced_escape(value);
 }
 
-std::string steps_remark(const ResultRow& row) {
-    return row.adaptive() ? fmt::format("tolerance {}", row.tolerance) : fmt::format("h = {:.3g} s", row.h);
-}
-
-// Names of groups in a legend, with step sizes if these are named and vary; equal names have equal styles in
-// all panels.
-class Legends {
-  public:
-    Legends(const std::vector<ResultRow>& rows, const CellNames& names, const std::string& facet, bool names_steps)
-        : names_(names), axes_(names.varying_axes(facet.empty() ? std::vector<std::string>{} : std::vector{facet})) {
-        const auto other = [&](const ResultRow& row) {
-            return row.steps != rows.front().steps || row.tolerance != rows.front().tolerance;
-        };
-        with_steps_ = names_steps && std::any_of(rows.begin(), rows.end(), other);
-    }
-
-    std::string name(const ResultRow& row) const {
-        std::string text = axes_.empty() && with_steps_ ? "" : names_.legend(row, axes_);
-        if (with_steps_) { text += (text.empty() ? "" : ", ") + steps_remark(row); }
-        return text;
-    }
-    int style(const std::string& name) {
-        return styles_.insert({name, static_cast<int>(styles_.size()) + 1}).first->second;
-    }
-
-  private:
-    const CellNames& names_;
-    std::vector<std::string> axes_;
-    bool with_steps_ = false;
-    std::map<std::string, int> styles_;
-};
-
 }  // namespace
 
-PanelFigure CurveKind::panels(const Results& results, const std::filesystem::path& folder) const {
-    const std::vector<ResultRow> rows = rows_of(results);
+PanelFigure CurveKind::make_panels(const Results& results) const {
+    const std::vector<ResultRow> rows = rows_of(*this, results);
     const std::vector<CellGroup> groups = groups_of(rows);
     const CellNames names(rows);
-    Legends legends(rows, names, facet, names_steps());
+    const Legends legends(rows, names, facet, names_steps());
+    FigureSpec whole = *this;
+    whole.select.clear();
+    const std::vector<ResultRow> all = rows_of(whole, results);
+    Styles styles(all, legends);
     PanelFigure figure{name, enhanced_escape(title), {}, columns};
     for (const std::string& value : facet_values(facet, names, rows)) {
         for (const std::string& metric : metrics) {
@@ -76,11 +49,11 @@ PanelFigure CurveKind::panels(const Results& results, const std::filesystem::pat
             std::vector<CellGroup> drawn;
             for (const CellGroup& group : groups) {
                 if (!facet.empty() && names.axis(group.front(), facet) != value) { continue; }
-                const auto one = curve(group, metric, folder);
+                const auto one = curve(group, metric);
                 if (!one) { continue; }
-                const std::string label = legends.name(group.front());
+                const std::string called = legends.name(group.front());
                 panel->curves.push_back(
-                    {enhanced_escape(label) + one->remark, one->points, legends.style(label), one->fitted});
+                    {label_of(called) + one->remark, one->points, styles.of(group.front()), one->fitted, called});
                 if (!one->guide.empty()) { panel->guides.push_back(one->guide); }
                 drawn.push_back(group);
             }
@@ -93,9 +66,10 @@ PanelFigure CurveKind::panels(const Results& results, const std::filesystem::pat
 }
 
 std::vector<FigureKey> layout_keys() {
-    return {figure_key("facet", &CurveKind::facet, figure_value::axis(), "one panel for each value of an axis"),
-            figure_key("columns", &CurveKind::columns, figure_value::count(1, 4, "panels beside each other"),
-                       "panels beside each other")};
+    auto keys = look_keys();
+    keys.insert(keys.begin(),
+                figure_key("facet", &CurveKind::facet, figure_value::axis(), "one panel for each value of an axis"));
+    return keys;
 }
 
 std::vector<FigureKey> curve_keys(const std::vector<std::string>& families, const std::vector<std::string>& own) {

@@ -30,16 +30,16 @@ class CurveKind : public PanelKind {
     std::string facet;  ///< an axis; empty: no facets
 
     std::vector<std::string> drawn_metrics() const override { return metrics; }
-    PanelFigure panels(const Results& results, const std::filesystem::path& folder) const final;
 
   protected:
-    virtual std::vector<ResultRow> rows_of(const Results& results) const = 0;
+    PanelFigure make_panels(const Results& results) const final;
+    /// Those that the figure `of` draws.
+    virtual std::vector<ResultRow> rows_of(const FigureSpec& of, const Results& results) const = 0;
     virtual std::vector<CellGroup> groups_of(const std::vector<ResultRow>& rows) const = 0;
     /// Labels and scales of the panels of a metric; nothing for one that is not drawn.
     virtual std::optional<Panel> empty_panel(const std::string& metric, const Units& units) const = 0;
-    /// Nothing where the group has no such metric. `folder` holds the results.
-    virtual std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
-                                            const std::filesystem::path& folder) const = 0;
+    /// Nothing where the group has no such metric.
+    virtual std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric) const = 0;
     /// Adds to a panel what belongs to all of its curves.
     virtual void complete(Panel& /*panel*/, const std::vector<CellGroup>& /*drawn*/,
                           const std::string& /*metric*/) const {}
@@ -50,7 +50,7 @@ class CurveKind : public PanelKind {
 };
 
 /// The keys of such kinds, whose metrics are of families such as "error.", or their own.
-std::vector<FigureKey> layout_keys();  ///< those of how panels stand
+std::vector<FigureKey> layout_keys();  ///< those of how panels stand and look
 std::vector<FigureKey> curve_keys(const std::vector<std::string>& families, const std::vector<std::string>& own = {});
 
 /// Axis label of a metric in enhanced text, with its unit.

@@ -40,10 +40,9 @@ class DriftFigure final : public SampleKind {
     std::optional<Panel> empty_panel(const std::string& metric, const Units& units) const override {
         return Panel{"", abscissa_label(x), metric_label(metric, units), true, true, {}, {}, {}};
     }
-    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
-                                    const std::filesystem::path& folder) const override {
+    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric) const override {
         const ResultRow& row = group.front();
-        const TrajectoryTable trajectory = read_trajectory(folder, row);
+        const TrajectoryTable trajectory = read_trajectory(row);
         DrawnCurve drawn{maxima(trajectory, row, metric), ": " + end_text(row)};
         if (drawn.points.empty()) { return std::nullopt; }
         if (!row.ok()) { return drawn; }

@@ -26,19 +26,20 @@ class EnergyFigure final : public CurveKind {
     EnergyFigure() : CurveKind({"invariant.energy"}) {}
 
   private:
-    std::vector<ResultRow> rows_of(const Results& results) const override { return selected_rows(*this, results); }
+    std::vector<ResultRow> rows_of(const FigureSpec& of, const Results& results) const override {
+        return selected_rows(of, results);
+    }
     std::vector<CellGroup> groups_of(const std::vector<ResultRow>& rows) const override {
         return group_by_method(rows);
     }
     std::optional<Panel> empty_panel(const std::string& metric, const Units& units) const override {
         return Panel{"", "t [s]", metric_label(metric, units), true, true, {}, {}, {}};
     }
-    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
-                                    const std::filesystem::path& folder) const override {
-        const auto law = energy_law_of(group, folder);
+    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric) const override {
+        const auto law = energy_law_of(group);
         const ResultRow* row = coarsest_with_samples(group);
         if (!law || row == nullptr) { return std::nullopt; }
-        const TrajectoryTable samples = read_trajectory(folder, *row);
+        const TrajectoryTable samples = read_trajectory(*row);
         const auto *t = samples.find("t"), *largest = samples.find(metric + ".max");
         if (t == nullptr || largest == nullptr) { return std::nullopt; }
         return DrawnCurve{zipped(*t, *largest), ": " + enhanced_law(*law)};

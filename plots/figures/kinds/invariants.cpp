@@ -24,14 +24,13 @@ class InvariantsFigure final : public SampleKind {
                      : metric_label(metric, units);
         return Panel{"", abscissa_label(x), label, false, true, {}, {}, {}};
     }
-    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
-                                    const std::filesystem::path& folder) const override {
+    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric) const override {
         const ResultRow& row = group.front();
         const auto largest = row.metrics.find(metric), by_size = row.metrics.find(metric + ".relative");
         const bool known = largest != row.metrics.end() && (!relative || by_size != row.metrics.end());
         if (!known || largest->second == 0) { return std::nullopt; }
         const double factor = relative ? by_size->second / largest->second : 1;
-        const std::vector<Point> points = maxima(read_trajectory(folder, row), row, metric, factor);
+        const std::vector<Point> points = maxima(read_trajectory(row), row, metric, factor);
         if (points.empty()) { return std::nullopt; }
         return DrawnCurve{points, row.ok() ? "" : ": " + end_text(row)};
     }

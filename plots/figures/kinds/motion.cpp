@@ -34,10 +34,10 @@ class MotionFigure final : public SpaceKind {
     std::optional<Point3> lever;  // from the tip of the drawn top to the mass centre, body axes, m
 
   private:
-    std::vector<TimedLine> drawn_bodies(const BodyPath& path, const ResultRow& row, const TrajectoryTable& samples,
-                                        const std::filesystem::path& folder) const override {
+    std::vector<TimedLine> drawn_bodies(const BodyPath& path, const ResultRow& row,
+                                        const TrajectoryTable& samples) const override {
         const std::optional<Point3> tip_to_centre = lever_of(row);
-        return tip_to_centre ? drawn_tops(path, *tip_to_centre) : drawn_mechanism(row, samples, folder);
+        return tip_to_centre ? drawn_tops(path, *tip_to_centre) : drawn_mechanism(row, samples);
     }
 
     std::vector<TimedLine> drawn_tops(const BodyPath& path, const Point3& tip_to_centre) const {
@@ -50,9 +50,8 @@ class MotionFigure final : public SpaceKind {
         return lines;
     }
 
-    std::vector<TimedLine> drawn_mechanism(const ResultRow& row, const TrajectoryTable& samples,
-                                           const std::filesystem::path& folder) const {
-        const auto mechanisms = read_geometry(folder);
+    std::vector<TimedLine> drawn_mechanism(const ResultRow& row, const TrajectoryTable& samples) const {
+        const auto mechanisms = read_geometry(row.folder);
         const Geometry* geometry = geometry_of(mechanisms, row.cell);
         if (geometry == nullptr) {
             throw FigureError(

@@ -9,8 +9,8 @@
 
 namespace kreisel {
 
-std::vector<ResultRow> SampleKind::rows_of(const Results& results) const {
-    return with_samples(selected_rows(*this, results, true), *this);
+std::vector<ResultRow> SampleKind::rows_of(const FigureSpec& of, const Results& results) const {
+    return with_samples(selected_rows(of, results, true), of);
 }
 
 std::vector<CellGroup> SampleKind::groups_of(const std::vector<ResultRow>& rows) const {

@@ -19,7 +19,7 @@ class SampleKind : public CurveKind {
     /// Running maximum of a metric, times a factor; no points where it was not sampled.
     std::vector<Point> maxima(const TrajectoryTable& samples, const ResultRow& row, const std::string& metric,
                               double factor = 1) const;
-    std::vector<ResultRow> rows_of(const Results& results) const override;
+    std::vector<ResultRow> rows_of(const FigureSpec& of, const Results& results) const override;
     std::vector<CellGroup> groups_of(const std::vector<ResultRow>& rows) const override;
     bool names_steps() const override { return true; }
 };

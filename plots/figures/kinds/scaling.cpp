@@ -40,8 +40,8 @@ class ScalingFigure final : public CurveKind {
     ScalingFigure() : CurveKind({"cost.step", "cost.memory"}) {}
 
   private:
-    std::vector<ResultRow> rows_of(const Results& results) const override {
-        return by_series(selected_rows(*this, results));
+    std::vector<ResultRow> rows_of(const FigureSpec& of, const Results& results) const override {
+        return by_series(selected_rows(of, results));
     }
     std::vector<CellGroup> groups_of(const std::vector<ResultRow>& rows) const override { return scaling_curves(rows); }
     std::optional<Panel> empty_panel(const std::string& metric, const Units& /*units*/) const override {
@@ -50,8 +50,7 @@ class ScalingFigure final : public CurveKind {
         const bool per_body = quantity->per_body;
         return Panel{"", "number of bodies N", quantity->label, true, !per_body, {}, {}, {}, per_body};
     }
-    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
-                                    const std::filesystem::path& /*folder*/) const override {
+    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric) const override {
         const ScalingQuantity& quantity = *find_quantity(metric);
         DrawnCurve drawn;
         for (const ResultRow* row : group.rows) {

@@ -78,12 +78,12 @@ BodyPath path_of_body(const TrajectoryTable& samples, const std::string& body) {
 
 void SpaceKind::write(const Results& results, const std::filesystem::path& folder) const {
     const ResultRow row = selected_trajectory(*this, results);
-    const TrajectoryTable table = samples_until(until, row, folder);
+    const TrajectoryTable table = samples_until(until, row);
     const BodyPath path = path_of_body(table, body_of(*this, body, table));
     SpaceBox box;
     for (const Point3& x : path.x) { box.add(x); }
     std::string lines;
-    for (const TimedLine& line : drawn_bodies(path, row, table, folder)) {
+    for (const TimedLine& line : drawn_bodies(path, row, table)) {
         for (const Point3& point : line.points) { box.add(point); }
         lines += polyline_text(line.points, {line.t});
     }

@@ -36,10 +36,9 @@ class SpaceKind : public Figure {
     void write(const Results& results, const std::filesystem::path& folder) const final;
 
   protected:
-    /// What is drawn besides the path. `folder` holds the results.
+    /// What is drawn besides the path.
     virtual std::vector<TimedLine> drawn_bodies(const BodyPath& /*path*/, const ResultRow& /*row*/,
-                                                const TrajectoryTable& /*samples*/,
-                                                const std::filesystem::path& /*folder*/) const {
+                                                const TrajectoryTable& /*samples*/) const {
         return {};
     }
 };

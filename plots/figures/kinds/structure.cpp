@@ -19,8 +19,8 @@ class StructureFigure final : public CurveKind {
     StructureFigure() : CurveKind({"structure.symplectic", "structure.reversal"}) {}
 
   private:
-    std::vector<ResultRow> rows_of(const Results& results) const override {
-        return selected_rows(*this, results, true);
+    std::vector<ResultRow> rows_of(const FigureSpec& of, const Results& results) const override {
+        return selected_rows(of, results, true);
     }
     std::vector<CellGroup> groups_of(const std::vector<ResultRow>& rows) const override {
         return group_by_method(rows);
@@ -28,8 +28,7 @@ class StructureFigure final : public CurveKind {
     std::optional<Panel> empty_panel(const std::string& metric, const Units& units) const override {
         return Panel{"", abscissa_label("h"), metric_label(metric, units), true, true, {}, {}, {}};
     }
-    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
-                                    const std::filesystem::path& /*folder*/) const override {
+    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric) const override {
         const StructureLaw law = structure_of(group, metric);
         if (law.steps == 0) { return std::nullopt; }
         DrawnCurve drawn;

@@ -28,8 +28,8 @@ class WorkPrecisionFigure final : public CurveKind {
     std::string drawn_against() const override { return x; }
 
   private:
-    std::vector<ResultRow> rows_of(const Results& results) const override {
-        return selected_rows(*this, results, true);
+    std::vector<ResultRow> rows_of(const FigureSpec& of, const Results& results) const override {
+        return selected_rows(of, results, true);
     }
     std::vector<CellGroup> groups_of(const std::vector<ResultRow>& rows) const override {
         return group_by_method(rows);
@@ -37,8 +37,7 @@ class WorkPrecisionFigure final : public CurveKind {
     std::optional<Panel> empty_panel(const std::string& metric, const Units& units) const override {
         return Panel{"", abscissa_label(x), metric_label(metric, units), true, true, {}, {}, {}};
     }
-    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric,
-                                    const std::filesystem::path& /*folder*/) const override {
+    std::optional<DrawnCurve> curve(const CellGroup& group, const std::string& metric) const override {
         const auto ran = [](const ResultRow* row) { return row->ok(); };
         const bool failed = std::none_of(group.rows.begin(), group.rows.end(), ran);
         DrawnCurve drawn;

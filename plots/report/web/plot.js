@@ -56,6 +56,9 @@ function rangeOf(values, log, fromZero) {
   return fromZero ? [Math.min(0, low), high + margin] : [low - margin, high + margin];
 }
 
+// The range that a config gives, where the axis can show it.
+const givenRange = (range, log) => (range && (!log || range[0] > 0) ? range : null);
+
 // How data lie on the page.
 function scaleOf(panel, curves, log) {
   const xs = [], ys = [];
@@ -66,7 +69,8 @@ function scaleOf(panel, curves, log) {
         ys.push(curve.y[i]);
       }
     });
-  const x = rangeOf(xs, log.x), y = rangeOf(ys, log.y, panel.from_zero && !log.y);
+  const x = givenRange(panel.x_range, log.x) || rangeOf(xs, log.x);
+  const y = givenRange(panel.y_range, log.y) || rangeOf(ys, log.y, panel.from_zero && !log.y);
   const part = (value, [low, high], isLog) =>
       (isLog ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low));
   return {
@@ -117,8 +121,10 @@ function axesOf(panel, scale) {
   return [...grid, ...parts];
 }
 
-function curveOf(curve, scale, withMarks) {
-  const parts = [draw('path', {d: pathOf(curve.x, curve.y, scale), 'stroke-dasharray': dashOf(curve.style)})];
+function curveOf(curve, scale, withMarks, withLines) {
+  const parts = withLines ?
+      [draw('path', {d: pathOf(curve.x, curve.y, scale), 'stroke-dasharray': dashOf(curve.style)})] :
+      [];
   const fitted = new Set(curve.fitted || []);
   if (withMarks) {
     curve.x.forEach((x, i) => {
@@ -246,7 +252,7 @@ function plotView(panel, figure, state) {
         ...axesOf(panel, own.scale),
         draw(
             'g', {'clip-path': `url(#${clip})`}, guides, marks,
-            visible.map((curve) => curveOf(curve, own.scale, figure.marks))),
+            visible.map((curve) => curveOf(curve, own.scale, figure.marks, figure.lines !== false))),
         ...(now ? [now] : []), pointer.ring);
     if (instant !== null) at(instant);
   }
