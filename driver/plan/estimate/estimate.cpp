@@ -17,7 +17,7 @@ constexpr int most_bodies = 16;           // of which results.csv has the states
 constexpr double number_bytes = 19;       // of samples
 constexpr double quad_digits = 2;         // how much longer numbers are
 constexpr double program_bytes = 45e6;    // of the program and a worker
-constexpr double cell_memory = 5;         // of a finished cell, beside its line
+constexpr double cell_memory = 150;       // of a cell: in the plan, in the queue, and where its line is
 constexpr double skipped_bytes = 500;
 
 double line_of(const PlannedCell& planned, const SystemSummary& system) {
@@ -48,7 +48,7 @@ Estimate estimate_of(const Plan& plan) {
         }
         const double line = line_of(planned, *system);
         estimate.seconds += planned.weight;
-        estimate.memory += cell_memory * line;
+        estimate.memory += cell_memory;
         estimate.disk += line * (lines + (system->bodies <= most_bodies ? table : 0)) + samples_of(planned, *system);
     }
     return estimate;
