@@ -21,8 +21,8 @@ namespace {
 /// Of the metrics.
 Units units_of(const Plan& plan) {
     std::vector<IntegralDescription> integrals;
-    for (const auto& [key, system] : plan.systems) {
-        integrals.insert(integrals.end(), system.integrals.begin(), system.integrals.end());
+    for (const PlannedSystems::Shared& system : plan.systems.kinds()) {
+        integrals.insert(integrals.end(), system->integrals.begin(), system->integrals.end());
     }
     return units_of_metrics(integrals);
 }

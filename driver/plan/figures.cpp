@@ -34,8 +34,8 @@ std::vector<std::string> selectable(const std::string& key, const Config& config
         for (const long steps : config.steps) { values.push_back(fmt::format("{}", steps)); }
     }
     if (key == "problem") {
-        for (const ProblemEntry& problem : config.problems) {
-            values.insert(values.end(), {problem.label, problem.series, problem.name});
+        for (const ProblemPoint& problem : config.problems) {
+            values.insert(values.end(), {problem.label(), problem.series_label(), problem.name()});
         }
     }
     if (key == "tolerance") {
@@ -60,7 +60,7 @@ bool is_selected(const Figure& figure, const std::string& key, const std::vector
 
 bool fits(const Figure& figure, const PlannedCell& cell) {
     const CellIdentity& of = cell.run->identity;
-    return is_selected(figure, "problem", {of.label, of.series, of.problem}) &&
+    return is_selected(figure, "problem", {cell.label(), of.series, of.problem}) &&
            is_selected(figure, "formulation", {of.formulation}) && is_selected(figure, "method", {of.method}) &&
            is_selected(figure, "projection", {of.projection}) && is_selected(figure, "precision", {of.precision}) &&
            is_selected(figure, "steps", {fmt::format("{}", cell.steps)}) &&
@@ -69,9 +69,9 @@ bool fits(const Figure& figure, const PlannedCell& cell) {
 
 std::vector<std::string> bodies_of(const Figure& figure, const Config& config, const Engine& engine) {
     std::vector<std::string> names;
-    for (const ProblemEntry& problem : config.problems) {
-        if (!is_selected(figure, "problem", {problem.label, problem.series, problem.name})) { continue; }
-        for (const BodyGeometry& body : engine.geometry(problem.name, problem.parameters).bodies) {
+    for (const ProblemPoint& problem : config.problems) {
+        if (!is_selected(figure, "problem", {problem.label(), problem.series_label(), problem.name()})) { continue; }
+        for (const BodyGeometry& body : engine.geometry(problem.name(), problem.parameters()).bodies) {
             if (!in_list(names, body.name)) { names.push_back(body.name); }
         }
     }

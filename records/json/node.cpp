@@ -68,9 +68,7 @@ std::vector<Node> Node::distinct_elements(const std::string& expected, const std
 std::vector<Node> Node::elements_or_self() const {
     if (!is_array()) { return {*this}; }
     std::vector<Node> nodes;
-    for (std::size_t i = 0; i < value_->size(); ++i) {
-        nodes.emplace_back((*value_)[i], pointer_below(pointer_, std::to_string(i)), *sink_);
-    }
+    for (std::size_t i = 0; i < value_->size(); ++i) { nodes.push_back(element(i)); }
     return nodes;
 }
 

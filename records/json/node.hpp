@@ -44,6 +44,10 @@ class Node {
     /// The same without those that equal an earlier one, which are errors, and nothing where there is no list: "each
     /// WHAT once". What is written differently and means the same is not found here.
     std::vector<Node> distinct_elements(const std::string& expected, const std::string& what) const;
+    /// One element of a list.
+    Node element(std::size_t index) const {
+        return {(*value_)[index], pointer_below(pointer_, std::to_string(index)), *sink_};
+    }
     /// The elements of a list, or the value itself.
     std::vector<Node> elements_or_self() const;
 

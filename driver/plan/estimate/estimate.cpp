@@ -39,17 +39,12 @@ double samples_of(const PlannedCell& planned, const SystemSummary& system) {
 Estimate estimate_of(const Plan& plan) {
     Estimate estimate{0, program_bytes, 0};
     for (const auto& [hash, reference] : plan.references) { estimate.seconds += reference.weight; }
-    const PlannedRun* run = nullptr;
-    const SystemSummary* system = nullptr;
     for (const PlannedCell& planned : plan.cells) {
-        if (planned.run.get() != run) {
-            run = planned.run.get();
-            system = &plan.systems.at({planned.label(), run->cell.formulation});
-        }
-        const double line = line_of(planned, *system);
+        const SystemSummary& system = *planned.run->system;
+        const double line = line_of(planned, system);
         estimate.seconds += planned.weight;
         estimate.memory += cell_memory;
-        estimate.disk += line * (lines + (system->bodies <= most_bodies ? table : 0)) + samples_of(planned, *system);
+        estimate.disk += line * (lines + (system.bodies <= most_bodies ? table : 0)) + samples_of(planned, system);
     }
     return estimate;
 }
