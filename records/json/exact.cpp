@@ -18,9 +18,6 @@ namespace {
 /// Deeper nesting is damage, and would exhaust the stack.
 constexpr int deepest = 100;
 
-/// Up to here every whole number is a double.
-constexpr double largest_exact_whole = 9007199254740992;
-
 std::size_t skip_digits(std::string_view word, std::size_t at) {
     return std::min(word.find_first_not_of("0123456789", at), word.size());
 }

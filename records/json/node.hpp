@@ -55,7 +55,7 @@ class Node {
     std::optional<double> number(const std::string& expected = "a number") const;
     /// At least `least_positive`.
     std::optional<double> positive(const std::string& expected = "a number greater than 0") const;
-    /// A whole number in [least, most], written without a fraction.
+    /// A whole number in [least, most].
     std::optional<long> count(long least, long most, const std::string& what) const;
     std::optional<bool> flag() const;
     /// Text without control characters, at most `longest` characters.
@@ -85,6 +85,9 @@ class Node {
     std::string pointer_;
     Diagnostics* sink_;
 };
+
+/// The whole number that a value is, however it is written: 2, 2.0 or 2e0. Nothing if it is none or has no exact double.
+std::optional<long> whole_number(const nlohmann::json& value);
 
 /// Those that equal no earlier one as JSON. The others are errors: "each WHAT once".
 std::vector<Node> distinct(const std::vector<Node>& nodes, const std::string& what);
