@@ -121,7 +121,9 @@ class Merger {
         if (!damage.empty() || from == target_) { return damage.empty(); }
         const std::string file = trajectory_file(cell.identity.cell);
         make_folder(target_ / "trajectories");
-        write_atomically(target_ / file, read_text(from / file));
+        AtomicFile copy(target_ / file);
+        for_each_piece(from / file, [&](std::string_view piece) { copy.add(piece); });
+        copy.keep();
         return true;
     }
 

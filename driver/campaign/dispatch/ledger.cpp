@@ -6,7 +6,6 @@
 #include "driver/plan/shards.hpp"
 #include "records/cell/line.hpp"
 #include "records/trajectory_file.hpp"
-#include "support/hash.hpp"
 
 namespace kreisel {
 
@@ -32,7 +31,7 @@ bool Ledger::trajectory_is_whole(const CellRecord& cell) const {
     std::error_code error;
     const auto file = folder_ / trajectory_file(cell.identity.cell);
     const std::string& sum = cell.outcome.trajectory_sum;
-    return sum.empty() || (std::filesystem::is_regular_file(file, error) && hash_text(read_text(file)) == sum);
+    return sum.empty() || (std::filesystem::is_regular_file(file, error) && sum_of_trajectory(file) == sum);
 }
 
 bool Ledger::take_over(std::size_t index, const CellRecord& cell, const JournalPlace& place) {
