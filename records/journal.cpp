@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <regex>
-#include <sstream>
 
 #include "support/errors.hpp"
-#include "support/files.hpp"
 
 namespace kreisel {
 
@@ -25,34 +23,59 @@ void complain(JournalContents& contents, std::string text) {
     }
 }
 
-void read_journal(const std::filesystem::path& file, const std::string& build, JournalContents& contents) {
-    const std::string text = read_text(file);
-    long number = 0;
-    for (std::size_t start = 0; start < text.size();) {
-        const std::size_t end = text.find('\n', start);
-        ++number;
-        if (end == std::string::npos) {
-            complain(contents, fmt::format("{}:{}: torn last line left out", file.string(), number));
-            return;
-        }
-        const std::string line = text.substr(start, end - start);
-        start = end + 1;
-        auto cell = read_journal_line(line);
-        if (cell && cell->record.outcome.status == status::interrupted) {
-            contents.interrupted.insert(std::move(cell->record.identity.cell));
-        } else if (cell && (build.empty() || cell->build == build)) {
-            const std::string& name = cell->record.identity.cell;
-            contents.builds.insert_or_assign(name, std::move(cell->build));
-            contents.cells.insert_or_assign(name, std::move(cell->record));
-        } else if (cell) {
-            contents.foreign.insert(std::move(cell->record.identity.cell));
-        } else {
-            complain(contents, fmt::format("{}:{}: damaged line left out", file.string(), number));
-        }
+void read_line(const std::string& line, const JournalPlace& place, long number, const std::string& build,
+               JournalContents& contents) {
+    auto cell = read_journal_line(line);
+    if (!cell) {
+        const std::string file = contents.files[place.file].string();
+        return complain(contents, fmt::format("{}:{}: damaged line left out", file, number));
+    }
+    std::string& name = cell->record.identity.cell;
+    if (cell->record.outcome.status == status::interrupted) {
+        contents.interrupted.insert(std::move(name));
+    } else if (build.empty() || cell->build == build) {
+        contents.cells.insert_or_assign(std::move(name), place);
+    } else {
+        contents.foreign.insert(std::move(name));
     }
 }
 
+void read_journal(const std::filesystem::path& file, const std::string& build, JournalContents& contents) {
+    const auto index = static_cast<std::uint32_t>(contents.files.size());
+    contents.files.push_back(file);
+    long number = 0;
+    const bool whole = for_each_line(file, [&](std::uint64_t begin, const std::string& line) {
+        read_line(line, {index, static_cast<std::uint32_t>(line.size()), begin}, ++number, build, contents);
+    });
+    if (!whole) { complain(contents, fmt::format("{}:{}: torn last line left out", file.string(), number + 1)); }
+}
+
 }  // namespace
+
+std::uint32_t JournalLines::add(const std::filesystem::path& journal) {
+    files_.push_back(journal);
+    return static_cast<std::uint32_t>(files_.size() - 1);
+}
+
+std::string JournalLines::line(const JournalPlace& place) const {
+    if (!open_ || number_ != place.file) {
+        open_.emplace(files_.at(place.file));
+        number_ = place.file;
+    }
+    return open_->line(place.begin, place.size);
+}
+
+CellRecord JournalLines::record(const JournalPlace& place) const {
+    auto cell = read_journal_line(line(place));
+    if (!cell) { throw FileError(fmt::format("{}: has changed while it was read", files_.at(place.file).string())); }
+    return std::move(cell->record);
+}
+
+JournalLines JournalContents::lines() const {
+    JournalLines lines;
+    for (const auto& file : files) { lines.add(file); }
+    return lines;
+}
 
 std::filesystem::path journal_file(const std::filesystem::path& folder, const std::string& shard) {
     return folder / (shard.empty() ? "journal.jsonl" : "journal." + shard + ".jsonl");
@@ -97,10 +120,10 @@ JournalContents read_journals(const std::filesystem::path& folder, const std::st
 void mend_journal(const std::filesystem::path& journal) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(journal, error)) { return; }
-    const std::string text = read_text(journal);
-    const auto last = text.rfind('\n');
-    const std::size_t whole = last == std::string::npos ? 0 : last + 1;
-    if (whole == text.size()) { return; }
+    std::uint64_t whole = 0;
+    const bool ends =
+        for_each_line(journal, [&](std::uint64_t begin, const std::string& line) { whole = begin + line.size() + 1; });
+    if (ends) { return; }
     std::filesystem::resize_file(journal, whole, error);
     if (error) {
         throw FileError(fmt::format("{}: its torn last line cannot be removed: {}", journal.string(), error.message()));
@@ -108,12 +131,11 @@ void mend_journal(const std::filesystem::path& journal) {
 }
 
 void prune_journal(const std::filesystem::path& journal, const std::string& build) {
-    std::istringstream lines(read_text(journal));
-    std::string kept;
-    for (std::string line; std::getline(lines, line);) {
-        if (read_journal_line(line, build)) { kept += line + "\n"; }
-    }
-    write_atomically(journal, kept);
+    AtomicFile kept(journal);
+    for_each_line(journal, [&](std::uint64_t, const std::string& line) {
+        if (read_journal_line(line, build)) { kept.add(line + "\n"); }
+    });
+    kept.keep();
 }
 
 bool holds_journal(const std::filesystem::path& folder) {

@@ -3,22 +3,51 @@
 // The journals of an output folder: what has been computed so far, in the order it was finished.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "records/cell/line.hpp"
+#include "support/files.hpp"
 
 namespace kreisel {
 
+/// Where a line stands: its journal, by the order of these, and its bytes there.
+struct JournalPlace {
+    std::uint32_t file = 0, size = 0;
+    std::uint64_t begin = 0;
+};
+
+/// Lines of journals, read when they are wanted: places take less memory than records. The journal that was read last
+/// stays open, the others are closed.
+class JournalLines {
+  public:
+    /// Adds a journal; returns its number.
+    std::uint32_t add(const std::filesystem::path& journal);
+    /// Throws FileError.
+    std::string line(const JournalPlace& place) const;
+    /// Throws FileError, also where the line is not what it was.
+    CellRecord record(const JournalPlace& place) const;
+
+  private:
+    std::vector<std::filesystem::path> files_;
+    mutable std::optional<LineFile> open_ = {};
+    mutable std::uint32_t number_ = 0;  // of the open one
+};
+
 struct JournalContents {
-    std::map<std::string, CellRecord> cells;    ///< by hash; of several lines of one cell the last
-    std::map<std::string, std::string> builds;  ///< that wrote them
-    std::set<std::string> foreign;              ///< hashes of cells that have only lines of other builds
-    std::set<std::string> interrupted;          ///< cells that were begun and whose samples so far are kept
-    std::vector<std::string> complaints;        ///< torn and damaged lines
+    std::vector<std::filesystem::path> files = {};   ///< the journals
+    std::map<std::string, JournalPlace> cells = {};  ///< by hash; of several lines of one cell the last
+    std::set<std::string> foreign = {};              ///< hashes of cells that have only lines of other builds
+    std::set<std::string> interrupted = {};          ///< cells that were begun and whose samples so far are kept
+    std::vector<std::string> complaints = {};        ///< torn and damaged lines
+
+    /// The journals, to read the cells from.
+    JournalLines lines() const;
 };
 
 /// `journal.jsonl`, or `journal.<shard>.jsonl`.

@@ -29,10 +29,11 @@ void add_times(const std::filesystem::path& folder, const std::string& build, Re
     if (build.empty() || !timed) { return; }
     const JournalContents journals = read_journals(folder, build);
     results.damage.insert(results.damage.end(), journals.complaints.begin(), journals.complaints.end());
+    const JournalLines lines = journals.lines();
     for (ResultRow& row : results.rows) {
         const auto found = journals.cells.find(row.cell);
         if (found == journals.cells.end()) { continue; }
-        const CellTimes& times = found->second.times;
+        const CellTimes times = lines.record(found->second).times;
         if (times.step_s) { row.cost["step_s"] = *times.step_s; }
         if (times.memory) { row.cost["memory"] = *times.memory; }
         if (times.run_s) { row.cost["run_s"] = *times.run_s; }

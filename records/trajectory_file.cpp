@@ -19,6 +19,12 @@ std::vector<std::filesystem::path> trajectory_parts(const std::filesystem::path&
     return files_like(folder / "trajectories", "", ".csv.part");
 }
 
+std::string sum_of_trajectory(const std::filesystem::path& file) {
+    std::uint64_t hash = hash64("");
+    for_each_piece(file, [&](std::string_view piece) { hash = hash64(piece, hash); });
+    return hash_text(hash);
+}
+
 void TrajectorySum::begin(const std::vector<Column>& columns) {
     std::string header;
     for (const Column& column : columns) {

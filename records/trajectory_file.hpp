@@ -22,6 +22,9 @@ namespace kreisel {
 /// The trajectories below an output folder that are not complete, by name.
 std::vector<std::filesystem::path> trajectory_parts(const std::filesystem::path& folder);
 
+/// The sum of a trajectory that is there. Throws FileError.
+std::string sum_of_trajectory(const std::filesystem::path& file);
+
 /// The sum of a trajectory's text, which is not kept.
 class TrajectorySum : public SampleSink {
   public:

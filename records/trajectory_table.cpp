@@ -45,6 +45,13 @@ void read_header(const std::string& line, TrajectoryTable& table) {
     table.columns.resize(table.names.size());
 }
 
+void read_sample(const std::string& line, TrajectoryTable& table) {
+    if (line.empty()) { return; }
+    const auto fields = split(line, ',');
+    if (fields.size() != table.names.size()) { throw std::invalid_argument("wrong number of columns"); }
+    for (std::size_t k = 0; k < fields.size(); ++k) { table.columns[k].push_back(field(fields[k])); }
+}
+
 }  // namespace
 
 const std::vector<double>* TrajectoryTable::find(const std::string& name) const {
@@ -59,22 +66,17 @@ std::string TrajectoryTable::unit(const std::string& name) const {
 
 TrajectoryTable read_trajectory(const ResultRow& row) {
     const auto file = row.folder / "trajectories" / (row.cell + ".csv");
-    const auto lines = split(read_text(file), '\n');
     TrajectoryTable table;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (lines[i].empty()) { continue; }
+    long number = 0;
+    const bool whole = for_each_line(file, [&](std::uint64_t, const std::string& line) {
         try {
-            if (i == 0) {
-                read_header(lines[i], table);
-                continue;
-            }
-            const auto fields = split(lines[i], ',');
-            if (fields.size() != table.names.size()) { throw std::invalid_argument("wrong number of columns"); }
-            for (std::size_t k = 0; k < fields.size(); ++k) { table.columns[k].push_back(field(fields[k])); }
+            ++number;
+            number == 1 ? read_header(line, table) : read_sample(line, table);
         } catch (const std::exception& error) {
-            throw FileError(fmt::format("{}:{}: damaged: {}", file.string(), i + 1, error.what()));
+            throw FileError(fmt::format("{}:{}: damaged: {}", file.string(), number, error.what()));
         }
-    }
+    });
+    if (!whole) { throw FileError(fmt::format("{}:{}: damaged: its last line is torn", file.string(), number + 1)); }
     return table;
 }
 

@@ -18,7 +18,8 @@ namespace kreisel {
 
 namespace {
 
-constexpr int file_mode = 0666;  // the umask decides
+constexpr int file_mode = 0666;                // the umask decides
+constexpr std::size_t piece_size = 1U << 16U;  // bytes that are read or written together
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* action, int error) {
     throw FileError(fmt::format("{}: {}: {}", path.string(), action, std::strerror(error)));
@@ -80,18 +81,84 @@ std::vector<std::string> read_lines(const std::filesystem::path& file) {
     return lines;
 }
 
-void write_atomically(const std::filesystem::path& file, std::string_view text) {
-    // Several programs may write the same file in a shared folder.
-    const std::filesystem::path temporary = fmt::format("{}.{}.part", file.string(), ::getpid());
-    Descriptor descriptor(open_file(temporary, O_WRONLY | O_CREAT | O_TRUNC));
-    if (!descriptor.valid()) { fail(temporary, "cannot be opened", errno); }
-    int error = write_all(descriptor.number(), text);
-    if (!descriptor.close() && error == 0) { error = errno; }
-    if (error == 0 && std::rename(temporary.c_str(), file.c_str()) != 0) { error = errno; }
-    if (error != 0) {
-        ::unlink(temporary.c_str());
-        fail(file, "cannot be written", error);
+void for_each_piece(const std::filesystem::path& file, const std::function<void(std::string_view piece)>& visit) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) { fail(file, "cannot be read", errno); }
+    std::string piece(piece_size, '\0');
+    while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0) {
+        visit(std::string_view(piece).substr(0, static_cast<std::size_t>(stream.gcount())));
     }
+    if (stream.bad()) { fail(file, "cannot be read", errno); }
+}
+
+bool for_each_line(const std::filesystem::path& file,
+                   const std::function<void(std::uint64_t begin, const std::string& line)>& visit) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) { fail(file, "cannot be read", errno); }
+    std::uint64_t begin = 0;
+    for (std::string line; std::getline(stream, line); begin += line.size() + 1) {
+        if (stream.eof()) { return false; }
+        visit(begin, line);
+    }
+    if (stream.bad()) { fail(file, "cannot be read", errno); }
+    return true;
+}
+
+void write_atomically(const std::filesystem::path& file, std::string_view text) {
+    AtomicFile whole(file);
+    whole.add(text);
+    whole.keep();
+}
+
+// Several programs may write the same file in a shared folder.
+AtomicFile::AtomicFile(std::filesystem::path file)
+    : file_(std::move(file)),
+      temporary_(fmt::format("{}.{}.part", file_.string(), ::getpid())),
+      descriptor_(open_file(temporary_, O_WRONLY | O_CREAT | O_TRUNC)) {
+    if (!descriptor_.valid()) { fail(temporary_, "cannot be opened", errno); }
+}
+
+AtomicFile::~AtomicFile() {
+    if (descriptor_.valid()) { ::unlink(temporary_.c_str()); }
+}
+
+void AtomicFile::add(std::string_view text) {
+    pending_ += text;
+    if (pending_.size() >= piece_size) { flush(); }
+}
+
+void AtomicFile::flush() {
+    if (const int error = write_all(descriptor_.number(), pending_); error != 0) { give_up(error); }
+    pending_.clear();
+}
+
+void AtomicFile::keep() {
+    flush();
+    if (!descriptor_.close()) { give_up(errno); }
+    if (std::rename(temporary_.c_str(), file_.c_str()) != 0) { give_up(errno); }
+}
+
+void AtomicFile::give_up(int error) {
+    descriptor_.close();
+    ::unlink(temporary_.c_str());
+    fail(file_, "cannot be written", error);
+}
+
+LineFile::LineFile(std::filesystem::path file) : file_(std::move(file)), descriptor_(open_file(file_, O_RDONLY)) {
+    if (!descriptor_.valid()) { fail(file_, "cannot be read", errno); }
+}
+
+std::string LineFile::line(std::uint64_t begin, std::size_t size) const {
+    std::string text(size, '\0');
+    for (std::size_t done = 0; done < size;) {
+        const ssize_t got =
+            ::pread(descriptor_.number(), text.data() + done, size - done, static_cast<off_t>(begin + done));
+        if (got < 0 && errno == EINTR) { continue; }
+        if (got < 0) { fail(file_, "cannot be read", errno); }
+        if (got == 0) { throw FileError(fmt::format("{}: has become shorter while it was read", file_.string())); }
+        done += static_cast<std::size_t>(got);
+    }
+    return text;
 }
 
 LineAppender::LineAppender(std::filesystem::path file, Start start)
@@ -100,10 +167,10 @@ LineAppender::LineAppender(std::filesystem::path file, Start start)
     if (!descriptor_.valid()) { fail(file_, "cannot be opened", errno); }
 }
 
-void LineAppender::append(const std::string& line) {
+std::uint64_t LineAppender::append(const std::string& line) {
     const off_t end = ::lseek(descriptor_.number(), 0, SEEK_END);
     const int error = write_all(descriptor_.number(), line + "\n");
-    if (error == 0) { return; }
+    if (error == 0) { return static_cast<std::uint64_t>(end); }
     if (end >= 0 && ::ftruncate(descriptor_.number(), end) != 0) {
         fail(file_, "cannot be written, and its last line may be torn (a resumed run ignores it)", error);
     }

@@ -4,7 +4,9 @@
 // reason.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,8 +37,47 @@ void make_folder(const std::filesystem::path& folder);
 std::string read_text(const std::filesystem::path& file);
 std::vector<std::string> read_lines(const std::filesystem::path& file);
 
+/// Calls `visit` with the bytes of a file, piece after piece.
+void for_each_piece(const std::filesystem::path& file, const std::function<void(std::string_view piece)>& visit);
+
+/// Calls `visit` with each line that has an end, and the byte at which it begins, one at a time. False if the last line
+/// has none.
+bool for_each_line(const std::filesystem::path& file,
+                   const std::function<void(std::uint64_t begin, const std::string& line)>& visit);
+
 /// Writes to a temporary file beside `file` and renames it, so that a reader never sees half a file.
 void write_atomically(const std::filesystem::path& file, std::string_view text);
+
+/// The same piece by piece. The file is in its place once it is kept; one that is not leaves nothing.
+class AtomicFile {
+  public:
+    explicit AtomicFile(std::filesystem::path file);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+    void add(std::string_view text);
+    void keep();
+
+  private:
+    [[noreturn]] void give_up(int error);
+    void flush();
+
+    const std::filesystem::path file_, temporary_;
+    Descriptor descriptor_;
+    std::string pending_;
+};
+
+/// Reads lines of a file, which may grow meanwhile, at known places.
+class LineFile {
+  public:
+    explicit LineFile(std::filesystem::path file);
+    /// The line of `size` bytes that begins at a byte, without its end.
+    std::string line(std::uint64_t begin, std::size_t size) const;
+
+  private:
+    std::filesystem::path file_;
+    Descriptor descriptor_;
+};
 
 /// Appends whole lines. A line that could not be written completely is removed again if the system allows it.
 class LineAppender {
@@ -44,7 +85,8 @@ class LineAppender {
     /// What happens to existing lines.
     enum class Start { after_them, empty };
     explicit LineAppender(std::filesystem::path file, Start start = Start::after_them);
-    void append(const std::string& line);
+    /// The byte at which the line begins.
+    std::uint64_t append(const std::string& line);
 
   private:
     std::filesystem::path file_;

@@ -85,7 +85,7 @@ void forget_what_is_damaged(const std::filesystem::path& journal, const Earlier&
 
 // Shards have none: merge makes them.
 void close_results(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
-                   const RunSettings& settings, const Finished& finished) {
+                   const RunSettings& settings, const FinishedCells& finished) {
     if (settings.shards > 1 || settings.references_only) { return; }
     write_results(plan, finished, table_units(plan, engines.binary64), folder);
     write_geometries(plan, engines.binary64, folder);
@@ -97,33 +97,54 @@ void prepare(const std::filesystem::path& folder, const Plan& plan) {
     if (!plan.references.empty()) { make_folder(folder / "references"); }
 }
 
-void list_failures(const Plan& plan, const Finished& finished, CampaignReport& report) {
-    for (const PlannedCell& planned : plan.cells) {
-        const auto found = finished.find(planned.hash());
-        if (found != finished.end() && found->second.outcome.failed()) {
-            report.failures.emplace_back(failure_text(planned, found->second.outcome), found->second.outcome.status);
-        }
+void list_failures(const Plan& plan, const FinishedCells& finished, CampaignReport& report) {
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        if (finished.end(i) != CellEnd::failed) { continue; }
+        const CellOutcome outcome = finished.record(i).outcome;
+        report.failures.emplace_back(failure_text(plan.cells[i], outcome), outcome.status);
     }
 }
 
-std::vector<ResultRow> rows_of(const Finished& finished) {
-    std::vector<ResultRow> rows;
-    for (const auto& [hash, cell] : finished) { rows.push_back(result_row(cell)); }
-    return rows;
+// Of a cell of which nothing is remarkable its label is enough, which is not read from the journal.
+ResultRow remarked_row(const Plan& plan, const FinishedCells& finished, std::size_t index) {
+    if (finished.is_remarkable(index)) { return result_row(finished.record(index)); }
+    return {.label = plan.cells[index].label(), .status = status::ok};
 }
 
-void say_of_cells(const Plan& plan, const Finished& finished, CampaignReport& report) {
+// The labels of problems of whose cells something is to be said.
+std::set<std::string> remarkable_labels(const Plan& plan, const FinishedCells& finished) {
+    std::set<std::string> labels;
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        if (finished.end(i) == CellEnd::ok && finished.is_remarkable(i)) { labels.insert(plan.cells[i].label()); }
+    }
+    return labels;
+}
+
+void add_remarks(const Plan& plan, const FinishedCells& finished, CampaignReport& report) {
+    const std::set<std::string> labels = remarkable_labels(plan, finished);
+    if (labels.empty()) { return; }
+    PastHorizon past_horizon;
+    LostIntegrals lost_integrals;
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        if (finished.end(i) != CellEnd::ok || !labels.contains(plan.cells[i].label())) { continue; }
+        const ResultRow row = remarked_row(plan, finished, i);
+        past_horizon.add(row);
+        lost_integrals.add(row);
+    }
+    for (std::string& note : past_horizon.notes()) { report.notes.push_back(std::move(note)); }
+    for (std::string& note : lost_integrals.notes()) { report.notes.push_back(std::move(note)); }
+}
+
+void say_of_cells(const Plan& plan, const FinishedCells& finished, CampaignReport& report) {
     list_failures(plan, finished, report);
-    const std::vector<ResultRow> rows = rows_of(finished);
-    for (std::string& note : past_horizon_notes(rows)) { report.notes.push_back(std::move(note)); }
-    for (std::string& note : lost_integral_notes(rows)) { report.notes.push_back(std::move(note)); }
+    add_remarks(plan, finished, report);
 }
 
 // What the manifest says of a run that begins. What an earlier one has written stays ours.
 ManifestState begun(const Plan& plan, const RunSettings& settings, const Earlier& earlier) {
     ManifestState state{.build = settings.build,
                         .started = utc_now(),
-                        .counts = count_cells(plan, {}, settings),
+                        .counts = count_cells(plan, FinishedCells(plan.cells.size()), settings),
                         .files = files_of_run(shard_name(settings), plan.config.samples > 0, !plan.references.empty()),
                         .earlier = earlier.runs,
                         .plan = settings.shards > 1 ? plan_digest(plan, settings.shards) : ""};
@@ -164,11 +185,11 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
                 settings, messages, report);
     state.counts = report.counts = count_cells(plan, ledger.finished(), settings);
     close_results(plan, engines, folder, settings, ledger.finished());
+    say_of_cells(plan, ledger.finished(), report);
     forget_what_is_damaged(journal_file(folder, shard), earlier, report.counts, settings);
     state.ended = utc_now();
     state.journal = std::filesystem::file_size(journal_file(folder, shard));
     write_state();
-    say_of_cells(plan, ledger.finished(), report);
     report.parts = trajectory_parts(folder);
     return report;
 }

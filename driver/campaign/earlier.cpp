@@ -71,14 +71,17 @@ void add_earlier_manifest(const std::filesystem::path& manifest, Earlier& earlie
 
 void remove_leftovers(const Plan& plan, const std::filesystem::path& folder, const RunSettings& settings,
                       const JournalContents& journals) {
+    const auto is_stale = [&](const std::string& cell) { return !journals.interrupted.contains(cell); };
+    if (settings.shards == 1) {
+        remove_parts(folder, is_stale);
+        remove_torn_files(folder, OwnedFiles(folder));
+        return;
+    }
     std::set<std::string> mine;
     for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
         mine.insert(plan.cells[i].hash());
     }
-    remove_parts(folder, [&](const std::string& cell) {
-        return !journals.interrupted.contains(cell) && (settings.shards == 1 || mine.contains(cell));
-    });
-    if (settings.shards == 1) { remove_torn_files(folder, OwnedFiles(folder)); }
+    remove_parts(folder, [&](const std::string& cell) { return is_stale(cell) && mine.contains(cell); });
 }
 
 Earlier earlier_results(const Plan& plan, const std::filesystem::path& folder, const RunSettings& settings,

@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver/campaign/geometry.hpp"
 
-#include <algorithm>
+#include <map>
+#include <string>
 
 namespace kreisel {
 
 std::vector<CellGeometry> geometries_of(const Plan& plan, const Engine& engine) {
     std::vector<CellGeometry> geometries;
-    std::vector<const Cell*> firsts;
+    std::map<std::string, std::size_t> known;  // by name and parameters of a problem
     for (const PlannedCell& planned : plan.cells) {
-        const Cell& cell = planned.cell();
-        if (cell.samples == 0 || !planned.skip_reason().empty()) { continue; }
-        const auto same = [&](const Cell* other) {
-            return other->problem == cell.problem && other->parameters == cell.parameters;
-        };
-        const auto known = std::find_if(firsts.begin(), firsts.end(), same);
-        const auto index = static_cast<std::size_t>(known - firsts.begin());
-        if (known == firsts.end()) {
-            firsts.push_back(&cell);
-            geometries.push_back({{}, engine.geometry(cell.problem, cell.parameters)});
-        }
-        geometries[index].cells.push_back(planned.hash());
+        if (planned.run->cell.samples == 0 || !planned.skip_reason().empty()) { continue; }
+        const ProblemPoint problem = planned.problem();
+        const auto [place, is_new] = known.emplace(problem.name() + " " + problem.parameters_text(), geometries.size());
+        if (is_new) { geometries.push_back({{}, engine.geometry(problem.name(), problem.parameters())}); }
+        geometries[place->second].cells.push_back(planned.hash());
     }
     return geometries;
 }

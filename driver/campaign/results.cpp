@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "driver/config/resolved.hpp"
 #include "driver/plan/shards.hpp"
 #include "driver/plan/text.hpp"
@@ -19,28 +21,67 @@ namespace {
 /// Of the metrics.
 Units units_of(const Plan& plan) {
     std::vector<IntegralDescription> integrals;
-    for (const auto& [key, system] : plan.systems) {
-        integrals.insert(integrals.end(), system.integrals.begin(), system.integrals.end());
+    for (const PlannedSystems::Shared& system : plan.systems.kinds()) {
+        integrals.insert(integrals.end(), system->integrals.begin(), system->integrals.end());
     }
     return units_of_metrics(integrals);
 }
 
+/// Writes results.csv. Rows are right as long as no record has a column that the first has not; then all are written
+/// again, when all columns are known.
+class TableFile {
+  public:
+    TableFile(const TableUnits& units, std::filesystem::path path) : table_(units), path_(std::move(path)) {}
+
+    void add(const CellRecord& record) {
+        const std::string row = table_.row(record);
+        if (!file_) { begin_again(); }
+        if (is_whole()) { file_->add(row); }
+    }
+    bool is_whole() const { return file_ && columns_ == table_.columns(); }
+    /// With all columns so far.
+    void begin_again() {
+        columns_ = table_.columns();
+        file_.emplace(path_);
+        file_->add(table_.header());
+    }
+    void keep() { file_->keep(); }
+
+  private:
+    ResultsTable table_;
+    const std::filesystem::path path_;
+    std::optional<AtomicFile> file_;
+    std::size_t columns_ = 0;
+};
+
+/// In the order of the plan.
+template <class Visit>
+void for_each_record(const Plan& plan, const FinishedCells& finished, const Visit& visit) {
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        if (!finished.has(i)) { continue; }
+        CellRecord record = finished.record(i);
+        record.identity = plan.cells[i].identity();  // its label may have changed since
+        visit(record);
+    }
+}
+
 }  // namespace
 
-void write_results(const Plan& plan, const std::map<std::string, CellRecord>& finished, const TableUnits& units,
+void write_results(const Plan& plan, const FinishedCells& finished, const TableUnits& units,
                    const std::filesystem::path& folder) {
-    std::vector<CellRecord> records;
-    std::string text;
-    for (const PlannedCell& planned : plan.cells) {
-        const auto found = finished.find(planned.hash());
-        if (found == finished.end()) { continue; }
-        records.push_back(found->second);
-        records.back().identity = planned.identity();  // its label may have changed since
-        text += result_line(records.back()) + "\n";
-    }
-    write_atomically(folder / "results.jsonl", text);
+    AtomicFile lines(folder / "results.jsonl");
+    TableFile table(units, folder / "results.csv");
+    for_each_record(plan, finished, [&](const CellRecord& record) {
+        lines.add(result_line(record) + "\n");
+        table.add(record);
+    });
+    lines.keep();
     announce_files(folder, {"results.csv"});
-    write_atomically(folder / "results.csv", results_table(records, units));
+    if (!table.is_whole()) {
+        table.begin_again();
+        for_each_record(plan, finished, [&](const CellRecord& record) { table.add(record); });
+    }
+    table.keep();
     record_sums(folder, {"results.csv"});
 }
 
@@ -58,18 +99,23 @@ TableUnits table_units(const Plan& plan, const Engine& engine) {
     return units;
 }
 
-CellCounts count_cells(const Plan& plan, const std::map<std::string, CellRecord>& finished,
-                       const RunSettings& settings) {
+CellCounts count_cells(const Plan& plan, const FinishedCells& finished, const RunSettings& settings) {
     CellCounts counts;
     for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
-        const auto found = finished.find(plan.cells[i].hash());
         ++counts.total;
-        if (found == finished.end()) {
-            ++counts.missing;
-        } else if (found->second.outcome.failed()) {
-            ++counts.failed;
-        } else {
-            ++(found->second.outcome.status == "ok" ? counts.ok : counts.skipped);
+        switch (finished.end(i)) {
+            case CellEnd::missing:
+                ++counts.missing;
+                break;
+            case CellEnd::ok:
+                ++counts.ok;
+                break;
+            case CellEnd::skipped:
+                ++counts.skipped;
+                break;
+            case CellEnd::failed:
+                ++counts.failed;
+                break;
         }
     }
     return counts;

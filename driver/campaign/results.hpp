@@ -4,26 +4,24 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 
 #include "driver/campaign/campaign.hpp"
-#include "records/cell/line.hpp"
+#include "driver/campaign/finished.hpp"
 #include "records/cell/table.hpp"
 #include "records/manifest.hpp"
 
 namespace kreisel {
 
-/// results.jsonl and results.csv of the finished cells, in the order of the plan.
-void write_results(const Plan& plan, const std::map<std::string, CellRecord>& finished, const TableUnits& units,
+/// results.jsonl and results.csv of the finished cells, in the order of the plan. They are read one by one.
+void write_results(const Plan& plan, const FinishedCells& finished, const TableUnits& units,
                    const std::filesystem::path& folder);
 
 /// Units of the columns of results.csv.
 TableUnits table_units(const Plan& plan, const Engine& engine);
 
 /// Over the cells of the settings' shard.
-CellCounts count_cells(const Plan& plan, const std::map<std::string, CellRecord>& finished,
-                       const RunSettings& settings);
+CellCounts count_cells(const Plan& plan, const FinishedCells& finished, const RunSettings& settings);
 
 /// What the manifest says of a plan.
 ManifestSubject manifest_subject(const Plan& plan);

@@ -5,8 +5,8 @@
 #include <fmt/ostream.h>
 
 #include <optional>
-#include <set>
 
+#include "driver/campaign/finished.hpp"
 #include "driver/campaign/geometry.hpp"
 #include "driver/campaign/parts.hpp"
 #include "driver/campaign/results.hpp"
@@ -62,39 +62,39 @@ MergedManifests read_manifests(const Paths& folders, const std::string& build) {
     return merged;
 }
 
-// Puts the cells of several folders together. What is damaged is left out, and named.
+// Puts the cells of several folders together, in one journal. What is damaged is left out, and named.
 class Merger {
   public:
     Merger(const Plan& plan, std::filesystem::path target, std::string build, std::ostream& messages)
-        : target_(std::move(target)), build_(std::move(build)), messages_(messages) {
-        for (const PlannedCell& planned : plan.cells) { planned_.insert(planned.hash()); }
-    }
+        : plan_(plan),
+          target_(std::move(target)),
+          build_(std::move(build)),
+          messages_(messages),
+          journal_(journal_file(target_, "")),
+          finished_(plan.cells.size()),
+          number_(finished_.add_journal(journal_file(target_, ""))) {}
 
     void add(const std::filesystem::path& folder) {
         for (const std::string& text : run_damage(folder)) { complain(text); }
-        JournalContents journals = read_journals(folder, build_);
+        const JournalContents journals = read_journals(folder, build_);
         for (const std::string& text : journals.complaints) { complain(text); }
         if (!journals.foreign.empty()) {
             fmt::print(messages_, "{}: {} cells of another build are left out\n", folder.string(),
                        journals.foreign.size());
         }
-        std::erase_if(journals.cells, [&](const auto& one) {
-            return finished_.contains(one.first) || !planned_.contains(one.first) ||
-                   !copy_trajectory(one.second, folder);
-        });
+        const JournalLines lines = journals.lines();
+        for (std::size_t i = 0; i < plan_.cells.size(); ++i) {
+            const auto found = finished_.has(i) ? journals.cells.end() : journals.cells.find(plan_.cells[i].hash());
+            if (found != journals.cells.end()) { add_cell(i, lines.line(found->second), folder); }
+        }
         copy_references(folder);
-        finished_.merge(journals.cells);
-        builds_.merge(journals.builds);
     }
 
     // Lets the merged folder be resumed, and merged again, like any other.
-    void write_journal() const {
-        std::string text;
-        for (const auto& [hash, cell] : finished_) { text += journal_line(cell, builds_.at(hash)) + "\n"; }
-        write_atomically(journal_file(target_, ""), text);
-    }
+    void keep_journal() { journal_.keep(); }
 
-    const std::map<std::string, CellRecord>& finished() const { return finished_; }
+    /// Can be read when the journal is kept.
+    const FinishedCells& finished() const { return finished_; }
     bool damaged() const { return damaged_; }
 
   private:
@@ -103,7 +103,16 @@ class Merger {
         damaged_ = true;
     }
 
-    // False if its samples are damaged: the cell then counts as missing.
+    // Unless its samples are damaged: the cell then counts as missing.
+    void add_cell(std::size_t index, const std::string& line, const std::filesystem::path& from) {
+        const auto cell = read_journal_line(line);
+        if (!cell || !copy_trajectory(cell->record, from)) { return; }
+        finished_.set(index, cell->record.outcome, {number_, static_cast<std::uint32_t>(line.size()), size_});
+        journal_.add(line + "\n");
+        size_ += line.size() + 1;
+    }
+
+    // False if its samples are damaged.
     bool copy_trajectory(const CellRecord& cell, const std::filesystem::path& from) {
         const std::string& sum = cell.outcome.trajectory_sum;
         if (sum.empty()) { return true; }
@@ -112,7 +121,9 @@ class Merger {
         if (!damage.empty() || from == target_) { return damage.empty(); }
         const std::string file = trajectory_file(cell.identity.cell);
         make_folder(target_ / "trajectories");
-        write_atomically(target_ / file, read_text(from / file));
+        AtomicFile copy(target_ / file);
+        for_each_piece(from / file, [&](std::string_view piece) { copy.add(piece); });
+        copy.keep();
         return true;
     }
 
@@ -125,19 +136,21 @@ class Merger {
         }
     }
 
+    const Plan& plan_;
     const std::filesystem::path target_;
     const std::string build_;
     std::ostream& messages_;
-    std::set<std::string> planned_;
-    std::map<std::string, CellRecord> finished_;
-    std::map<std::string, std::string> builds_;
+    AtomicFile journal_;
+    std::uint64_t size_ = 0;  // of the journal
+    FinishedCells finished_;
+    const std::uint32_t number_;  // of the journal
     bool damaged_ = false;
 };
 
-void list_missing(const Plan& plan, const std::map<std::string, CellRecord>& finished,
-                  const std::filesystem::path& target, std::ostream& messages) {
-    for (const PlannedCell& planned : plan.cells) {
-        if (!finished.contains(planned.hash())) { fmt::print(messages, "missing: {}\n", cell_text(planned)); }
+void list_missing(const Plan& plan, const FinishedCells& finished, const std::filesystem::path& target,
+                  std::ostream& messages) {
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        if (!finished.has(i)) { fmt::print(messages, "missing: {}\n", cell_text(plan.cells[i])); }
     }
     fmt::print(messages, "compute what is missing with: kreisel run {} -o {} --resume\n",
                in_shell(manifest_file(target, "").string()), in_shell(target.string()));
@@ -161,7 +174,7 @@ Exit merge_command(const Paths& folders, const std::filesystem::path& output, co
                         .earlier = std::move(manifests.runs)};
     Merger merger(plan, target, taken, terminal.messages);
     for (const auto& folder : folders) { merger.add(folder); }
-    merger.write_journal();
+    merger.keep_journal();
     write_results(plan, merger.finished(), table_units(plan, engines.binary64), target);
     write_geometries(plan, engines.binary64, target);
     const CellCounts counts = state.counts = count_cells(plan, merger.finished(), {});

@@ -7,22 +7,12 @@
 #include <vector>
 
 #include "driver/config/catalogue.hpp"
+#include "records/cell/series.hpp"
 
 namespace kreisel {
 
 struct Document;  // records/json/diagnostics.hpp
 class Diagnostics;
-
-struct ProblemEntry {
-    std::string name;
-    std::string series;          ///< the label as written; entries that one list of values made share it
-    std::string label;           ///< of its own: the series, and the values of listed parameters
-    ParameterValues parameters;  ///< complete
-    std::string pointer;         ///< its position in the config
-
-    /// The position of a parameter: below "parameters" where the config writes them.
-    std::string parameter_pointer(const std::string& path) const { return pointer + "/parameters" + path; }
-};
 
 /// A method or a projection with one value for each of its options.
 struct OptionedEntry {
@@ -36,7 +26,7 @@ struct Config {
     std::string description;
     std::string kind;  ///< one of experiment_kinds()
     std::vector<std::string> precisions;
-    std::vector<ProblemEntry> problems;
+    std::vector<ProblemPoint> problems;  ///< those of one entry one after the other
     std::vector<std::string> formulations;
     std::vector<OptionedEntry> methods;
     std::vector<OptionedEntry> projections;

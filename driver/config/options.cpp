@@ -20,18 +20,13 @@ bool takes_reals(const OptionDescription& option) { return option.real_max >= op
 bool takes_flags(const OptionDescription& option) { return std::holds_alternative<bool>(option.standard); }
 
 std::optional<OptionValue> read_number(const Node& node, const OptionDescription& option) {
-    const nlohmann::json& value = node.json();
-    const bool whole = value.is_number_integer();
+    const auto whole = whole_number(node.json());
     if (takes_counts(option) && (whole || !takes_reals(option))) {
-        const bool representable =
-            whole && (!value.is_number_unsigned() || value.get<unsigned long>() <= largest_count);
-        if (representable && value.get<long>() >= option.count_min && value.get<long>() <= option.count_max) {
-            return value.get<long>();
-        }
-        node.mismatch(expectation(option) + (whole ? "" : " written without fraction or exponent"));
+        if (whole && *whole >= option.count_min && *whole <= option.count_max) { return *whole; }
+        node.mismatch(expectation(option));
         return std::nullopt;
     }
-    const double number = value.get<double>();
+    const double number = node.json().get<double>();
     if (takes_reals(option) && number >= option.real_min && number <= option.real_max) { return number; }
     node.mismatch(expectation(option));
     return std::nullopt;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -15,8 +16,6 @@
 namespace kreisel {
 
 namespace {
-
-constexpr std::size_t longest_label = 60;  // of a value in the label of a series
 
 std::optional<ParameterValue> read_count(const Node& node) {
     const auto count = node.count(1, largest_parameter_count, "parts");
@@ -62,9 +61,32 @@ struct Axis {
     Node node;
 };
 using Axes = std::vector<Axis>;
+using Together = std::vector<const Axis*>;  // axes that vary together
+
+// Whether a list has nothing but numbers, no two of them equal: then its values need not be compared one by one.
+bool has_distinct_numbers(const Node& list) {
+    if (!list.is_array() || list.json().empty()) { return false; }
+    std::vector<double> numbers;
+    for (const auto& entry : list.json()) {
+        if (!entry.is_number()) { return false; }
+        numbers.push_back(entry.get<double>());
+    }
+    std::sort(numbers.begin(), numbers.end());
+    return std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end();
+}
+
+std::vector<ParameterValue> read_distinct_numbers(const Node& list, ParameterKind kind) {
+    std::vector<ParameterValue> values;
+    values.reserve(list.json().size());
+    for (std::size_t i = 0; i < list.json().size(); ++i) {
+        if (const auto value = read_value(list.element(i), kind, PrintedNumbers())) { values.push_back(*value); }
+    }
+    return values;
+}
 
 std::vector<ParameterValue> read_list(const Node& list, ParameterKind kind, const std::string& expected, bool each_once,
                                       const PrintedNumbers& printed) {
+    if (is_number(kind) && has_distinct_numbers(list)) { return read_distinct_numbers(list, kind); }
     std::vector<ParameterValue> values;
     std::unordered_set<std::string> known;
     const std::vector<Node> entries = list.elements(expected).value_or(std::vector<Node>());
@@ -103,97 +125,80 @@ Axis read_numbers(const Node& node, const ParameterDescription& parameter) {
 }
 
 /// Whether all axes of a zip have as many values as the first, and no combination comes twice.
-bool fit_together(const Axes& axes) {
-    const std::size_t count = axes.front().values.size();
-    for (const Axis& axis : axes) {
-        if (axis.values.size() == count) { continue; }
-        axis.node.violates(Rule::zipped,
-                           fmt::format("{} values, as many as {} has, with which it varies", count, axes.front().name),
-                           std::to_string(axis.values.size()));
+bool fit_together(const Together& axes) {
+    const Axis& first = *axes.front();
+    const std::size_t count = first.values.size();
+    for (const Axis* axis : axes) {
+        if (axis->values.size() == count) { continue; }
+        axis->node.violates(Rule::zipped,
+                            fmt::format("{} values, as many as {} has, with which it varies", count, first.name),
+                            std::to_string(axis->values.size()));
         return false;
     }
+    if (first.zip.empty()) { return true; }  // each value is there once
     std::unordered_map<std::string, std::size_t> combinations;
     for (std::size_t i = 0; i < count; ++i) {
         std::string text;
-        for (const Axis& axis : axes) { text += json_value(axis.values[i]) + ";"; }
-        const auto [first, is_new] = combinations.emplace(text, i);
+        for (const Axis* axis : axes) { text += json_value(axis->values[i]) + ";"; }
+        const auto [place, is_new] = combinations.emplace(text, i);
         if (is_new) { continue; }
-        axes.front().node.violates(Rule::each_once, "each combination once",
-                                   fmt::format("those at {} and {} are the same", first->second, i));
+        first.node.violates(Rule::each_once, "each combination once",
+                            fmt::format("those at {} and {} are the same", place->second, i));
         return false;
     }
     return true;
 }
 
-std::vector<ParameterPoint> crossed(const std::vector<ParameterPoint>& points, const Axes& axes) {
-    if (!fit_together(axes)) { return points; }
-    const std::size_t count = axes.front().values.size();
-    std::vector<ParameterPoint> all;
-    for (const ParameterPoint& point : points) {
-        for (std::size_t i = 0; i < count; ++i) {
-            all.push_back(point);
-            for (const Axis& axis : axes) { all.back().values[axis.name] = axis.values[i]; }
-        }
+/// The axes of each zip, in the order of the first parameter of each.
+std::vector<Together> zipped(const Axes& all) {
+    std::vector<Together> groups;
+    for (const Axis& axis : all) {
+        const auto group = std::find_if(groups.begin(), groups.end(), [&](const Together& some) {
+            return !axis.zip.empty() && some.front()->zip == axis.zip;
+        });
+        group == groups.end() ? groups.push_back({&axis}) : group->push_back(&axis);
     }
-    return all;
+    return groups;
 }
 
-/// Which of the values that a parameter takes each point has, from 1, by their texts.
-std::unordered_map<std::string, std::size_t> numbered_values(const std::vector<ParameterPoint>& points,
-                                                             const std::string& name) {
-    std::unordered_map<std::string, std::size_t> numbers;
-    for (const ParameterPoint& point : points) {
-        numbers.emplace(json_value(point.values.at(name)), numbers.size() + 1);
+// Axes without values, or that do not fit together, have been told; they make no problems.
+void vary(Axes all, ReadParameters& parameters) {
+    std::map<std::string, std::size_t> axis_of;  // by parameter
+    for (const Together& some : zipped(all)) {
+        const std::size_t count = some.front()->values.size();
+        if (count == 0 || !fit_together(some)) { continue; }
+        for (const Axis* axis : some) { axis_of[axis->name] = parameters.axes.size(); }
+        parameters.axes.push_back(count);
     }
-    return numbers;
-}
-
-/// Names the values of parameters that vary: numbers and vectors as they are, of what is longer which it is.
-void label(std::vector<ParameterPoint>& points, const std::vector<std::string>& varying) {
-    for (const std::string& name : varying) {
-        const auto numbers = numbered_values(points, name);
-        if (numbers.size() == 1) { continue; }
-        for (ParameterPoint& point : points) {
-            const std::string text = json_value(point.values.at(name));
-            const bool is_short = text.size() <= longest_label;
-            point.listed += fmt::format(", {} = {}", name, is_short ? text : fmt::format("#{}", numbers.at(text)));
-        }
+    for (Axis& axis : all) {
+        const auto number = axis_of.find(axis.name);
+        if (number == axis_of.end()) { continue; }
+        parameters.values[axis.name] = axis.values.front();
+        parameters.varying.emplace_back(axis.name, number->second, std::move(axis.values));
     }
 }
 
 }  // namespace
 
-std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDescription& problem,
-                                            const PrintedNumbers& printed) {
-    std::vector<ParameterPoint> points = {{default_parameters(problem), ""}};
-    if (!written.require_object("an object of parameters")) { return points; }
+ReadParameters read_parameters(const Node& written, const ProblemDescription& problem, const PrintedNumbers& printed) {
+    ReadParameters parameters{default_parameters(problem)};
+    if (!written.require_object("an object of parameters")) { return parameters; }
     written.only_keys(names_of(problem.parameters));
-    std::vector<Axes> axes;  // in the order of the first parameter of each
-    std::vector<std::string> varying;
-    const auto add = [&](Axis axis) {
-        varying.push_back(axis.name);
-        const auto zipped = std::find_if(axes.begin(), axes.end(), [&](const Axes& some) {
-            return !axis.zip.empty() && some.front().zip == axis.zip;
-        });
-        zipped == axes.end() ? axes.push_back({std::move(axis)}) : zipped->push_back(std::move(axis));
-    };
+    Axes axes;
     for (const ParameterDescription& parameter : problem.parameters) {
         const auto node = parameter.required ? written.require(parameter.name, expectation(parameter.kind))
                                              : written.find(parameter.name);
         if (!node) { continue; }
         if (node->is_object()) {
-            add(read_axis(*node, parameter, printed));
+            axes.push_back(read_axis(*node, parameter, printed));
         } else if (is_number(parameter.kind) && node->is_array()) {
-            add(read_numbers(*node, parameter));
+            axes.push_back(read_numbers(*node, parameter));
         } else if (const auto value = read_value(*node, parameter.kind, printed)) {
-            points.front().values[parameter.name] = *value;
+            parameters.values[parameter.name] = *value;
         }
     }
-    for (const Axes& some : axes) {
-        if (!some.front().values.empty()) { points = crossed(points, some); }
-    }
-    label(points, varying);
-    return points;
+    vary(std::move(axes), parameters);
+    return parameters;
 }
 
 }  // namespace kreisel

@@ -3,7 +3,6 @@
 // How the parameters of a problem are read. Internal to the reader.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "driver/config/config.hpp"
@@ -12,16 +11,16 @@
 
 namespace kreisel {
 
-/// One combination of listed parameters.
-struct ParameterPoint {
-    ParameterValues values;  ///< complete
-    std::string listed;      ///< ", links = 8": the values of the parameters that vary
+/// The parameters of a problem, complete, and those that vary.
+struct ReadParameters {
+    ParameterValues values;
+    std::vector<std::size_t> axes = {};  ///< how many places each has
+    std::vector<VaryingParameter> varying = {};
 };
 
 /// Fills in the values of `written` (an object); others keep their defaults. {"axis": [...]} is an axis, and so is a
 /// list of numbers where one is expected: all combinations, the last parameter of the description varying fastest.
 /// Axes with a common "zip" vary together, as the first of them.
-std::vector<ParameterPoint> read_parameters(const Node& written, const ProblemDescription& problem,
-                                            const PrintedNumbers& printed);
+ReadParameters read_parameters(const Node& written, const ProblemDescription& problem, const PrintedNumbers& printed);
 
 }  // namespace kreisel

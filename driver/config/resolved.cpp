@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <unordered_set>
+#include <map>
 
 #include "records/json/writer.hpp"
 
@@ -18,61 +18,65 @@ std::string list_text(const Entries& entries, const Write& write) {
     return "[" + text + "]";
 }
 
-// The texts of the values that a parameter takes among entries, in order of first appearance.
-std::vector<std::string> texts_of(const std::vector<ProblemEntry>& entries, const std::string& name) {
+// Whether lists of numbers make these problems, all of them crossed.
+bool are_crossed_numbers(const ProblemSeries& problems) {
+    std::size_t count = 1;
+    for (const VaryingParameter& varying : problems.varying()) {
+        if (varying.distinct() > 1 && !varying.holds_numbers()) { return false; }
+        count *= varying.distinct();
+    }
+    return count == problems.size();
+}
+
+// The values that a parameter takes, each once; or those of all problems in their order.
+std::vector<std::string> distinct_texts(const ProblemSeries& problems, const VaryingParameter& varying) {
     std::vector<std::string> texts;
-    std::unordered_set<std::string> known;
-    for (const ProblemEntry& entry : entries) {
-        std::string text = json_value(entry.parameters.at(name));
-        if (known.insert(text).second) { texts.push_back(std::move(text)); }
+    for (std::size_t place = 0; place < problems.places(varying.axis()); ++place) {
+        if (varying.rank(place) == texts.size() + 1) { texts.push_back(varying.text(place)); }
     }
     return texts;
 }
 
-// Whether lists of numbers make these entries, all of them crossed.
-bool are_crossed_numbers(const std::vector<ProblemEntry>& entries) {
-    std::size_t count = 1;
-    for (const auto& [name, value] : entries.front().parameters) {
-        const std::size_t values = texts_of(entries, name).size();
-        if (values > 1 && !std::holds_alternative<double>(value)) { return false; }
-        count *= values;
+std::vector<std::string> all_texts(const ProblemSeries& problems, const VaryingParameter& varying) {
+    std::vector<std::string> texts;
+    for (std::size_t point = 0; point < problems.size(); ++point) {
+        texts.push_back(varying.text(problems.place(point, varying.axis())));
     }
-    return count == entries.size();
+    return texts;
 }
 
-// The value of a parameter, a list of numbers, or an axis that varies with all others.
-std::string parameter_text(const std::vector<ProblemEntry>& entries, const std::string& name, bool crossed) {
-    const std::vector<std::string> texts = texts_of(entries, name);
-    if (texts.size() == 1) { return texts.front(); }
+// A list of numbers, or an axis that varies with all others.
+std::string varying_text(const ProblemSeries& problems, const VaryingParameter& varying, bool crossed) {
     const auto as_it_is = [](const std::string& text) { return text; };
-    if (crossed) { return list_text(texts, as_it_is); }
-    const std::string axis =
-        list_text(entries, [&](const ProblemEntry& entry) { return json_value(entry.parameters.at(name)); });
-    return ObjectWriter().member("axis", axis).member("zip", json_text("all")).text();
+    if (varying.distinct() == 1) { return varying.text(0); }
+    if (crossed) { return list_text(distinct_texts(problems, varying), as_it_is); }
+    return ObjectWriter()
+        .member("axis", list_text(all_texts(problems, varying), as_it_is))
+        .member("zip", json_text("all"))
+        .text();
 }
 
-// Entries that came from one, as one again.
-std::string problem_text(const std::vector<ProblemEntry>& entries) {
-    const ProblemEntry& first = entries.front();
-    const bool crossed = are_crossed_numbers(entries);
+// The problems of one entry as that entry.
+std::string problem_text(const ProblemSeries& problems) {
+    const bool crossed = are_crossed_numbers(problems);
+    std::map<std::string, std::string> texts;
+    for (const auto& [name, value] : problems.common_parameters()) { texts[name] = json_value(value); }
+    for (const VaryingParameter& one : problems.varying()) { texts[one.name()] = varying_text(problems, one, crossed); }
     ObjectWriter parameters;
-    for (const auto& entry : first.parameters) {
-        parameters.member(entry.first, parameter_text(entries, entry.first, crossed));
-    }
+    for (const auto& [name, text] : texts) { parameters.member(name, text); }
     return ObjectWriter()
-        .member("name", json_text(first.name))
-        .member("label", json_text(first.series))
+        .member("name", json_text(problems.problem()))
+        .member("label", json_text(problems.label()))
         .member("parameters", parameters.text())
         .text();
 }
 
-std::vector<std::vector<ProblemEntry>> as_written(const std::vector<ProblemEntry>& problems) {
-    std::vector<std::vector<ProblemEntry>> entries;
-    for (const ProblemEntry& problem : problems) {
-        if (entries.empty() || entries.back().front().pointer != problem.pointer) { entries.emplace_back(); }
-        entries.back().push_back(problem);
+std::string problems_text(const std::vector<ProblemPoint>& problems) {
+    std::vector<const ProblemSeries*> entries;
+    for (const ProblemPoint& problem : problems) {
+        if (entries.empty() || entries.back() != problem.series().get()) { entries.push_back(problem.series().get()); }
     }
-    return entries;
+    return list_text(entries, [](const ProblemSeries* entry) { return problem_text(*entry); });
 }
 
 std::string optioned_text(const OptionedEntry& entry) {
@@ -102,7 +106,7 @@ std::string resolved_config(const Config& config) {
     object.member("name", json_text(config.name));
     if (!config.description.empty()) { object.member("description", json_text(config.description)); }
     object.member("kind", json_text(config.kind)).member("precision", json_value(config.precisions));
-    object.member("problems", list_text(as_written(config.problems), problem_text));
+    object.member("problems", problems_text(config.problems));
     object.member("formulations", json_value(config.formulations));
     object.member("methods", list_text(config.methods, optioned_text));
     object.member("projections", list_text(config.projections, optioned_text));

@@ -38,8 +38,8 @@ std::vector<std::string> selectable(const std::string& key, const Config& config
     }
     if (key == "results") { values = {config.name}; }
     if (key == "problem") {
-        for (const ProblemEntry& problem : config.problems) {
-            values.insert(values.end(), {problem.label, problem.series, problem.name});
+        for (const ProblemPoint& problem : config.problems) {
+            values.insert(values.end(), {problem.label(), problem.series_label(), problem.name()});
         }
     }
     if (key == "tolerance") {
@@ -62,10 +62,19 @@ bool is_selected(const Figure& figure, const std::string& key, const std::vector
     });
 }
 
-bool fits_values(const Figure& figure, const CellIdentity& identity) {
-    const auto names_one = [](const auto& entry) { return is_cell_value(entry.first); };
-    if (std::none_of(figure.select.begin(), figure.select.end(), names_one)) { return true; }
-    const ResultRow row = result_row({.identity = identity, .outcome = {}, .times = {}});
+// Whether it selects by parameters or options.
+bool names_cell_values(const Figure& figure) {
+    return std::any_of(figure.select.begin(), figure.select.end(),
+                       [](const auto& entry) { return is_cell_value(entry.first); });
+}
+
+ResultRow planned_row(const PlannedCell& cell) {
+    return result_row({.identity = cell.identity(), .outcome = {}, .times = {}});
+}
+
+bool fits_values(const Figure& figure, const PlannedCell& cell) {
+    if (!names_cell_values(figure)) { return true; }
+    const ResultRow row = planned_row(cell);
     return std::all_of(figure.select.begin(), figure.select.end(), [&](const auto& entry) {
         const auto& [key, values] = entry;
         const auto value = is_cell_value(key) ? cell_value(row, key) : std::nullopt;
@@ -75,21 +84,19 @@ bool fits_values(const Figure& figure, const CellIdentity& identity) {
 
 bool fits(const Figure& figure, const PlannedCell& cell) {
     const CellIdentity& of = cell.run->identity;
-    return is_selected(figure, "problem", {of.label, of.series, of.problem}) &&
+    return is_selected(figure, "problem", {cell.label(), of.series, of.problem}) &&
            is_selected(figure, "formulation", {of.formulation}) && is_selected(figure, "method", {of.method}) &&
            is_selected(figure, "projection", {of.projection}) && is_selected(figure, "precision", {of.precision}) &&
            is_selected(figure, "steps", {fmt::format("{}", cell.steps)}) &&
-           is_selected(figure, "tolerance", {fmt::format("{}", cell.tolerance)}) && fits_values(figure, of);
+           is_selected(figure, "tolerance", {fmt::format("{}", cell.tolerance)}) && fits_values(figure, cell);
 }
 
 // By name, the parameters and options of the cells that are run.
 std::map<std::string, std::set<std::string>> values_of_cells(const Plan& plan, const Figure& figure) {
     std::map<std::string, std::set<std::string>> known;
-    const PlannedRun* last = nullptr;
+    if (!names_cell_values(figure)) { return known; }
     for (const PlannedCell& cell : plan.cells) {
-        if (cell.run.get() == last) { continue; }
-        last = cell.run.get();
-        const ResultRow row = result_row({.identity = cell.run->identity, .outcome = {}, .times = {}});
+        const ResultRow row = planned_row(cell);
         for (const auto& [key, wanted] : figure.select) {
             if (!is_cell_value(key)) { continue; }
             if (const auto value = cell_value(row, key)) { known[key].insert(*value); }
@@ -100,9 +107,9 @@ std::map<std::string, std::set<std::string>> values_of_cells(const Plan& plan, c
 
 std::vector<std::string> bodies_of(const Figure& figure, const Config& config, const Engine& engine) {
     std::vector<std::string> names;
-    for (const ProblemEntry& problem : config.problems) {
-        if (!is_selected(figure, "problem", {problem.label, problem.series, problem.name})) { continue; }
-        for (const BodyGeometry& body : engine.geometry(problem.name, problem.parameters).bodies) {
+    for (const ProblemPoint& problem : config.problems) {
+        if (!is_selected(figure, "problem", {problem.label(), problem.series_label(), problem.name()})) { continue; }
+        for (const BodyGeometry& body : engine.geometry(problem.name(), problem.parameters()).bodies) {
             if (!in_list(names, body.name)) { names.push_back(body.name); }
         }
     }

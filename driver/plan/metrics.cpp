@@ -34,8 +34,9 @@ bool has_rows_of(const ConstraintSummary& constraints, MetricRows rows) {
 bool can_be_measured(const Plan& plan, const std::string& name) {
     const MetricDescription* metric = find_metric(name);
     if (is_largest_error(name) && plan.config.samples == 0) { return false; }
-    return std::any_of(plan.systems.begin(), plan.systems.end(), [&](const auto& entry) {
-        const SystemSummary& system = entry.second;
+    const auto& systems = plan.systems.kinds();
+    return std::any_of(systems.begin(), systems.end(), [&](const PlannedSystems::Shared& shared) {
+        const SystemSummary& system = *shared;
         if (!system.skip_reason.empty()) { return false; }
         if (metric == nullptr) {
             const auto names = metric_names(names_of(system.integrals));
@@ -50,8 +51,8 @@ bool can_be_measured(const Plan& plan, const std::string& name) {
 
 std::vector<std::string> known_metrics(const Plan& plan) {
     std::set<std::string> integrals;
-    for (const auto& [key, summary] : plan.systems) {
-        for (const IntegralDescription& integral : summary.integrals) { integrals.insert(integral.name); }
+    for (const PlannedSystems::Shared& system : plan.systems.kinds()) {
+        for (const IntegralDescription& integral : system->integrals) { integrals.insert(integral.name); }
     }
     return metric_names({integrals.begin(), integrals.end()});
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "driver/plan/crossing.hpp"
+#include "driver/plan/cells/crossing.hpp"
 #include "driver/plan/figures.hpp"
 #include "driver/plan/metrics.hpp"
 #include "records/json/diagnostics.hpp"
@@ -26,54 +26,75 @@ std::string suggestion(const ParameterError& error) {
 // What problems warn of. What several values of one list have in common is said once.
 class Warnings {
   public:
-    void add(const ProblemEntry& problem, const std::string& text) {
-        const auto [known, is_new] = places_.emplace(std::pair(problem.series, text), said_.size());
-        if (is_new) { said_.push_back({problem.label, text}); }
+    void add(const ProblemPoint& problem, const std::string& text) {
+        const auto [known, is_new] = places_.emplace(std::pair(problem.series_label(), text), said_.size());
+        if (is_new) { said_.push_back({problem, text}); }
         Said& said = said_[known->second];
-        if (said.last != problem.label) { ++said.problems; }
-        said.last = problem.label;
+        if (said.problems == 0 || said.last != problem) { ++said.problems; }
+        said.last = problem;
     }
 
     std::vector<std::string> texts() const {
         std::vector<std::string> all;
         for (const Said& said : said_) {
             const std::string others = said.problems == 1 ? "" : fmt::format(" and {} more", said.problems - 1);
-            all.push_back(fmt::format("{}{}: {}", said.first, others, said.text));
+            all.push_back(fmt::format("{}{}: {}", said.first.label(), others, said.text));
         }
         return all;
     }
 
   private:
     struct Said {
-        std::string first, text, last = "";
+        ProblemPoint first;
+        std::string text;
+        ProblemPoint last = first;
         std::size_t problems = 0;
     };
     std::vector<Said> said_;
     std::map<std::pair<std::string, std::string>, std::size_t> places_;
 };
 
-// Builds the system of each problem in each formulation and precision; an inadmissible start or inertia is an error.
-void summarise(const Config& config, const Engines& engines, Diagnostics& sink, Plan& plan) {
-    Warnings warnings;
-    for (const ProblemEntry& problem : config.problems) {
+// Asks the engines about the problems, each in every formulation and precision.
+class Summaries {
+  public:
+    Summaries(const Config& config, const Engines& engines, Diagnostics& sink, Plan& plan)
+        : config_(config), engines_(engines), sink_(sink), plan_(plan) {}
+
+    void add(const ProblemPoint& problem) {
+        const ParameterValues parameters = problem.parameters();
         std::set<std::string> said;
-        for (const std::string& formulation : config.formulations) {
-            for (const std::string& precision : config.precisions) {
+        for (const std::string& formulation : config_.formulations) {
+            SystemSummary last;
+            for (const std::string& precision : config_.precisions) {
                 try {
-                    SystemSummary summary =
-                        engines.of(precision).summary(problem.name, problem.parameters, formulation);
-                    for (const std::string& warning : summary.warnings) { warnings.add(problem, warning); }
-                    plan.systems.insert_or_assign({problem.label, formulation}, std::move(summary));
+                    last = engines_.of(precision).summary(problem.name(), parameters, formulation);
+                    for (const std::string& warning : last.warnings) { warnings_.add(problem, warning); }
                 } catch (const ParameterError& error) {
-                    if (said.insert(error.path + error.what()).second) {
-                        sink.add_sentence(problem.parameter_pointer(error.path), error.what() + suggestion(error),
-                                          Rule::model);
-                    }
+                    if (said.insert(error.path + error.what()).second) { report(problem, error); }
                 }
             }
+            plan_.systems.add(std::move(last));
         }
     }
-    plan.warnings = warnings.texts();
+    std::vector<std::string> warnings() const { return warnings_.texts(); }
+
+  private:
+    void report(const ProblemPoint& problem, const ParameterError& error) {
+        sink_.add_sentence(problem.parameter_pointer(error.path), error.what() + suggestion(error), Rule::model);
+    }
+
+    const Config& config_;
+    const Engines& engines_;
+    Diagnostics& sink_;
+    Plan& plan_;
+    Warnings warnings_;
+};
+
+// Builds the system of each problem in each formulation and precision; an inadmissible start or inertia is an error.
+void summarise(const Config& config, const Engines& engines, Diagnostics& sink, Plan& plan) {
+    Summaries summaries(config, engines, sink, plan);
+    for (const ProblemPoint& problem : config.problems) { summaries.add(problem); }
+    plan.warnings = summaries.warnings();
 }
 
 void warn(Plan& plan) {

@@ -5,10 +5,10 @@
 
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "driver/config/config.hpp"
+#include "driver/plan/cells/systems.hpp"
 #include "records/cell/planned.hpp"
 
 namespace kreisel {
@@ -16,8 +16,8 @@ namespace kreisel {
 struct Plan {
     Config config;
     std::vector<PlannedCell> cells;
-    std::map<std::string, PlannedReference> references;                    ///< by hash
-    std::map<std::pair<std::string, std::string>, SystemSummary> systems;  ///< by problem label and formulation
+    std::map<std::string, PlannedReference> references;  ///< by hash
+    PlannedSystems systems;                              ///< of its problems in its formulations
     std::vector<std::string> warnings;
     std::size_t skipped() const;
 };

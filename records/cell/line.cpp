@@ -39,16 +39,16 @@ ReferenceNote note_of(const Reference& reference, double t_end) {
 Number counted(long count) { return {static_cast<double>(count), fmt::format("{}", count)}; }
 
 // A cell of constant steps has the counts that it has always had, unless its kind is about costs.
-std::vector<std::pair<std::string, Number>> counts_of(const Cell& cell, const Cost& cost) {
+std::vector<std::pair<std::string, Number>> counts_of(const PlannedCell& planned, const Cost& cost) {
     std::vector<std::pair<std::string, Number>> counts = {
         {"evaluations", counted(cost.evaluations)},
         {"projection_iterations", counted(cost.projection_iterations)},
         {"output_evaluations", counted(cost.output_evaluations)}};
-    if (cell.tolerance > 0) {
+    if (planned.tolerance > 0) {
         counts.emplace_back("accepted", counted(cost.accepted));
         counts.emplace_back("rejected", counted(cost.rejected));
     }
-    if (cell.tolerance > 0 || cell.repeated) {
+    if (planned.tolerance > 0 || planned.run->cell.repeated) {
         counts.emplace_back("exponentials", counted(cost.exponentials));
         counts.emplace_back("brackets", counted(cost.brackets));
         counts.emplace_back("newton_iterations", counted(cost.newton_iterations));
@@ -61,23 +61,24 @@ std::vector<std::pair<std::string, Number>> counts_of(const Cell& cell, const Co
 CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
                      const std::string& trajectory_sum) {
     const Cost& cost = outcome.cost;
+    const Cell& common = planned.run->cell;
     CellRecord record{planned.identity(), {}, {cost.cpu_s, cost.step_s, cost.memory, {}}};
-    if (planned.cell().repeated) { record.times.run_s = cost.run_s; }
+    if (common.repeated) { record.times.run_s = cost.run_s; }
     CellOutcome& result = record.outcome;
     result.status = outcome.status;
     result.detail = outcome.detail;
     result.steps_done = outcome.steps_done;
     result.t_reached = outcome.t_reached;
-    result.bodies = planned.cell().timed ? outcome.bodies : 0;
+    result.bodies = common.timed ? outcome.bodies : 0;
     result.final = outcome.final;
     result.constraints = outcome.constraints;
     result.metrics = outcome.metrics;
     result.unmeasured = outcome.unmeasured;
     result.lost = outcome.lost;
-    if (reference != nullptr) { result.reference = note_of(*reference, planned.cell().t_end); }
+    if (reference != nullptr) { result.reference = note_of(*reference, common.t_end); }
     result.trajectory = trajectory_sum.empty() ? "" : trajectory_file(planned.hash());
     result.trajectory_sum = trajectory_sum;
-    result.counts = counts_of(planned.cell(), cost);
+    result.counts = counts_of(planned, cost);
     return record;
 }
 

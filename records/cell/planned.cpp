@@ -5,6 +5,7 @@ namespace kreisel {
 
 Cell PlannedCell::cell() const {
     Cell cell = run->cell;
+    cell.parameters = run->problems->parameters(point);
     cell.steps = steps;
     cell.tolerance = tolerance;
     return cell;
@@ -12,6 +13,8 @@ Cell PlannedCell::cell() const {
 
 CellIdentity PlannedCell::identity() const {
     CellIdentity identity = run->identity;
+    identity.label = label();
+    identity.parameters = parse_exactly(run->problems->parameters_text(point));
     identity.cell = hash();
     identity.steps = steps;
     identity.h = steps > 0 ? identity.t_end / static_cast<double>(steps) : 0;

@@ -9,20 +9,25 @@
 
 #include "engine/engine.hpp"
 #include "records/cell/record.hpp"
+#include "records/cell/series.hpp"
 #include "support/hash.hpp"
 
 namespace kreisel {
 
-/// What cells that differ in their steps only have in common, so that a plan of many cells stays small.
+/// What cells that differ in their steps, or in the values of parameters of one entry, have in common, so that a plan of
+/// many cells stays small.
 struct PlannedRun {
-    Cell cell;                ///< but for its steps
-    CellIdentity identity;    ///< what results say of it; but for hash and steps
-    std::string skip_reason;  ///< not empty: the cells do not apply, and why
-    std::string reference;    ///< name of the reference solution they are compared with; empty: none
+    std::shared_ptr<const ProblemSeries> problems;
+    std::shared_ptr<const SystemSummary> system;  ///< of these in this formulation
+    Cell cell;                                    ///< but for its parameters and steps
+    CellIdentity identity;                        ///< what results say of it; but for hash, label, parameters and steps
+    std::string skip_reason;                      ///< not empty: the cells do not apply, and why
+    std::string reference;  ///< name of the reference solution they are compared with; empty: none
 };
 
 struct PlannedCell {
     std::shared_ptr<const PlannedRun> run;
+    std::size_t point = 0;   ///< which of the problems of the run
     std::uint64_t name = 0;  ///< a hash over all that determines the numbers
     long steps = 0;          ///< of one size; 0 where there is a tolerance
     double tolerance = 0;
@@ -33,8 +38,9 @@ struct PlannedCell {
     CellIdentity identity() const;
     /// The name as 16 hexadecimal digits.
     std::string hash() const { return hash_text(name); }
-    const std::string& series() const { return run->identity.series; }
-    const std::string& label() const { return run->identity.label; }
+    ProblemPoint problem() const { return {run->problems, point}; }
+    const std::string& series() const { return run->problems->label(); }
+    std::string label() const { return run->problems->label(point); }
     const std::string& precision() const { return run->identity.precision; }
     const std::string& skip_reason() const { return run->skip_reason; }
     const std::string& reference() const { return run->reference; }

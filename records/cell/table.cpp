@@ -83,52 +83,45 @@ std::vector<const RecordField*> column_fields() {
     return fields;
 }
 
-/// The columns of a group of fields, filled row by row.
-class TableColumns {
-  public:
-    void add(std::size_t row, const RowCells& cells) {
-        for (const auto& [title, text] : cells) {
-            const auto [place, fresh] = places_.insert({title, titles_.size()});
-            if (fresh) { titles_.push_back(title), texts_.emplace_back(); }
-            texts_[place->second].resize(row);
-            texts_[place->second].push_back(text);
-        }
-    }
-    const std::vector<std::string>& titles() const { return titles_; }
-    std::string text(std::size_t column, std::size_t row) const {
-        return row < texts_[column].size() ? texts_[column][row] : "";
-    }
-
-  private:
-    std::map<std::string, std::size_t> places_;
-    std::vector<std::string> titles_;
-    std::vector<std::vector<std::string>> texts_;
-};
-
 void append_field(std::string& line, const std::string& text) { line += (line.empty() ? "" : ",") + csv_field(text); }
 
 }  // namespace
 
-std::string results_table(const std::vector<CellRecord>& records, const TableUnits& units) {
-    std::vector<TableColumns> groups;
-    for (const RecordField* field : column_fields()) {
-        TableColumns& columns = groups.emplace_back();
-        for (std::size_t row = 0; row < records.size(); ++row) {
-            columns.add(row, FieldCells(*field, records[row], units).cells());
+ResultsTable::ResultsTable(TableUnits units) : units_(std::move(units)) {
+    for (const RecordField* field : column_fields()) { groups_.push_back({field}); }
+}
+
+std::size_t ResultsTable::place_of(Group& group, const std::string& title, std::size_t expected) {
+    if (expected < group.titles.size() && group.titles[expected] == title) { return expected; }
+    const auto known = group.places.find(title);
+    if (known != group.places.end()) { return known->second; }
+    group.titles.push_back(title);
+    ++columns_;
+    return group.places[title] = group.titles.size() - 1;
+}
+
+std::string ResultsTable::header() const {
+    std::string line;
+    for (const Group& group : groups_) {
+        for (const std::string& title : group.titles) { append_field(line, title); }
+    }
+    return line + "\n";
+}
+
+std::string ResultsTable::row(const CellRecord& record) {
+    std::string line;
+    for (Group& group : groups_) {
+        std::vector<std::string> texts(group.titles.size());
+        std::size_t expected = 0;
+        for (auto& [title, text] : FieldCells(*group.field, record, units_).cells()) {
+            const std::size_t place = place_of(group, title, expected);
+            texts.resize(group.titles.size());
+            texts[place] = std::move(text);
+            expected = place + 1;
         }
+        for (const std::string& text : texts) { append_field(line, text); }
     }
-    std::string header, table;
-    for (const TableColumns& columns : groups) {
-        for (const std::string& title : columns.titles()) { append_field(header, title); }
-    }
-    for (std::size_t row = 0; row < records.size(); ++row) {
-        std::string line;
-        for (const TableColumns& columns : groups) {
-            for (std::size_t i = 0; i < columns.titles().size(); ++i) { append_field(line, columns.text(i, row)); }
-        }
-        table += line + "\n";
-    }
-    return header + "\n" + table;
+    return line + "\n";
 }
 
 }  // namespace kreisel

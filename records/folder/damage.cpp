@@ -9,9 +9,9 @@
 #include "records/journal.hpp"
 #include "records/reference_store.hpp"
 #include "records/sums/sum_list.hpp"
+#include "records/trajectory_file.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
-#include "support/hash.hpp"
 
 namespace kreisel {
 
@@ -64,7 +64,7 @@ std::string trajectory_damage(const std::filesystem::path& folder, const std::st
     if (!std::filesystem::is_regular_file(file, error)) {
         return fmt::format("{}: damaged: it is not there", file.string());
     }
-    if (hash_text(read_text(file)) == sum) { return ""; }
+    if (sum_of_trajectory(file) == sum) { return ""; }
     return fmt::format("{}: damaged: its sum is not the one of its cell", file.string());
 }
 

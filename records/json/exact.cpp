@@ -18,11 +18,11 @@ namespace {
 /// Deeper nesting is damage, and would exhaust the stack.
 constexpr int deepest = 100;
 
-/// Up to here every whole number is a double.
-constexpr double largest_exact_whole = 9007199254740992;
+constexpr std::size_t usual_members = 8;  // of an object
 
 std::size_t skip_digits(std::string_view word, std::size_t at) {
-    return std::min(word.find_first_not_of("0123456789", at), word.size());
+    while (at < word.size() && word[at] >= '0' && word[at] <= '9') { ++at; }
+    return at;
 }
 
 /// -0.5e-10: JSON has no other numbers than this shape.
@@ -45,6 +45,10 @@ bool is_json_number(std::string_view word) {
     }
     return digits > 0 && at == word.size();
 }
+
+bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+
+bool ends_word(char c) { return c == ',' || c == ']' || c == '}' || is_space(c); }
 
 class ExactReader {
   public:
@@ -74,6 +78,7 @@ class ExactReader {
 
     JsonValue read_object() {
         JsonValue object{JsonValue::Kind::object, "", {}, {}};
+        object.members.reserve(usual_members);
         read_entries('}', [&] {
             std::string name = read_string();
             expect(':');
@@ -123,7 +128,7 @@ class ExactReader {
     /// A number, true, false or null.
     JsonValue read_word() {
         const std::size_t start = at_;
-        at_ = std::min(text_.find_first_of(",]} \t\r\n", start), text_.size());
+        while (at_ < text_.size() && !ends_word(text_[at_])) { ++at_; }
         const std::string_view word = text_.substr(start, at_ - start);
         if (word == "null") { return {}; }
         const bool flag = word == "true" || word == "false";
@@ -143,7 +148,9 @@ class ExactReader {
         return text_[at_];
     }
 
-    void skip_space() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+    void skip_space() {
+        while (at_ < text_.size() && is_space(text_[at_])) { ++at_; }
+    }
 
     [[noreturn]] void fail(const std::string& expected) const {
         throw std::invalid_argument(fmt::format("byte {}: expected {}", at_ + 1, expected));

@@ -10,6 +10,9 @@
 
 namespace kreisel {
 
+/// Up to here every whole number is a double.
+inline constexpr double largest_exact_whole = 9007199254740992;
+
 struct JsonMember;
 
 struct JsonValue {

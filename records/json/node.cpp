@@ -7,6 +7,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "records/json/exact.hpp"
 #include "support/nearest.hpp"
 
 namespace kreisel {
@@ -68,9 +69,7 @@ std::vector<Node> Node::distinct_elements(const std::string& expected, const std
 std::vector<Node> Node::elements_or_self() const {
     if (!is_array()) { return {*this}; }
     std::vector<Node> nodes;
-    for (std::size_t i = 0; i < value_->size(); ++i) {
-        nodes.emplace_back((*value_)[i], pointer_below(pointer_, std::to_string(i)), *sink_);
-    }
+    for (std::size_t i = 0; i < value_->size(); ++i) { nodes.push_back(element(i)); }
     return nodes;
 }
 
@@ -98,21 +97,12 @@ std::optional<double> Node::positive(const std::string& expected) const {
 
 std::optional<long> Node::count(long least, long most, const std::string& what) const {
     const std::string expected = fmt::format("{} (a whole number from {} to {})", what, least, most);
-    if (value_->is_number_float()) {
-        mismatch(expected + " written without fraction or exponent");
-        return std::nullopt;
-    }
-    // nlohmann stores non-negative integers as unsigned, even beyond the range of long.
-    const bool in_range =
-        value_->is_number_unsigned()
-            ? value_->get<unsigned long>() <= static_cast<unsigned long>(most) &&
-                  static_cast<long>(value_->get<unsigned long>()) >= least
-            : value_->is_number_integer() && value_->get<long>() >= least && value_->get<long>() <= most;
-    if (!in_range) {
+    const auto value = whole_number(*value_);
+    if (!value || *value < least || *value > most) {
         mismatch(expected);
         return std::nullopt;
     }
-    return value_->get<long>();
+    return value;
 }
 
 std::optional<bool> Node::flag() const {
@@ -157,6 +147,13 @@ std::optional<std::string> Node::name(const std::string& what, const std::vector
         return std::nullopt;
     }
     return text;
+}
+
+std::optional<long> whole_number(const nlohmann::json& value) {
+    if (!value.is_number()) { return std::nullopt; }
+    const auto number = value.get<double>();
+    const bool is_whole = number == std::floor(number) && std::abs(number) <= largest_exact_whole;
+    return is_whole ? std::optional(static_cast<long>(number)) : std::nullopt;
 }
 
 std::vector<Node> distinct(const std::vector<Node>& nodes, const std::string& what) {

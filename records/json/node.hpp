@@ -44,6 +44,10 @@ class Node {
     /// The same without those that equal an earlier one, which are errors, and nothing where there is no list: "each
     /// WHAT once". What is written differently and means the same is not found here.
     std::vector<Node> distinct_elements(const std::string& expected, const std::string& what) const;
+    /// One element of a list.
+    Node element(std::size_t index) const {
+        return {(*value_)[index], pointer_below(pointer_, std::to_string(index)), *sink_};
+    }
     /// The elements of a list, or the value itself.
     std::vector<Node> elements_or_self() const;
 
@@ -51,7 +55,7 @@ class Node {
     std::optional<double> number(const std::string& expected = "a number") const;
     /// At least `least_positive`.
     std::optional<double> positive(const std::string& expected = "a number greater than 0") const;
-    /// A whole number in [least, most], written without a fraction.
+    /// A whole number in [least, most].
     std::optional<long> count(long least, long most, const std::string& what) const;
     std::optional<bool> flag() const;
     /// Text without control characters, at most `longest` characters.
@@ -81,6 +85,9 @@ class Node {
     std::string pointer_;
     Diagnostics* sink_;
 };
+
+/// The whole number that a value is, however it is written: 2, 2.0 or 2e0. Nothing if it is none or has no exact double.
+std::optional<long> whole_number(const nlohmann::json& value);
 
 /// Those that equal no earlier one as JSON. The others are errors: "each WHAT once".
 std::vector<Node> distinct(const std::vector<Node>& nodes, const std::string& what);

@@ -3,6 +3,7 @@
 // Notes of `run` and `table` on cells that succeeded but violate a first integral.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,21 @@ namespace kreisel {
 
 /// A sentence for each problem (by label) in which a cell has lost more than 1 % of a first integral: the number of
 /// cells, and the worst one. Cells that did not finish are not counted.
+class LostIntegrals {
+  public:
+    void add(const ResultRow& row);
+    std::vector<std::string> notes() const;
+
+  private:
+    struct Group {
+        std::size_t ended = 0, lost = 0;
+        ResultRow worst = {};
+    };
+    static std::string note_of(const std::string& label, const Group& group);
+    std::map<std::string, Group> groups_;
+};
+
+/// The same of many.
 std::vector<std::string> lost_integral_notes(const std::vector<ResultRow>& rows);
 
 }  // namespace kreisel

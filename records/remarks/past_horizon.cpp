@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
-
 #include "records/metrics/catalogue.hpp"
 #include "support/number_text.hpp"
 
@@ -35,17 +33,22 @@ std::string note_of(const ResultRow& row, std::size_t cells) {
 
 }  // namespace
 
-std::vector<std::string> past_horizon_notes(const std::vector<ResultRow>& rows) {
-    std::map<std::pair<std::string, double>, std::pair<const ResultRow*, std::size_t>> groups;
-    for (const ResultRow& row : rows) {
-        if (!row.ok() || !row.past_horizon) { continue; }
-        auto& [first, cells] = groups[{row.label, row.t_end}];
-        first = first == nullptr ? &row : first;
-        ++cells;
-    }
+void PastHorizon::add(const ResultRow& row) {
+    if (!row.ok() || !row.past_horizon) { return; }
+    Group& group = groups_[{row.label, row.t_end}];
+    if (++group.cells == 1) { group.first = row; }
+}
+
+std::vector<std::string> PastHorizon::notes() const {
     std::vector<std::string> notes;
-    for (const auto& [key, group] : groups) { notes.push_back(note_of(*group.first, group.second)); }
+    for (const auto& [key, group] : groups_) { notes.push_back(note_of(group.first, group.cells)); }
     return notes;
+}
+
+std::vector<std::string> past_horizon_notes(const std::vector<ResultRow>& rows) {
+    PastHorizon past;
+    for (const ResultRow& row : rows) { past.add(row); }
+    return past.notes();
 }
 
 }  // namespace kreisel

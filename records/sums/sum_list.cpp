@@ -80,7 +80,7 @@ SumList list_to_change(const std::filesystem::path& folder) {
     SumList list = read_sum_list(folder);
     if (list.damage.empty()) { return list; }
     for (auto& [path, sum] : list.sums) {
-        if (!is_file(folder / path) || sha256_text(read_text(folder / path)) != sum) { sum = unfinished_sum; }
+        if (!is_file(folder / path) || sha256_of_file(folder / path) != sum) { sum = unfinished_sum; }
     }
     return list;
 }
@@ -91,7 +91,7 @@ void record_sums(const std::filesystem::path& folder, const std::vector<std::str
     SumList list = list_to_change(folder);
     for (const std::string& path : paths) {
         if (is_file(folder / path)) {
-            list.sums[path] = sha256_text(read_text(folder / path));
+            list.sums[path] = sha256_of_file(folder / path);
         } else {
             list.sums.erase(path);
         }
@@ -111,7 +111,7 @@ std::vector<std::string> sum_list_damage(const std::filesystem::path& folder) {
     std::vector<std::string> damage;
     for (const auto& [path, sum] : list.sums) {
         const auto file = folder / path;
-        if (sum == unfinished_sum || !is_file(file) || sha256_text(read_text(file)) == sum) { continue; }
+        if (sum == unfinished_sum || !is_file(file) || sha256_of_file(file) == sum) { continue; }
         damage.push_back(fmt::format("{}: damaged: it is not what sums.sha256 says", file.string()));
     }
     return damage;

@@ -414,8 +414,8 @@ TEST_CASE("the shipped mechanism has every formulation and keeps to its joints",
         plan_of(parse_document("multibody.json", text_of("experiments/mechanisms/multibody.json")), engines);
     CHECK(plan.skipped() == 0);
     CHECK(plan.warnings.empty());
-    for (const auto& [key, system] : plan.systems) {
-        CHECK(system.bodies == 4);
-        CHECK(system.constraints.rows == 18);
+    for (const PlannedSystems::Shared& system : plan.systems.kinds()) {
+        CHECK(system->bodies == 4);
+        CHECK(system->constraints.rows == 18);
     }
 }

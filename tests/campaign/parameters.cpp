@@ -135,7 +135,7 @@ ParameterValues read_back(const std::string& problem, const std::string& paramet
             .member("methods", R"(["rkmk/rk4"])")
             .member("time", R"({"end": 1, "steps": [8, 16]})")
             .text();
-    return read_config(parse_document("round_trip.json", text), catalogue).problems.at(0).parameters;
+    return read_config(parse_document("round_trip.json", text), catalogue).problems.at(0).parameters();
 }
 
 }  // namespace

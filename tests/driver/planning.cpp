@@ -292,6 +292,23 @@ TEST_CASE("a number given as a list is an axis of the problem") {
     }
 }
 
+TEST_CASE("a whole number is the same however it is written") {
+    const auto planned = [](const std::string& count, const std::string& options) {
+        return plan_from(R"({"name": "n", "kind": "drift", "problems": ["heavy_top"],
+            "methods": [{"name": "rkmk/rk4")" +
+                         options + R"(}], "time": {"end": 1, "steps": )" + count + "}}");
+    };
+    const Plan plain = planned("2000", R"(, "dexpinv": 3)");
+    for (const std::string count : {"2000.0", "2e3", "[2E+3]"}) {
+        const Plan plan = planned(count, R"(, "dexpinv": 3.0)");
+        CHECK(plan.cells.front().hash() == plain.cells.front().hash());
+        CHECK(resolved_config(plan.config) == resolved_config(plain.config));
+    }
+    CHECK_THAT(resolved_config(plain.config), Catch::Contains(R"("steps":[2000])"));
+    CHECK_THROWS_WITH(planned("2000.5", ""), Catch::Contains("(a whole number from 1 to 1000000000), got 2000.5"));
+    CHECK_THROWS_WITH(planned("[2, 2.0]", ""), Catch::Contains("each number of steps once"));
+}
+
 TEST_CASE("a parameter of any kind can be an axis, and axes can vary together") {
     const Plan plan = plan_from(R"({"name": "n", "kind": "drift", "methods": ["rkmk/rk4"],
         "time": {"end": 1, "steps": 4}, "problems": [{"name": "heavy_top", "label": "top", "parameters": {

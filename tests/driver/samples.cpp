@@ -12,6 +12,7 @@
 
 #include "driver/cli/cli.hpp"
 #include "driver/plan/plan.hpp"
+#include "records/geometry.hpp"
 #include "records/json/strict.hpp"
 #include "records/trajectory_file.hpp"
 #include "support/errors.hpp"
@@ -133,4 +134,19 @@ TEST_CASE("a full disk under the samples ends the run with 3, and a cell that th
     throwing.replace(throwing.find("fake/slow"), 9, "fake/throws");
     CHECK(run_program({"run", scratch.file("throws.json", throwing), "-o", (scratch / "thrown").string()}).code == 1);
     CHECK(std::filesystem::is_empty(scratch / "thrown" / "trajectories"));
+}
+
+TEST_CASE("each problem of a run has its own geometry") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("c.json", R"({"name": "c", "kind": "trajectory", "problems": [
+        {"name": "heavy_top", "label": "a", "parameters": {"mass": [1, 2]}},
+        {"name": "heavy_top", "label": "b", "parameters": {"mass": 3}}],
+        "methods": ["rkmk/rk4", "rkmk/midpoint"], "time": {"end": 1, "steps": 4}, "output": {"samples": 2}})");
+    REQUIRE(run_program({"run", config, "-o", (scratch / "out").string()}).code == 0);
+    const auto mechanisms = read_geometry(scratch / "out");
+    REQUIRE(mechanisms.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(mechanisms[i].cells.size() == 2);
+        CHECK(mechanisms[i].geometry.bodies.at(0).mass == static_cast<double>(i + 1));
+    }
 }

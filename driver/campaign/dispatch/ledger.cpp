@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver/campaign/dispatch/ledger.hpp"
 
+#include <algorithm>
+
 #include "driver/plan/shards.hpp"
 #include "records/cell/line.hpp"
 #include "records/trajectory_file.hpp"
-#include "support/errors.hpp"
-#include "support/hash.hpp"
 
 namespace kreisel {
 
@@ -23,27 +23,37 @@ Ledger::Ledger(const Plan& plan, std::filesystem::path folder, const RunSettings
     : plan_(plan),
       folder_(std::move(folder)),
       build_(settings.build),
-      journal_(journal_file(folder_, shard_name(settings))) {}
+      journal_(journal_file(folder_, shard_name(settings))),
+      finished_(plan.cells.size()),
+      number_(finished_.add_journal(journal_file(folder_, shard_name(settings)))) {}
 
 bool Ledger::trajectory_is_whole(const CellRecord& cell) const {
     std::error_code error;
     const auto file = folder_ / trajectory_file(cell.identity.cell);
     const std::string& sum = cell.outcome.trajectory_sum;
-    return sum.empty() || (std::filesystem::is_regular_file(file, error) && hash_text(read_text(file)) == sum);
+    return sum.empty() || (std::filesystem::is_regular_file(file, error) && sum_of_trajectory(file) == sum);
+}
+
+bool Ledger::take_over(std::size_t index, const CellRecord& cell, const JournalPlace& place) {
+    if (status::is_tried_again(cell.outcome.status) || !trajectory_is_whole(cell)) { return false; }
+    finished_.set(index, cell.outcome, place);
+    progress.failed += cell.outcome.failed() ? 1U : 0U;
+    return true;
 }
 
 std::size_t Ledger::reuse(const JournalContents& earlier, const RunSettings& settings) {
+    const std::uint32_t first = number_ + 1;  // of the journals that are added here
+    for (const auto& file : earlier.files) { finished_.add_journal(file); }
+    const JournalLines lines = earlier.lines();
     for (const std::size_t i : cells_of_shard(plan_, settings.shard, settings.shards)) {
         const auto found = earlier.cells.find(plan_.cells[i].hash());
-        const bool whole = found != earlier.cells.end() && !status::is_tried_again(found->second.outcome.status) &&
-                           trajectory_is_whole(found->second);
-        if (whole) {
-            finished_.insert(*found);
-            progress.failed += found->second.outcome.failed() ? 1U : 0U;
-        } else {
-            mine_.push_back(i);
-            progress.weight_total += plan_.cells[i].weight;
+        const JournalPlace place = found == earlier.cells.end() ? JournalPlace() : found->second;
+        if (found != earlier.cells.end() &&
+            take_over(i, lines.record(place), {first + place.file, place.size, place.begin})) {
+            continue;
         }
+        mine_.push_back(i);
+        progress.weight_total += plan_.cells[i].weight;
     }
     progress.done = finished_.size();
     progress.total = finished_.size() + mine_.size();
@@ -51,35 +61,39 @@ std::size_t Ledger::reuse(const JournalContents& earlier, const RunSettings& set
 }
 
 void Ledger::record(std::size_t index, const std::string& line) {
-    auto cell = read_journal_line(line);
+    const auto cell = read_journal_line(line);
     if (!cell || cell->record.identity.cell != plan_.cells[index].hash()) {
         throw std::logic_error("a worker answered with a line that is not of its cell");
     }
-    keep(index, std::move(cell->record), line);
+    keep(index, cell->record.outcome, line);
 }
 
 void Ledger::record(std::size_t index, const Outcome& outcome) {
     const PlannedCell& planned = plan_.cells[index];
     TrajectoryFile(folder_ / trajectory_file(planned.hash())).discard();
-    CellRecord cell = record_of(planned, outcome, nullptr);
-    const std::string line = journal_line(cell, build_);
-    keep(index, std::move(cell), line);
+    const CellRecord cell = record_of(planned, outcome, nullptr);
+    keep(index, cell.outcome, journal_line(cell, build_));
 }
 
-void Ledger::keep(std::size_t index, CellRecord cell, const std::string& line) {
-    journal_.append(line);
+void Ledger::append(std::size_t index, const CellOutcome& outcome, const std::string& line) {
+    const std::uint64_t begin = journal_.append(line);
+    finished_.set(index, outcome, {number_, static_cast<std::uint32_t>(line.size()), begin});
+}
+
+void Ledger::keep(std::size_t index, const CellOutcome& outcome, const std::string& line) {
+    append(index, outcome, line);
     progress.weight_done += plan_.cells[index].weight;
-    progress.failed += cell.outcome.failed() ? 1U : 0U;
-    finished_.insert_or_assign(plan_.cells[index].hash(), std::move(cell));
+    progress.failed += outcome.failed() ? 1U : 0U;
     progress.done = finished_.size();
 }
 
 std::vector<std::size_t> Ledger::timed_cells() {
     std::vector<std::size_t> cells;
     for (const std::size_t index : mine_) {
-        const auto found = finished_.find(plan_.cells[index].hash());
-        const bool ok = found != finished_.end() && found->second.outcome.status == status::ok;
-        if (!ok || !found->second.times.run_s) { continue; }
+        if (finished_.end(index) != CellEnd::ok) { continue; }
+        const auto run_s = finished_.record(index).times.run_s;
+        if (!run_s) { continue; }
+        run_s_[index] = *run_s;
         cells.push_back(index);
         progress.weight_total += (timing_rounds - 1) * plan_.cells[index].weight;
     }
@@ -87,13 +101,15 @@ std::vector<std::size_t> Ledger::timed_cells() {
 }
 
 void Ledger::note_seconds(std::size_t index, std::optional<double> run_s) {
-    if (run_s) { keep_fastest(finished_.at(plan_.cells[index].hash()).times, *run_s); }
+    if (run_s) { run_s_.at(index) = std::min(run_s_.at(index), *run_s); }
     progress.weight_done += plan_.cells[index].weight;
 }
 
 void Ledger::record_times(const std::vector<std::size_t>& cells) {
     for (const std::size_t index : cells) {
-        journal_.append(journal_line(finished_.at(plan_.cells[index].hash()), build_));
+        CellRecord cell = finished_.record(index);
+        keep_fastest(cell.times, run_s_.at(index));
+        append(index, cell.outcome, journal_line(cell, build_));
     }
 }
 

@@ -9,13 +9,12 @@
 #include <vector>
 
 #include "driver/campaign/campaign.hpp"
+#include "driver/campaign/finished.hpp"
 #include "driver/campaign/progress.hpp"
 #include "records/journal.hpp"
 #include "support/files.hpp"
 
 namespace kreisel {
-
-using Finished = std::map<std::string, CellRecord>;
 
 class Ledger {
   public:
@@ -40,11 +39,13 @@ class Ledger {
     /// A second journal line of each timed cell, with the fastest of its rounds.
     void record_times(const std::vector<std::size_t>& cells);
 
-    const Finished& finished() const { return finished_; }
+    const FinishedCells& finished() const { return finished_; }
     ProgressState progress;
 
   private:
-    void keep(std::size_t index, CellRecord cell, const std::string& line);
+    bool take_over(std::size_t index, const CellRecord& cell, const JournalPlace& place);
+    void append(std::size_t index, const CellOutcome& outcome, const std::string& line);
+    void keep(std::size_t index, const CellOutcome& outcome, const std::string& line);
     bool trajectory_is_whole(const CellRecord& cell) const;
 
     const Plan& plan_;
@@ -52,7 +53,9 @@ class Ledger {
     const std::string build_;
     LineAppender journal_;
     std::vector<std::size_t> mine_;
-    Finished finished_;
+    FinishedCells finished_;
+    const std::uint32_t number_;                // of the journal
+    std::map<std::size_t, double> run_s_ = {};  // of the cells whose time is taken: the fastest of their rounds
 };
 
 }  // namespace kreisel

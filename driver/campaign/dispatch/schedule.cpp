@@ -12,6 +12,7 @@ constexpr std::size_t largest_batch = 256;
 }  // namespace
 
 void Schedule::add_cell(std::size_t index, const std::string& needs, double weight) {
+    if (index >= weights_.size()) { weights_.resize(index + 1, 0); }
     weights_[index] = weight;
     needs.empty() ? take_back(index) : waiting_[needs].push_back(index);
 }
@@ -21,7 +22,7 @@ void Schedule::add_alone(Job job) {
     alone_.push_back(std::move(job));
 }
 
-void Schedule::take_back(std::size_t index) { ready_.insert({-weights_.at(index), index}); }
+void Schedule::take_back(std::size_t index) { ready_.emplace(-weights_.at(index), index); }
 
 void Schedule::give_back(const Job& job) {
     if (job.alone) { return alone_.push_front(job); }
@@ -51,8 +52,8 @@ Job Schedule::next_batch() {
     Job job{Job::Kind::cells, {}, {}};
     double expected = 0;
     do {
-        const auto [minus_weight, index] = *ready_.begin();
-        ready_.erase(ready_.begin());
+        const auto [minus_weight, index] = ready_.top();
+        ready_.pop();
         job.cells.push_back(index);
         expected += weight_ > 0 ? -minus_weight * seconds_ / weight_ : batch_seconds;
     } while (batches_ && !ready_.empty() && expected < batch_seconds && job.cells.size() < largest_batch);

@@ -6,9 +6,10 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
-#include <set>
+#include <queue>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,10 +51,10 @@ class Schedule {
     const bool batches_;
     std::deque<std::string> references_;
     std::map<std::string, std::vector<std::size_t>> waiting_;
-    std::set<Ready> ready_;
+    std::priority_queue<Ready, std::vector<Ready>, std::greater<>> ready_;
     std::deque<Job> alone_;
     std::deque<std::size_t> rounds_;
-    std::map<std::size_t, double> weights_;
+    std::vector<double> weights_;  // by index
     double seconds_ = 0, weight_ = 0;
 };
 

@@ -47,6 +47,7 @@ class CitedSources {
 
   private:
     static const std::string& name_of(const std::string& name) { return name; }
+    static const std::string& name_of(const ProblemPoint& problem) { return problem.name(); }
     template <class Entry>
     static const std::string& name_of(const Entry& entry) {
         return entry.name;

@@ -72,10 +72,10 @@ class EigenvalueTables {
 
 std::vector<LinearisedEntry> entries_of(const Plan& plan, const Engine& engine) {
     std::vector<LinearisedEntry> entries;
-    for (const ProblemEntry& problem : plan.config.problems) {
+    for (const ProblemPoint& problem : plan.config.problems) {
         for (const std::string& formulation : plan.config.formulations) {
             entries.push_back(
-                {problem.label, formulation, engine.linearise(problem.name, problem.parameters, formulation)});
+                {problem.label(), formulation, engine.linearise(problem.name(), problem.parameters(), formulation)});
         }
     }
     return entries;

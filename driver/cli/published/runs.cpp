@@ -158,9 +158,9 @@ const std::vector<Linearisation>& PublishedRuns::linearised(const std::string& c
     std::vector<Linearisation>& all = linearised_[config];
     if (!all.empty()) { return all; }
     const Config& read = plan(config).config;
-    for (const ProblemEntry& problem : read.problems) {
+    for (const ProblemPoint& problem : read.problems) {
         for (const std::string& formulation : read.formulations) {
-            all.push_back(engines_.binary128.linearise(problem.name, problem.parameters, formulation));
+            all.push_back(engines_.binary128.linearise(problem.name(), problem.parameters(), formulation));
         }
     }
     return all;

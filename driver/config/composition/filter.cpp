@@ -60,8 +60,8 @@ void apply_filter(const std::string& filter, Config& config) {
                                      listed(axes), did_you_mean(axis, axes)));
     }
     if (axis == "problems") {
-        leave(filter, patterns, config.problems, [](const ProblemEntry& entry) {
-            return std::vector<std::string>{entry.name, entry.series};
+        leave(filter, patterns, config.problems, [](const ProblemPoint& problem) {
+            return std::vector<std::string>{problem.name(), problem.series_label()};
         });
     }
     if (axis == "formulations") { leave(filter, patterns, config.formulations, itself); }

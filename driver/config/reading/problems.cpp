@@ -24,50 +24,59 @@ std::string read_label(const Node& entry, const std::string& standard) {
     return label.value_or(standard);
 }
 
-// Fills the problems of a config, each once.
+// Fills the problems of a config, each once. Those of one entry differ in the values that are listed for it, each of
+// which is there once.
 class ProblemList {
   public:
-    explicit ProblemList(Config& config) : config_(config) {}
+    ProblemList(Config& config, bool several_entries) : config_(config), several_entries_(several_entries) {}
 
-    void add(const Node& entry, ProblemEntry problem) {
-        const auto [twin, is_new] = labels_.emplace(problem.label, problem.pointer);
-        if (!is_new) {
-            entry.violates(Rule::own_name, "a \"label\" of its own for each problem",
-                           in_quotes(problem.label) + " again, as at " + twin->second);
-            return;
+    void add(const Node& entry, ProblemSeries made) {
+        const auto series = std::make_shared<const ProblemSeries>(std::move(made));
+        for (std::size_t point = 0; point < series->size(); ++point) {
+            ProblemPoint problem(series, point);
+            if (!several_entries_ || is_new(entry, problem)) { config_.problems.push_back(std::move(problem)); }
         }
-        const auto [same, is_other] =
-            contents_.emplace(problem.name + " " + json_value(problem.parameters), problem.pointer);
-        if (!is_other) {
-            entry.violates(Rule::each_once, "each problem once", "the same problem as at " + same->second);
-            return;
-        }
-        config_.problems.push_back(std::move(problem));
     }
 
   private:
+    bool is_new(const Node& entry, const ProblemPoint& problem) {
+        const std::string label = problem.label();
+        const auto [twin, has_own_label] = labels_.emplace(label, problem.pointer());
+        if (!has_own_label) {
+            entry.violates(Rule::own_name, "a \"label\" of its own for each problem",
+                           in_quotes(label) + " again, as at " + twin->second);
+            return false;
+        }
+        const auto [same, is_other] =
+            contents_.emplace(problem.name() + " " + problem.parameters_text(), problem.pointer());
+        if (!is_other) {
+            entry.violates(Rule::each_once, "each problem once", "the same problem as at " + same->second);
+        }
+        return is_other;
+    }
+
     Config& config_;
+    const bool several_entries_;
     std::unordered_map<std::string, std::string> labels_, contents_;  // the pointer of each
 };
 
 void add_problems(const Node& entry, const ProblemDescription& description, ProblemList& list) {
-    const std::string series = read_label(entry, description.name);
-    std::vector<ParameterPoint> points = {{default_parameters(description), ""}};
+    const std::string label = read_label(entry, description.name);
+    ReadParameters read{default_parameters(description)};
     if (entry.is_object()) { entry.only_keys({"name", "label", "parameters", "exact"}); }
     const auto exact = entry.is_object() ? entry.find("exact") : std::nullopt;
     const auto parameters = entry.is_object() ? entry.find("parameters") : std::nullopt;
     const std::vector<std::string> required = required_parameters(description);
     if (parameters) {
-        points = read_parameters(*parameters, description, PrintedNumbers(exact && exact->flag().value_or(false)));
+        read = read_parameters(*parameters, description, PrintedNumbers(exact && exact->flag().value_or(false)));
     } else if (!required.empty()) {
         entry.error(fmt::format("the parameters of {}, at least {} (see kreisel info {})", in_quotes(description.name),
                                 listed(required), description.name),
                     "none");
         return;
     }
-    for (ParameterPoint& point : points) {
-        list.add(entry, {description.name, series, series + point.listed, std::move(point.values), entry.pointer()});
-    }
+    list.add(entry, ProblemSeries({description.name, label, entry.pointer(), std::move(read.values), std::move(read.axes)},
+                                  std::move(read.varying)));
 }
 
 }  // namespace
@@ -75,8 +84,9 @@ void add_problems(const Node& entry, const ProblemDescription& description, Prob
 void read_problems(const Node& root, const Catalogue& catalogue, Config& config) {
     const auto node = root.require("problems", "a list of at least one problem");
     if (!node) { return; }
-    ProblemList list(config);
-    for (const Node& entry : node->distinct_elements("a list of at least one problem", "problem")) {
+    const auto entries = node->distinct_elements("a list of at least one problem", "problem");
+    ProblemList list(config, entries.size() > 1);
+    for (const Node& entry : entries) {
         if (const auto* description = described(entry, "problem", catalogue.problems)) {
             add_problems(entry, *description, list);
         }

@@ -45,6 +45,7 @@ class Joined {
 
 std::optional<std::string> read_number_entry(const Node& node) {
     if (node.json().is_number_integer()) { return node.json().dump(); }
+    if (const auto whole = whole_number(node.json())) { return std::to_string(*whole); }
     if (node.is_string() && is_exact_number(node.json().get_ref<const std::string&>())) {
         return node.json().get<std::string>();
     }

@@ -17,7 +17,7 @@ constexpr int most_bodies = 16;           // of which results.csv has the states
 constexpr double number_bytes = 19;       // of samples
 constexpr double quad_digits = 2;         // how much longer numbers are
 constexpr double program_bytes = 45e6;    // of the program and a worker
-constexpr double cell_memory = 5;         // of a finished cell, beside its line
+constexpr double cell_memory = 150;       // of a cell: in the plan, in the queue, and where its line is
 constexpr double skipped_bytes = 500;
 
 double line_of(const PlannedCell& planned, const SystemSummary& system) {
@@ -39,17 +39,12 @@ double samples_of(const PlannedCell& planned, const SystemSummary& system) {
 Estimate estimate_of(const Plan& plan) {
     Estimate estimate{0, program_bytes, 0};
     for (const auto& [hash, reference] : plan.references) { estimate.seconds += reference.weight; }
-    const PlannedRun* run = nullptr;
-    const SystemSummary* system = nullptr;
     for (const PlannedCell& planned : plan.cells) {
-        if (planned.run.get() != run) {
-            run = planned.run.get();
-            system = &plan.systems.at({planned.label(), run->cell.formulation});
-        }
-        const double line = line_of(planned, *system);
+        const SystemSummary& system = *planned.run->system;
+        const double line = line_of(planned, system);
         estimate.seconds += planned.weight;
-        estimate.memory += cell_memory * line;
-        estimate.disk += line * (lines + (system->bodies <= most_bodies ? table : 0)) + samples_of(planned, *system);
+        estimate.memory += cell_memory;
+        estimate.disk += line * (lines + (system.bodies <= most_bodies ? table : 0)) + samples_of(planned, system);
     }
     return estimate;
 }

@@ -95,6 +95,23 @@ TEST_CASE("a plan of many cells keeps what they have in common once") {
     CHECK(plan.cells[41].identity().cell == plan.cells[41].hash());
 }
 
+TEST_CASE("many values of a parameter are kept as numbers, and problems are made of them") {
+    const auto masses = [](long last) {
+        const nlohmann::json problem = {{"name", "heavy_top"}, {"parameters", {{"mass", counts_to(last)}}}};
+        return plan_of(parse_document("t", config({{"problems", {problem}}, {"metrics", nlohmann::json::array()}})),
+                       one_engine);
+    };
+    const Plan plan = masses(20000);
+    REQUIRE(plan.cells.size() == 20000);
+    for (const PlannedCell& planned : plan.cells) { REQUIRE(planned.run == plan.cells.front().run); }
+    CHECK(plan.systems.kinds().size() == 1);
+    CHECK(plan.cells[41].cell().parameters.at("mass") == ParameterValue(42.0));
+    CHECK(plan.cells[41].label() == "heavy_top, mass = 42");
+    CHECK(plan.cells[41].identity().parameters.at("mass").text == "42");
+    CHECK(plan.cells[41].hash() == masses(42).cells[41].hash());
+    CHECK(plan.cells[41].hash() != plan.cells[40].hash());
+}
+
 TEST_CASE("values that are given twice are found among many") {
     const ScratchFolder scratch;
     nlohmann::json steps = counts_to(20000), masses = counts_to(20000);

@@ -54,6 +54,7 @@ const std::vector<json>& other_values() {
                                              true,
                                              -1,
                                              2.5,
+                                             2.0,
                                              5'000'000'000,
                                              0,
                                              3,

@@ -25,7 +25,7 @@ std::string config_with(const ordered_json& parameters) {
 ParameterValues read(const ordered_json& parameters) {
     return read_config(parse_document("good.json", config_with(parameters)), Catalogue{FakeEngine()})
         .problems[0]
-        .parameters;
+        .parameters();
 }
 
 template <class Data>

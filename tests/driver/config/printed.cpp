@@ -27,7 +27,7 @@ Config read_body_with(const std::string& keys, const std::string& beside = "") {
 }
 
 BodyData body_of(const Config& config) {
-    return std::get<std::vector<BodyData>>(config.problems.at(0).parameters.at("bodies")).at(0);
+    return std::get<std::vector<BodyData>>(config.problems.at(0).parameters().at("bodies")).at(0);
 }
 
 std::string refusal_of_body(const std::string& keys, const std::string& beside = "") {

@@ -11,8 +11,18 @@
 #include <valijson/validator.hpp>
 
 #include "driver/config/schema.hpp"
+#include "records/json/node.hpp"
 
 namespace kreisel {
+
+/// With 2.0 as 2, which is an integer to draft-07 and not to valijson.
+inline nlohmann::json with_plain_integers(nlohmann::json value) {
+    if (value.is_structured()) {
+        for (nlohmann::json& part : value) { part = with_plain_integers(std::move(part)); }
+    }
+    const auto whole = whole_number(value);
+    return whole ? nlohmann::json(*whole) : value;
+}
 
 class SchemaChecker {
   public:
@@ -22,7 +32,8 @@ class SchemaChecker {
         valijson::SchemaParser(valijson::SchemaParser::kDraft7)
             .populateSchema(valijson::adapters::NlohmannJsonAdapter(text_), schema_);
     }
-    bool accepts(const nlohmann::json& config) {
+    bool accepts(const nlohmann::json& written) {
+        const nlohmann::json config = with_plain_integers(written);
         valijson::Validator validator(valijson::Validator::kStrongTypes);
         return validator.validate(schema_, valijson::adapters::NlohmannJsonAdapter(config), nullptr);
     }

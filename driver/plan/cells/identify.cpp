@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "driver/plan/identify.hpp"
+#include "driver/plan/cells/identify.hpp"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,11 @@
 
 namespace kreisel {
 
-CellIdentity identity_of(const Cell& cell, const ProblemEntry& problem, const std::string& precision,
+CellIdentity identity_of(const Cell& cell, const std::string& series, const std::string& precision,
                          const Order& order) {
     CellIdentity identity;
     identity.problem = cell.problem;
-    identity.label = problem.label;
-    identity.series = problem.series;
-    identity.parameters = parse_exactly(json_value(cell.parameters));
+    identity.series = series;
     identity.formulation = cell.formulation;
     identity.method = cell.method;
     identity.options = cell.options;
@@ -32,17 +30,16 @@ CellIdentity identity_of(const Cell& cell, const ProblemEntry& problem, const st
 // {...,"t_end":1,"steps":100,"samples":0,"metrics":[...]} for steps of one size.
 CellNaming::CellNaming(const PlannedRun& run) {
     const Cell& cell = run.cell;
-    ObjectWriter before;
-    before.member("problem", json_text(cell.problem))
-        .member("parameters", json_value(cell.parameters))
-        .member("formulation", json_text(cell.formulation))
+    before_parameters_ = hash64("{\"problem\":" + json_text(cell.problem) + ",\"parameters\":");
+    ObjectWriter after;
+    after.member("formulation", json_text(cell.formulation))
         .member("method", json_text(cell.method))
         .member("options", json_value(cell.options))
         .member("projection", json_text(cell.projection))
         .member("projection_options", json_value(cell.projection_options))
         .member("precision", json_text(run.identity.precision))
         .member("t_end", json_number(cell.t_end));
-    before_steps_ = hash64(before.open_text() + ",\"steps\":");
+    before_steps_ = "," + after.open_text().substr(1) + ",\"steps\":";
     std::vector<std::string> metrics = cell.metrics;
     std::sort(metrics.begin(), metrics.end());
     after_steps_ = fmt::format(",\"samples\":{},\"metrics\":{}", cell.samples, json_value(metrics));
@@ -53,10 +50,10 @@ CellNaming::CellNaming(const PlannedRun& run) {
     of_times_ += "}";
 }
 
-std::uint64_t CellNaming::name(long steps, double tolerance) const {
-    std::string rest = fmt::format("{}{}", steps, after_steps_);
+std::uint64_t CellNaming::name(const std::string& parameters, long steps, double tolerance) const {
+    std::string rest = fmt::format("{}{}{}{}", parameters, before_steps_, steps, after_steps_);
     if (tolerance > 0) { rest += ",\"tolerance\":" + json_number(tolerance) + of_tolerance_; }
-    return hash64(rest + of_times_, before_steps_);
+    return hash64(rest + of_times_, before_parameters_);
 }
 
 }  // namespace kreisel
