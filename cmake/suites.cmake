@@ -213,6 +213,18 @@ if(TARGET kreisel)
   set_tests_properties(labels.sinks PROPERTIES LABELS labels TIMEOUT 600)
 endif()
 
+# What is promised (tests/reliability/README.md): a share of the attacks on the program, some of them on one that breaks
+# its promises, and the table itself.
+if(TARGET kreisel)
+  add_test(NAME reliability.attacks COMMAND ${CMAKE_SOURCE_DIR}/tools/reliability --share -j 1 -k $<TARGET_FILE:kreisel>)
+  add_test(NAME reliability.table
+           COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/reliability/test_table.py ${CMAKE_BINARY_DIR})
+  add_test(NAME reliability.controls
+           COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/reliability/test_attacks.py $<TARGET_FILE:kreisel>
+                   R1 R4 R6 R26)
+  set_tests_properties(reliability.attacks reliability.controls reliability.table PROPERTIES LABELS reliability TIMEOUT 600)
+endif()
+
 include(cmake/docs.cmake)
 
 # The table of controls that ./check writes at its end, which runs every check on every control.
@@ -254,7 +266,7 @@ endif()
 
 # The longest first, so that none is left alone at the end: seconds, as ctest remembers them of earlier runs.
 foreach(long methods.binary128:380 campaign.plain:200 metamorphic.binary128:130 reference.binary128:100
-        mutation.tableaus:70 metamorphic.binary64:60)
+        mutation.tableaus:70 reliability.attacks:60 metamorphic.binary64:60)
   string(REPLACE ":" ";" long ${long})
   list(GET long 0 name)
   list(GET long 1 cost)

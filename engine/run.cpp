@@ -224,9 +224,9 @@ std::optional<double> Run::time(const std::stop_token& stop) {
 
 void Run::finish() {
     const Real t = pace_.time(outcome_.steps_done);
-    const bool finished = outcome_.status == "ok";
     outcome_.t_reached = to_double(t);
-    if (finished && !cell_.timed) report_end(t);
+    if (outcome_.status == "ok" && !cell_.timed) report_end(t);
+    const bool finished = outcome_.status == "ok";
     outcome_.cost.output_evaluations = observation_.evaluations();
     if (joint_forces_) outcome_.cost.output_evaluations += joint_forces_->evaluations();
     if (sampler_) outcome_.cost.output_evaluations += sampler_->evaluations();
@@ -241,6 +241,11 @@ void Run::finish() {
 void Run::report_end(const Real& t) {
     observation_.move_to(t, simulation_.state().data());
     const bool found = joint_forces_->find(t, observation_.y(), simulation_.multipliers());
+    if (found && !all_finite(joint_forces_->multipliers())) {  // of masses like 1e90, though they move as they should
+        outcome_.status = name(Status::non_finite);
+        outcome_.detail = "finiteness of the multipliers failed at the end";
+        return;
+    }
     std::vector<Real> multipliers;
     if (found && outcome_.constraints.has_redundant_rows()) {  // they are not unique
         for (const Real& x : joint_forces_->multipliers()) outcome_.constraints.least_norm.push_back(to_number(x));

@@ -22,6 +22,8 @@ std::string enhanced_escape(const std::string& text) {
     for (const char c : text) {
         // gnuplot writes ]]> into an SVG as it is, which is no XML: an empty group parts it.
         if (c == '>' && escaped.ends_with("]]")) { escaped += "{}"; }
+        // A backslash is one before U too, where gnuplot would read the number of a sign.
+        if (c == 'U' && escaped.ends_with("\\\\")) { escaped += "{}"; }
         if (std::string_view("{}^_@&~\\").find(c) != std::string_view::npos) { escaped += '\\'; }
         escaped += c;
     }

@@ -36,8 +36,11 @@ const Words& special() {
 
 // Signs that LaTeX prints as others than they are, in prose to its advantage.
 const Words& of_labels() {
-    static const Words words = {
-        {"'", "\\textquotesingle{}"}, {"`", "\\textasciigrave{}"}, {"\"", "\\texttt{\\char34}"}, {"-", "-{}"}};
+    static const Words words = {{"'", "\\textquotesingle{}"},
+                                {"`", "\\textasciigrave{}"},
+                                {"\"", "\\texttt{\\char34}"},
+                                {"-", "-{}"},
+                                {",", ",{}"}};
     return words;
 }
 
@@ -98,7 +101,8 @@ std::string escaped(const std::string& text, bool label) {
         i += character.size();
         const auto word = special().find(character);
         const auto of_label = label ? of_labels().find(character) : of_labels().end();
-        const bool alone = character == "-" && text[i] != '-';  // two make a dash
+        // Two make a dash, or a quotation mark.
+        const bool alone = (character == "-" || character == ",") && !text.substr(i).starts_with(character);
         if (word != special().end()) {
             result += word->second;
         } else if (of_label != of_labels().end() && !alone) {

@@ -226,3 +226,15 @@ TEST_CASE("an integral that is not finite ends its cell as non_finite", "[campai
     CHECK(said.code == 1);
     CHECK_THAT(said.messages, Catch::Contains("non_finite") && Catch::Contains("invariant.energy"));
 }
+
+TEST_CASE("multipliers that are not finite end their cell as non_finite", "[campaign]") {
+    const acceptance::Folder folder;
+    const std::string config = folder.file("heavy.json", R"({"name": "heavy", "kind": "drift", "metrics": [],
+        "problems": [{"name": "asymmetric_heavy_top", "parameters": {"mass": [1e90, 1e60]}}],
+        "methods": ["rkmk/rk4"], "time": {"end": 0.01, "steps": 10}})");
+    const auto said = acceptance::kreisel_with({"run", config, "-o", (folder.path / "out").string()});
+    CHECK(said.code == 1);
+    CHECK_THAT(said.messages,
+               Catch::Contains("failed: non_finite") && Catch::Contains("multipliers failed at the end"));
+    CHECK_THAT(said.messages, Catch::Contains("1 ok, 0 skipped, 1 failed"));
+}

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hostile labels come out of every sink as they went in: run.py PROGRAM runs one experiment whose problems have them,
-and reads each label back from results and tables (CSV, Markdown, LaTeX), figures (SVG) and the report (HTML).
+"""Hostile labels come out of every sink as they went in, and nothing in them is executed: run.py PROGRAM runs one
+experiment whose problems have them, and reads each label back from results and tables (CSV, Markdown, LaTeX), figures
+(SVG) and the report (HTML). As names of folders they are read back from a shell.
 
 LaTeX and SVG are left out by name where pdflatex and pdftotext, or gnuplot, are missing.
 """
@@ -17,14 +18,11 @@ import tempfile
 import unittest
 import xml.etree.ElementTree
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from payloads import ALL as LABELS, CANARY, HOSTILE  # noqa: E402
+
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
-LABELS = [
-    "[1]", "*", "*a*", "**b**", "]]>", "<![CDATA[x]]>", "<b>bold</b>", "<script>alert(1)</script>", "a -->", "<!-- b",
-    "&amp;", "&lt;x&gt;", "x&y", "a|b", "||", "`code`", "``", "$x^2$", "$(id)", "\\alpha", "\\", "a\\|b", "\\input{x}",
-    "~~s~~", "_u_", "__u__", "{x}", "x^{2}_i", "'quoted'", "it's", "'", "''", "a''b", "'; print 1; '", "\"double\"",
-    "\"", "# h", "1. item", "> q", "![i](u)", "[t](u)", "http://a.b/c", "a@b.c", "a,b", "a;b", "a  b", "%d %s", "50%",
-    "a#b", "!x", "?", "...", "(c)", "ä ö ü ß", "ŁÓDŹ", "Ω ≤ λ", "€ “q” — –", "中文", "😀", "a -- b", "/usr/bin", "null",
-    "NaN", "1e3", "007"]
 BEYOND_GLYPHS = {"中文", "😀"}  # pdfTeX names what it has no glyph for by its number
 PUNCTUATION = re.escape("!\"#$%&'()*+,-./:;<=>?@[\\]^_`{|}~")
 
@@ -77,9 +75,12 @@ class Sinks(unittest.TestCase):
             "figure": {"kind": "drift", "metric": "defect.position"}}))
         cls.results = cls.folder / "results"
         for words in (["run", config, "-o", cls.results], ["table", cls.results], ["report", cls.results]):
-            done = run(PROGRAM, *words)
+            done = run(PROGRAM, *words, cwd=cls.folder)
             if done.returncode != 0:
                 raise RuntimeError(done.stderr)
+
+    def tearDown(self):
+        self.assertEqual(list(self.folder.rglob(CANARY)), [], "a label was executed")
 
     def each(self, found):
         for label in LABELS:
@@ -126,7 +127,7 @@ class Sinks(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("gnuplot"), "no gnuplot")
     def test_svg(self):
-        done = run(PROGRAM, "plot", self.results)
+        done = run(PROGRAM, "plot", self.results, cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         root = xml.etree.ElementTree.parse(self.results / "figures" / "labels.svg").getroot()
         texts = ["".join(element.itertext()).strip("\n") for element in root.iter("{http://www.w3.org/2000/svg}text")]
@@ -138,7 +139,8 @@ class Sinks(unittest.TestCase):
             "\\documentclass{article}\\usepackage[a0paper]{geometry}\\usepackage{booktabs,textcomp}\n"
             "\\usepackage[T1]{fontenc}\\begin{document}\\noindent\n" + self.table("tex") + "\\end{document}\n",
             encoding="utf-8")
-        done = run("pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex", cwd=self.folder)
+        # With -shell-escape a \write18 that came through would run its command.
+        done = run("pdflatex", "-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "t.tex", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stdout[-2000:])
         text = run("pdftotext", "-layout", "t.pdf", "-", cwd=self.folder).stdout
         lines = [re.sub(r"\s+", " ", line).strip() for line in text.splitlines()]
@@ -149,9 +151,54 @@ class Sinks(unittest.TestCase):
             with self.subTest(label=label):
                 self.assertTrue(any(line.startswith(re.sub(r"\s+", " ", text) + " ") for line in lines), lines)
 
+    def test_shell(self):
+        """As names of folders, in the command that computes what is missing."""
+        half = self.folder / "half"
+        config = self.folder / "half.json"
+        config.write_text(json.dumps({"name": "half", "kind": "drift", "problems": ["free_top"], "metrics": [],
+                                      "methods": ["rkmk/euler"], "time": {"end": 0.01, "steps": [1, 2]}}))
+        done = run(PROGRAM, "run", config, "-o", half, "--shard", "1/2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        names = [label for label in LABELS if "/" not in label]
+        self.assertGreaterEqual(len(names), 150)
+        for name in names:
+            with self.subTest(name=name):
+                folder = self.folder / "folders" / name
+                shutil.copytree(half, folder)
+                done = run(PROGRAM, "merge", folder, cwd=self.folder)
+                self.assertEqual(done.returncode, 3, done.stderr)
+                command = done.stderr.rpartition("compute what is missing with: ")[2]
+                said = run("sh", "-c", "kreisel() { printf '%s\\0' \"$@\"; }\n" + command, cwd=self.folder)
+                self.assertEqual(said.stdout.split("\0")[:-1],
+                                 ["run", f"{folder}/manifest.json", "-o", str(folder), "--resume"], command)
+
 
 class Reading(unittest.TestCase):
     """What a sink must not do would be seen."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def test_payloads_are_many_and_different(self):
+        self.assertGreaterEqual(len(set(HOSTILE)), 150)
+        self.assertEqual(len(set(LABELS)), len(LABELS))
+
+    def executed(self, *words, **options):
+        run(*words, cwd=self.folder, **options)
+        return (self.folder / CANARY).exists()
+
+    @unittest.skipUnless(shutil.which("gnuplot"), "no gnuplot")
+    def test_a_command_in_gnuplot_is_seen(self):
+        self.assertTrue(self.executed("gnuplot", "-e", "set title \"`touch canary`\"; print 1"))
+
+    @unittest.skipUnless(shutil.which("pdflatex"), "no pdflatex")
+    def test_a_command_in_latex_is_seen(self):
+        (self.folder / "t.tex").write_text("\\documentclass{article}\\begin{document}"
+                                           "\\immediate\\write18{touch canary}\\end{document}\n")
+        self.assertTrue(self.executed("pdflatex", "-shell-escape", "-interaction=nonstopmode", "t.tex"))
+
+    def test_a_command_in_a_shell_is_seen(self):
+        self.assertTrue(self.executed("sh", "-c", "echo a$(touch canary)b"))
 
     def test_markup_is_found(self):
         for text in ("*a*", "<b>", "[t](u)", "`x`", "~~s~~"):

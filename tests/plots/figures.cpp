@@ -89,6 +89,8 @@ TEST_CASE("labels are quoted for gnuplot and escaped for enhanced text") {
     CHECK(gnuplot_quoted("it's `date`") == "'it\\U+0027{}s `date`'");
     CHECK(enhanced_escape("a]]>b") == "a]]{}>b");
     CHECK(enhanced_width("a]]{}>b") == 5);
+    CHECK(enhanced_escape("U+1 \\U+2603") == "U+1 \\\\{}U+2603");
+    CHECK(enhanced_width("\\\\{}U+2603") == 7);
     CHECK_THROWS_AS(gnuplot_quoted("a\nb"), std::invalid_argument);
     CHECK_THROWS_AS(gnuplot_quoted(std::string("a\0b", 3)), std::invalid_argument);
     CHECK(enhanced_escape("cg4a_x{1}^2@&~\\") == "cg4a\\_x\\{1\\}\\^2\\@\\&\\~\\\\");

@@ -39,6 +39,7 @@ TEST_CASE("LaTeX shows labels and never runs them") {
     CHECK(latex_body("a--b 'c' \"d\" `e`") ==
           "a-{}-b \\textquotesingle{}c\\textquotesingle{} \\texttt{\\char34}d\\texttt{\\char34} "
           "\\textasciigrave{}e\\textasciigrave{}");
+    CHECK(latex_body("a,b,,c") == "a,b,{},c");
     CHECK(latex_escaped("it's") == "it's");
     CHECK(latex_body("1.15e-03") == "$1.15\\cdot10^{-3}$");
     CHECK(latex_body("-2e+10") == "$-2\\cdot10^{10}$");

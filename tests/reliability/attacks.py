@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""All attacks: importing a file registers those in it."""
+import builds
+import damage
+import equal_bytes
+import faults
+import folders
+import kills
+import memory
+import mutants
+import scarcity
+import values
+
+LOADED = (builds, damage, equal_bytes, faults, folders, kills, memory, mutants, scarcity, values)
