@@ -37,8 +37,8 @@ std::string why_no_lie_poisson_body(const Model& model) {
 }  // namespace
 
 KREISEL_FORMULATION({.name = lie_poisson,
-                     .summary = "one body that turns about a fixed point: q = R, v = omega; explicit steps move the "
-                                "body momentum along its coadjoint orbit",
+                     .summary = "one body that turns about a fixed point: q = R, v = omega; Runge-Kutta and Adams "
+                                "steps move the body momentum along its coadjoint orbit",
                      .place = 6,
                      .cites = {"engofaltinsen2001", "hairer2006"},
                      .why_not = why_no_lie_poisson_body,

@@ -6,7 +6,7 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// Where methods move states by exponentials of slopes, y' = y z: in TG, or in the group that a formulation has in its
+/// Where methods move states by exponentials of slopes, and of logarithms of states, y' = y z: in TG, or in the group that a formulation has in its
 /// place (mechanics/actions/state_action.hpp). A method that moves them in no other way says .takes_actions
 /// (methods/contract/method.hpp).
 class StateSpace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods/implicit/implicit_stages.hpp"
 
-#include <algorithm>
 #include <utility>
 
-#include "mechanics/system.hpp"
+#include "mechanics/actions/acted_upon.hpp"
+#include "methods/implicit/acted_stages.hpp"
+#include "methods/implicit/tangent_stages.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -15,25 +16,20 @@ ImplicitStages::ImplicitStages(System& system, StageCoefficients coefficients, S
       around_middle_(centre == StageCentre::middle),
       n_(system.velocities()),
       stages_(coefficients_.b.size()),
+      k_(MatX::Zero(n_, stages_)),
+      w_(k_),
+      f_(k_),
+      difference_(VecX::Zero(n_)),
       newton_(2 * n_ * stages_),
       scale_(system),
       remoteness_of_(system),
       past_(2 * n_ * stages_),
       turned_(VecX::Zero(2 * n_ * stages_)),
       weights_(VecX::Ones(turned_.size())),
-      k_(MatX::Zero(n_, stages_)),
-      w_(k_),
-      f_(k_),
-      renewed_(k_),
-      half_(VecX::Zero(n_)),
-      u_(half_),
-      stage_v_(half_),
-      difference_(half_),
-      centre_(static_cast<std::size_t>(system.group().size())),
-      stage_q_(centre_) {}
+      rate_(difference_) {}
 
 Status ImplicitStages::advance(const Real& t, const Real& h, Real* y) {
-    t_ = t, h_ = h, q_ = y, v_ = system_.v(y);
+    t_ = t, h_ = h, y_ = y;
     scale_.weigh(y);
     if (const Status status = guess(); status != Status::ok) return status;
     motion_ = scale_.of_motion(t, h, y);
@@ -47,18 +43,7 @@ Status ImplicitStages::advance(const Real& t, const Real& h, Real* y) {
     return Status::ok;
 }
 
-void ImplicitStages::accept(Real* y) {
-    Eigen::Map<VecX> v(system_.v(y), n_);
-    if (has_offsets()) v += velocity_offset;
-    for (Eigen::Index i = 0; i < stages_; ++i) v += h_ * coefficients_.b[i] * f_.col(i);
-    u_ = 2 * half_;
-    if (!around_middle_)
-        for (Eigen::Index i = 0; i < stages_; ++i) u_ += h_ * coefficients_.b[i] * k_.col(i);
-    if (has_offsets()) u_ += position_offset;
-    system_.group().append_exp(y, u_.data(), y);
-}
-
-/// From the steps before, or from constant f at the start and where something is stiff.
+/// From the steps before, or from constant v' and f at the start and where something is stiff.
 Status ImplicitStages::guess() {
     if (h_ != known_h_) newton_.forget(), past_.clear();
     known_h_ = h_;
@@ -66,12 +51,13 @@ Status ImplicitStages::guess() {
         past_.guess(past_.best_degree(turned_.size()), turned_);
         return Status::ok;
     }
-    const Status status = system_.evaluate(t_, q_, v_, f_.data());
+    const Status status = slope_at_start(rate_.data(), f_.data());
+    rate_ *= h_;
     for (Eigen::Index i = 0; i < stages_; ++i) {
         difference_ = h_ * f_.col(0);
-        scale_.to_space(q_, difference_.data(), slope_of_velocity(i));
-        difference_ = Eigen::Map<const VecX>(v_, n_) + coefficients_.c[i] * difference_;
-        scale_.to_space(q_, difference_.data(), slope_of_position(i));
+        give(difference_, slope_of_velocity(i));
+        difference_ = Eigen::Map<const VecX>(system_.v(y_), n_) + coefficients_.c[i] * rate_;
+        give(difference_, slope_of_position(i));
     }
     return status;
 }
@@ -82,82 +68,27 @@ Status ImplicitStages::iterate() {
     const Status status = newton_.solve(*this, weights_, turned_.data());
     if (status != Status::newton_failed && status != Status::left_chart) return status;
     turned_.setZero();
-    for (Eigen::Index i = 0; i < stages_; ++i) scale_.to_space(q_, v_, slope_of_position(i));
+    for (Eigen::Index i = 0; i < stages_; ++i) scale_.to_space(y_, system_.v(y_), slope_of_position(i));
     const Status again = newton_.solve(*this, weights_, turned_.data());
     return again == Status::newton_failed ? status : again;
 }
 
-/// k - dexp^{-1}(V) and w - h f. Iterates may turn farther than the final step: only the last one is checked, at
-/// the end of the step.
-Status ImplicitStages::residual(const Real* turned, Real* r) {
+void ImplicitStages::take(const Real* turned) {
     for (Eigen::Index i = 0; i < stages_; ++i) {
-        scale_.from_space(q_, turned + i * n_, k_.col(i).data());
-        scale_.from_space(q_, turned + (stages_ + i) * n_, w_.col(i).data());
+        scale_.from_space(y_, turned + i * n_, k_.col(i).data());
+        scale_.from_space(y_, turned + (stages_ + i) * n_, w_.col(i).data());
     }
-    find_centre();
-    if (!around_middle_)
-        if (const Status status = renew_slopes(r); status != Status::ok) return status;
-    for (Eigen::Index i = 0; i < stages_; ++i) {
-        const Status status = stage(i, r + i * n_, r + (stages_ + i) * n_);
-        if (status != Status::ok && status != Status::turn_lost) return status;
-    }
-    return Status::ok;
-}
-
-void ImplicitStages::find_centre() {
-    if (!around_middle_) {
-        std::copy_n(q_, centre_.size(), centre_.begin());
-        return;
-    }
-    half_.setZero();
-    for (Eigen::Index i = 0; i < stages_; ++i) half_ += h_ / 2 * coefficients_.b[i] * k_.col(i);
-    system_.group().append_exp(q_, half_.data(), centre_.data());
-}
-
-/// u_i of k_, and V_i.
-void ImplicitStages::place(Eigen::Index i) {
-    u_ = -half_;
-    stage_v_ = Eigen::Map<const VecX>(v_, n_);
-    if (has_offsets()) u_ += position_offset, stage_v_ += velocity_offset;
-    for (Eigen::Index j = 0; j < stages_; ++j) {
-        u_ += h_ * coefficients_.a(i, j) * k_.col(j);
-        stage_v_ += coefficients_.a_hat(i, j) * w_.col(j);
-    }
-}
-
-/// The k that positions follow from: those that the velocities make. Stiff forces then see positions that fit to w,
-/// however rough the k of an iterate are.
-Status ImplicitStages::renew_slopes(Real* of_positions) {
-    for (Eigen::Index i = 0; i < stages_; ++i) {
-        place(i);
-        if (!system_.group().dexpinv_left(u_.data(), stage_v_.data(), renewed_.col(i).data()))
-            return Status::left_chart;
-    }
-    k_ -= renewed_;
-    for (Eigen::Index i = 0; i < stages_; ++i) scale_.to_space(q_, k_.col(i).data(), of_positions + i * n_);
-    k_ = renewed_;
-    return Status::ok;
-}
-
-Status ImplicitStages::stage(Eigen::Index i, Real* of_position, Real* of_velocity) {
-    place(i);
-    system_.group().append_exp(centre_.data(), u_.data(), stage_q_.data());
-    if (around_middle_) {
-        if (!system_.group().dexpinv_left(u_.data(), stage_v_.data(), difference_.data())) return Status::left_chart;
-        difference_ = k_.col(i) - difference_;
-        scale_.to_space(q_, difference_.data(), of_position);
-    }
-    const Status status =
-        system_.evaluate(t_ + coefficients_.c[i] * h_, stage_q_.data(), stage_v_.data(), f_.col(i).data());
-    difference_ = w_.col(i) - h_ * f_.col(i);
-    scale_.to_space(q_, difference_.data(), of_velocity);
-    return status;
 }
 
 Real ImplicitStages::size() const {
     Real most = motion_;
     for (Eigen::Index i = 0; i < stages_; ++i) most = max(most, Real(abs(h_) * scale_.of_velocity(f_.col(i).data())));
     return most;
+}
+
+std::unique_ptr<ImplicitStages> implicit_stages(System& system, StageCoefficients coefficients, StageCentre centre) {
+    if (action_on(system)) return std::make_unique<ActedStages>(system, std::move(coefficients), centre);
+    return std::make_unique<TangentStages>(system, std::move(coefficients), centre);
 }
 
 }  // namespace KREISEL_PRECISION

@@ -6,13 +6,14 @@
 //   q+ = q exp(theta),   theta = u^ + h sum_j b_j k_j,   v+ = v + v^ + h sum_j b_j f_j.
 // q~ = q, the usual centre of Munthe-Kaas methods [munthekaas1999], or q~ = q exp(theta/2), which makes symmetric
 // tableaus symmetric methods [zanna2001]; theta/2 is then taken from u_i. What is known beforehand, u^ and v^, is that
-// of multistep methods.
+// of multistep methods. Where another group acts on states (mechanics/actions/state_action.hpp), y takes the place of
+// q, (k_i, f_i) are the two halves of a slope in its algebra, and brackets reach both (acted_stages.hpp).
 //
 // Unknowns of the iteration are the slopes k_i and w_i = h f_i (methods/implicit/newton.hpp); the last f_i make the
 // step: what is linear in the constraints then holds to the round-off of one solve.
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "methods/implicit/motion_scale.hpp"
 #include "methods/implicit/newton.hpp"
@@ -30,7 +31,8 @@ struct StageCoefficients {
 
 enum class StageCentre { start, middle };
 
-class ImplicitStages final : private Equations {
+/// The iteration; what a slope is, and how states move, is that of the group.
+class ImplicitStages : protected Equations {
   public:
     ImplicitStages(System& system, StageCoefficients coefficients, StageCentre centre);
 
@@ -40,40 +42,50 @@ class ImplicitStages final : private Equations {
     Status advance(const Real& t, const Real& h, Real* y);
     long iterations() const { return newton_.iterations(); }  ///< of Newton's method, since construction
 
-    VecX position_offset, velocity_offset;  ///< u^, v^ of the next step, or empty: none. Around q only.
+    VecX position_offset, velocity_offset;  ///< u^, v^ of the next step, or empty: none. Around the start only.
+
+  protected:
+    /// v' at the start of the step, and f there.
+    virtual Status slope_at_start(Real* rate, Real* f) = 0;
+    /// y becomes the end of the step.
+    virtual void accept(Real* y) = 0;
+
+    bool has_offsets() const { return position_offset.size() > 0; }
+    /// k_ and w_ of unknowns.
+    void take(const Real* turned);
+    /// Differences in k_i or w_i as residuals.
+    void give(const VecX& difference, Real* r) const { scale_.to_space(y_, difference.data(), r); }
+
+    System& system_;
+    const StageCoefficients coefficients_;
+    const bool around_middle_;
+    const Eigen::Index n_, stages_;
+    MatX k_, w_, f_;           // a column a stage
+    VecX difference_;          // n
+    Real t_ = 0, h_ = 0;       // of the step
+    const Real* y_ = nullptr;  // start of the step
 
   private:
-    Status residual(const Real* turned, Real* r) override;
     Real size() const override;
     Real round_off() const override { return remoteness_ * system_.kkt_round_off(); }
 
     Status guess();
     Status iterate();
-    void find_centre();
-    void place(Eigen::Index i);
-    Status renew_slopes(Real* of_positions);
-    Status stage(Eigen::Index i, Real* of_position, Real* of_velocity);
-    void accept(Real* y);
-    bool has_offsets() const { return position_offset.size() > 0; }
     /// k_i and w_i among the unknowns.
     Real* slope_of_position(Eigen::Index i) { return turned_.data() + i * n_; }
     Real* slope_of_velocity(Eigen::Index i) { return turned_.data() + (stages_ + i) * n_; }
 
-    System& system_;
-    const StageCoefficients coefficients_;
-    const bool around_middle_;
-    Eigen::Index n_, stages_;
     Newton newton_;
     MotionScale scale_;
     Remoteness remoteness_of_;
-    Predictor past_;                        // of turned_
-    VecX turned_, weights_;                 // all k_i, then all w_i, in space axes
-    MatX k_, w_, f_, renewed_;              // a column a stage
-    VecX half_, u_, stage_v_, difference_;  // half_: theta/2, or 0 around q
-    std::vector<Real> centre_, stage_q_;
-    Real t_ = 0, h_ = 0, known_h_ = 0, motion_ = 0, remoteness_ = 1;
-    const Real *q_ = nullptr, *v_ = nullptr;  // start of the step
+    Predictor past_;         // of turned_
+    VecX turned_, weights_;  // all k_i, then all w_i, in space axes
+    VecX rate_;
+    Real known_h_ = 0, motion_ = 0, remoteness_ = 1;
 };
+
+/// In TG, or in the group that acts on the states of the system in its place.
+std::unique_ptr<ImplicitStages> implicit_stages(System& system, StageCoefficients coefficients, StageCentre centre);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

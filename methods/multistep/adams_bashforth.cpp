@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "mechanics/system.hpp"
 #include "methods/contract/integrator.hpp"
+#include "methods/contract/state_space.hpp"
 #include "methods/tableaus/bound_tableau.hpp"
 
 namespace kreisel {
@@ -16,20 +16,18 @@ namespace {
 class AdamsBashforth final : public Integrator {
   public:
     AdamsBashforth(System& system, const std::vector<Coefficient>& weights)
-        : system_(system),
-          group_(system.group()),
-          n_(static_cast<std::size_t>(system.velocities())),
-          size_(static_cast<std::size_t>(group_.size())),
+        : space_(system),
+          dim_(static_cast<std::size_t>(space_.group().dim())),
+          size_(static_cast<std::size_t>(space_.group().size())),
           starter_(method("rkmk/rk4")
                        .factory.make(system, with_defaults({}, method("rkmk/rk4").description.options),
                                      method("rkmk/rk4").description)),
           points_(weights.size(), std::vector<Real>(size_)),
-          slopes_(weights.size(), std::vector<Real>(2 * n_)),
+          slopes_(weights.size(), std::vector<Real>(dim_)),
           inverse_(size_),
           apart_(size_),
-          sigma_(n_),
-          pulled_(n_),
-          u_(2 * n_) {
+          sigma_(dim_),
+          u_(dim_) {
         for (const Coefficient& weight : weights) weights_.push_back(value(weight));
     }
 
@@ -45,8 +43,7 @@ class AdamsBashforth final : public Integrator {
         std::rotate(points_.rbegin(), points_.rbegin() + 1, points_.rend());
         std::rotate(slopes_.rbegin(), slopes_.rbegin() + 1, slopes_.rend());
         std::copy_n(y, size_, points_[0].begin());
-        std::copy_n(y + size_, n_, slopes_[0].begin());
-        Status status = system_.evaluate(t, y, y + size_, slopes_[0].data() + n_);
+        Status status = space_.slope(t, y, slopes_[0].data());
         if (status != Status::ok) return status;
         status = before + 1 < weights_.size() ? begin(t, h, y) : advance(h, y);
         if (status == Status::ok) known_ = std::min(before + 1, weights_.size() - 1);
@@ -62,28 +59,27 @@ class AdamsBashforth final : public Integrator {
     }
 
     Status advance(const Real& h, Real* y) {
-        for (std::size_t i = 0; i < u_.size(); ++i) u_[i] = h * weights_[0] * slopes_[0][i];
-        group_.inverse(y, inverse_.data());
+        const Group& group = space_.group();
+        for (std::size_t i = 0; i < dim_; ++i) u_[i] = h * weights_[0] * slopes_[0][i];
+        group.inverse(y, inverse_.data());
         for (std::size_t j = 1; j < weights_.size(); ++j) {
-            group_.multiply(inverse_.data(), points_[j].data(), apart_.data());
-            group_.log(apart_.data(), sigma_.data());
-            if (!group_.dexpinv_left(sigma_.data(), slopes_[j].data(), pulled_.data())) return Status::left_chart;
+            group.multiply(inverse_.data(), points_[j].data(), apart_.data());
+            group.log(apart_.data(), sigma_.data());
+            if (!group.dexpinv_left(sigma_.data(), slopes_[j].data(), sigma_.data())) return Status::left_chart;
             const Real w = h * weights_[j];
-            for (std::size_t i = 0; i < n_; ++i) u_[i] += w * pulled_[i];
-            for (std::size_t i = n_; i < 2 * n_; ++i) u_[i] += w * slopes_[j][i];  // velocities are additive
+            for (std::size_t i = 0; i < dim_; ++i) u_[i] += w * sigma_[i];
         }
-        system_.state_group().append_exp(y, u_.data(), y);
+        group.append_exp(y, u_.data(), y);
         ++work_.exponentials;
         return Status::ok;
     }
 
-    System& system_;
-    const Group& group_;
-    std::size_t n_, size_;
+    StateSpace space_;
+    std::size_t dim_, size_;
     std::unique_ptr<Integrator> starter_;
     std::vector<Real> weights_;
     std::vector<std::vector<Real>> points_, slopes_;  // of the states j steps ago, from 0
-    std::vector<Real> inverse_, apart_, sigma_, pulled_, u_;
+    std::vector<Real> inverse_, apart_, sigma_, u_;
     std::size_t known_ = 0;  // states before the one a step starts from
     Real h_ = 0;             // step that they are apart
 };
@@ -96,6 +92,7 @@ Factory adams_bashforth(const std::vector<Coefficient>& weights) {
         return std::make_unique<AdamsBashforth>(system, weights);
     };
     factory.stages = 1;
+    factory.takes_actions = true;
     return factory;
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "mechanics/system.hpp"
 #include "methods/contract/integrator.hpp"
+#include "methods/contract/state_space.hpp"
 #include "methods/implicit/implicit_stages.hpp"
 #include "methods/tableaus/bound_tableau.hpp"
 
@@ -28,21 +28,20 @@ std::unique_ptr<Integrator> starter_of(System& system) {
 class AdamsMoulton final : public Integrator {
   public:
     AdamsMoulton(System& system, const std::vector<Coefficient>& weights)
-        : system_(system),
-          group_(system.group()),
+        : space_(system),
           n_(system.velocities()),
-          size_(static_cast<std::size_t>(group_.size())),
+          size_(static_cast<std::size_t>(space_.group().size())),
           starter_(starter_of(system)),
-          stages_(system, end_of_step(value(weights[0])), StageCentre::start),
+          stages_(implicit_stages(system, end_of_step(value(weights[0])), StageCentre::start)),
           points_(weights.size() - 1, std::vector<Real>(size_)),
-          velocities_(weights.size() - 1, VecX::Zero(n_)),
-          rates_(velocities_),
-          earlier_(static_cast<std::size_t>(system.state_group().size())),
+          slopes_(weights.size() - 1, VecX::Zero(2 * n_)),
+          earlier_(size_),
           inverse_(size_),
           apart_(size_),
-          sigma_(VecX::Zero(n_)) {
+          sigma_(VecX::Zero(2 * n_)),
+          offset_(sigma_) {
         for (std::size_t j = 1; j < weights.size(); ++j) weights_.push_back(value(weights[j]));
-        stages_.position_offset = stages_.velocity_offset = sigma_;
+        stages_->position_offset = stages_->velocity_offset = VecX::Zero(n_);
     }
 
     Status start(const Real&, const Real*) override {
@@ -54,14 +53,13 @@ class AdamsMoulton final : public Integrator {
         const bool fresh = !std::exchange(known_, false) || h != h_;  // known again if this step succeeds
         h_ = h;
         std::rotate(points_.rbegin(), points_.rbegin() + 1, points_.rend());
-        std::rotate(velocities_.rbegin(), velocities_.rbegin() + 1, velocities_.rend());
-        std::rotate(rates_.rbegin(), rates_.rbegin() + 1, rates_.rend());
+        std::rotate(slopes_.rbegin(), slopes_.rbegin() + 1, slopes_.rend());
         if (const Status status = record(0, t, y); status != Status::ok) return status;
         if (fresh)
             if (const Status status = begin(t, h, y); status != Status::ok) return status;
         if (!set_offsets(h)) return Status::left_chart;
-        const Status status = stages_.advance(t, h, y);
-        work_.newton_iterations = stages_.iterations();
+        const Status status = stages_->advance(t, h, y);
+        work_.newton_iterations = stages_->iterations();
         known_ = status == Status::ok;
         return status;
     }
@@ -70,13 +68,12 @@ class AdamsMoulton final : public Integrator {
     /// The state j steps ago, and its slope.
     Status record(std::size_t j, const Real& t, const Real* y) {
         std::copy_n(y, size_, points_[j].begin());
-        velocities_[j] = Eigen::Map<const VecX>(system_.v(y), n_);
-        return system_.evaluate(t, y, system_.v(y), rates_[j].data());
+        return space_.slope(t, y, slopes_[j].data());
     }
 
     /// The k - 1 steps that would have led to y.
     Status begin(const Real& t, const Real& h, const Real* y) {
-        stages_.forget();
+        stages_->forget();
         std::copy_n(y, earlier_.size(), earlier_.begin());
         if (const Status status = starter_->start(t, y); status != Status::ok) return status;
         for (std::size_t j = 1; j < points_.size(); ++j) {
@@ -92,30 +89,29 @@ class AdamsMoulton final : public Integrator {
 
     /// h sum_j beta_j k~_j of the known slopes; false outside the chart.
     bool set_offsets(const Real& h) {
-        stages_.position_offset = h * weights_[0] * velocities_[0];
-        stages_.velocity_offset = h * weights_[0] * rates_[0];
-        group_.inverse(points_[0].data(), inverse_.data());
+        const Group& group = space_.group();
+        offset_ = h * weights_[0] * slopes_[0];
+        group.inverse(points_[0].data(), inverse_.data());
         for (std::size_t j = 1; j < weights_.size(); ++j) {
-            group_.multiply(inverse_.data(), points_[j].data(), apart_.data());
-            group_.log(apart_.data(), sigma_.data());
-            if (!group_.dexpinv_left(sigma_.data(), velocities_[j].data(), sigma_.data())) return false;
-            stages_.position_offset += h * weights_[j] * sigma_;
-            stages_.velocity_offset += h * weights_[j] * rates_[j];  // velocities are additive
+            group.multiply(inverse_.data(), points_[j].data(), apart_.data());
+            group.log(apart_.data(), sigma_.data());
+            if (!group.dexpinv_left(sigma_.data(), slopes_[j].data(), sigma_.data())) return false;
+            offset_ += h * weights_[j] * sigma_;
         }
+        stages_->position_offset = offset_.head(n_), stages_->velocity_offset = offset_.tail(n_);
         return true;
     }
 
-    System& system_;
-    const Group& group_;
+    StateSpace space_;
     Eigen::Index n_;
     std::size_t size_;
     std::unique_ptr<Integrator> starter_;
-    ImplicitStages stages_;
+    std::unique_ptr<ImplicitStages> stages_;
     std::vector<Real> weights_;              // from beta_0 on
-    std::vector<std::vector<Real>> points_;  // q of the states j steps ago, from 0
-    std::vector<VecX> velocities_, rates_;   // their v, v'
+    std::vector<std::vector<Real>> points_;  // the states j steps ago, from 0
+    std::vector<VecX> slopes_;               // there
     std::vector<Real> earlier_, inverse_, apart_;
-    VecX sigma_;
+    VecX sigma_, offset_;
     Real h_ = 0;          // step that they are apart
     bool known_ = false;  // whether they are those before the next step
 };
@@ -128,6 +124,7 @@ Factory adams_moulton(const std::vector<Coefficient>& weights) {
         return std::make_unique<AdamsMoulton>(system, weights);
     };
     factory.stages = 1;
+    factory.takes_actions = true;
     return factory;
 }
 

@@ -10,14 +10,18 @@
 //   -----+----
 //        |  1
 // The unknown of the iteration w = h f (methods/implicit/newton.hpp) is w = v+ - v, and its last f makes the step: what
-// is linear in the constraints then holds to the round-off of one solve. Sources: midpoint rule [hairer2006], lift
+// is linear in the constraints then holds to the round-off of one solve. Where another group acts on states the first
+// line is the method, and the unknown is k (methods/implicit/acted_stages.hpp). Sources: midpoint rule [hairer2006], lift
 // [munthekaas1998].
+#include "mechanics/actions/acted_upon.hpp"
 #include "mechanics/system.hpp"
 #include "methods/contract/integrator.hpp"
+#include "methods/implicit/implicit_stages.hpp"
 #include "methods/implicit/motion_scale.hpp"
 #include "methods/implicit/newton.hpp"
 #include "methods/implicit/predictor.hpp"
 #include "methods/implicit/remoteness.hpp"
+#include "methods/rkmk/implicit_rkmk.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -117,12 +121,20 @@ class ImplicitMidpoint final : public Integrator, private Equations {
     const Real *q_ = nullptr, *v_ = nullptr;  // start of the step
 };
 
+/// Around the middle of the step, where it lies.
+StageCoefficients middle_stage() {
+    const MatX half = MatX::Constant(1, 1, Real(1) / 2);
+    return {half, half, VecX::Ones(1), VecX::Constant(1, Real(1) / 2)};
+}
+
 Factory implicit_midpoint() {
     Factory factory;
-    factory.make = [](System& system, const OptionValues&, const MethodDescription&) {
+    factory.make = [](System& system, const OptionValues&, const MethodDescription&) -> std::unique_ptr<Integrator> {
+        if (action_on(system)) return implicit_runge_kutta(system, middle_stage(), true);
         return std::make_unique<ImplicitMidpoint>(system);
     };
     factory.stages = 1;
+    factory.takes_actions = true;
     return factory;
 }
 

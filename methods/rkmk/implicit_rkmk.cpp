@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "methods/contract/integrator.hpp"
 #include "methods/implicit/implicit_stages.hpp"
@@ -15,21 +16,20 @@ namespace {
 
 class ImplicitRungeKutta final : public Integrator {
   public:
-    ImplicitRungeKutta(System& system, StageCoefficients coefficients, StageCentre centre)
-        : stages_(system, std::move(coefficients), centre) {}
+    explicit ImplicitRungeKutta(std::unique_ptr<ImplicitStages> stages) : stages_(std::move(stages)) {}
 
     Status start(const Real&, const Real*) override {
-        stages_.forget();
+        stages_->forget();
         return Status::ok;
     }
     Status step(const Real& t, const Real& h, Real* y) override {
-        const Status status = stages_.advance(t, h, y);
-        work_.newton_iterations = stages_.iterations();
+        const Status status = stages_->advance(t, h, y);
+        work_.newton_iterations = stages_->iterations();
         return status;
     }
 
   private:
-    ImplicitStages stages_;
+    std::unique_ptr<ImplicitStages> stages_;
 };
 
 void require_tableau(bool met, const std::string& what) {
@@ -68,6 +68,12 @@ StageCoefficients coefficients_of(const ImplicitTableau& tableau) {
 
 }  // namespace
 
+std::unique_ptr<Integrator> implicit_runge_kutta(System& system, const StageCoefficients& coefficients,
+                                                 bool around_middle) {
+    const StageCentre centre = around_middle ? StageCentre::middle : StageCentre::start;
+    return std::make_unique<ImplicitRungeKutta>(implicit_stages(system, coefficients, centre));
+}
+
 Factory implicit_rkmk(const ImplicitTableau& tableau) {
     return implicit_rkmk(
         static_cast<int>(tableau.b.size()), [tableau] { return coefficients_of(tableau); }, tableau.around_middle);
@@ -76,10 +82,10 @@ Factory implicit_rkmk(const ImplicitTableau& tableau) {
 Factory implicit_rkmk(int stages, const std::function<StageCoefficients()>& coefficients, bool around_middle) {
     Factory factory;
     factory.make = [coefficients, around_middle](System& system, const OptionValues&, const MethodDescription&) {
-        return std::make_unique<ImplicitRungeKutta>(system, coefficients(),
-                                                    around_middle ? StageCentre::middle : StageCentre::start);
+        return implicit_runge_kutta(system, coefficients(), around_middle);
     };
     factory.stages = stages;
+    factory.takes_actions = true;
     return factory;
 }
 

@@ -73,6 +73,17 @@ Status RattleEquations::residual(const Real* x, Real* r) {
     return system_.solve_prepared(end, q, zero_.data(), rows_.data(), rate_.data(), phi.data());
 }
 
+void RattleEquations::settle(Real* x, const Real* r) {
+    Eigen::Map<VecX>(x, n_ + m_) -= Eigen::Map<const VecX>(r, n_ + m_);
+    if (m_ > 0) {
+        system_.apply_jacobian_transpose(t_, q_, r + n_, force_.data());
+        system_.solve_mass(q_, force_.data(), rate_.data());
+        Eigen::Map<VecX>(x, n_) += rate_;
+    }
+    place(x);
+    mass_.multiply(x, momentum_.data());
+}
+
 bool RattleEquations::gain() {
     u_ = -u_;
     if (!pull_back(u_, momentum_, pulled_)) return false;

@@ -29,6 +29,8 @@ class RattleEquations {
     /// x - x' of a guess x = (D, mu): M D' = M v + h/2 f - C(q)^T mu + M D - (d tau^{-1}_{hD})^T M D, and
     /// [M C+^T; C+ 0] (., mu - mu') = (0, C+ (D' - D) + Phi(q+) / h).
     Status residual(const Real* x, Real* r);
+    /// x becomes (D+, mu') where r = x - x' is small: D+ is the D' of mu' in place of mu, but for O(h r), and q+ its.
+    void settle(Real* x, const Real* r);
     /// v+ and lambda: M v+ + h/2 C+^T lambda = (d tau^{-1}_{-hD})^T M D + h/2 f(t+, q+),  C+ v+ + b+ = 0.
     Status finish(Real* v, Real* lambda);
     /// w+, the velocity before constraints act: M w+ = (d tau^{-1}_{-hD})^T M D + h/2 f(t+, q+).

@@ -6,6 +6,14 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
+namespace {
+
+/// Places over h beside the motion, of steps so short that the iteration may not end at the round-off of the motion: it
+/// knows D no better than to some thousand units.
+constexpr int much = 16384;
+
+}  // namespace
+
 RattleIncrements::RattleIncrements(System& system, std::unique_ptr<RattleEquations> equations)
     : system_(system),
       equations_(std::move(equations)),
@@ -16,6 +24,7 @@ RattleIncrements::RattleIncrements(System& system, std::unique_ptr<RattleEquatio
       newton_(n_ + m_),
       past_(n_ + m_),
       unknowns_(VecX::Zero(n_ + m_)),
+      r_(unknowns_),
       turned_(unknowns_),
       weights_(VecX::Ones(n_ + m_)),
       applied_(VecX::Zero(n_)),
@@ -50,14 +59,17 @@ Status RattleIncrements::index_one(const Real& t, const Real* y, const Real* v) 
 Status RattleIncrements::solve(const Real& t, const Real& h, const Real* y) {
     q_ = y;
     scale_.weigh(y);
-    motion_ = scale_.of_motion(t, h, y);
-    if (!isfinite(motion_)) return Status::non_finite;
+    const Real motion = scale_.of_motion(t, h, y);
+    if (!isfinite(motion)) return Status::non_finite;
+    const Real places = rows_.reach() / abs(h), known = places > much * motion ? places : motion;
     if (rows_.refresh(t, y)) newton_.forget();
-    if (rows_.rebalance(motion_, h)) newton_.forget();
+    if (rows_.rebalance(known, h)) newton_.forget();
     if (m_ > 0) weights_.tail(m_) = rows_.weights();
     equations_->begin(t, h, y, system_.v(y));
-    size_ = max(motion_, rows_.of_places(h));
-    return iterate(y);
+    size_ = max(known, rows_.of_places(h));
+    const Status status = iterate(y);
+    if (status == Status::ok && size_ > much * motion) equations_->settle(unknowns_.data(), r_.data());
+    return status;
 }
 
 /// From the guess, and where that leads nowhere from an unchanged velocity.
@@ -74,9 +86,10 @@ Status RattleIncrements::residual(const Real* turned, Real* r) {
     system_.count_evaluation();
     scale_.from_space(q_, turned, unknowns_.data());
     std::copy_n(turned + n_, m_, unknowns_.data() + n_);
-    const Status status = equations_->residual(unknowns_.data(), r);
+    const Status status = equations_->residual(unknowns_.data(), r_.data());
     if (status != Status::ok) return status;
-    scale_.to_space(q_, r, r);
+    std::copy_n(r_.data() + n_, m_, r + n_);
+    scale_.to_space(q_, r_.data(), r);
     return status;
 }
 

@@ -21,7 +21,10 @@ class RattleIncrements final : private Equations {
 
     /// Forgets earlier steps, and guesses from the index-1 form at y(t) = (q, v): D = v + h/2 v', mu = span lambda.
     Status begin(const Real& t, const Real& h, const Real& span, const Real* y);
-    /// D and mu of a step by h from y(t), which is to stay where it is until `remember`.
+    /// D and mu of a step by h from y(t), which is to stay where it is until `remember`. Places are known to round-off,
+    /// mu therefore to that over h, however often it is iterated, and with it what it makes of D. Where steps are so
+    /// short that this is much beside the motion, the iteration ends there, and D is made to fit to the last mu': along
+    /// the motions that the joints allow, where errors add up, it is known h times better.
     Status solve(const Real& t, const Real& h, const Real* y);
     /// They help to guess those of the next step.
     void remember();
@@ -45,11 +48,12 @@ class RattleIncrements final : private Equations {
     MotionScale scale_;
     PositionWeights rows_;
     Newton newton_;
-    Predictor past_;                    // of turned_
-    VecX unknowns_, turned_, weights_;  // D, mu; the same with D weighted and in space axes
-    VecX applied_, gyroscopic_;         // n
-    VecX lambda_, bias_;                // m
-    Real motion_ = 0, size_ = 0;
+    Predictor past_;             // of turned_
+    VecX unknowns_, r_;          // D, mu, and what is left of their equations
+    VecX turned_, weights_;      // D, mu with D weighted and in space axes
+    VecX applied_, gyroscopic_;  // n
+    VecX lambda_, bias_;         // m
+    Real size_ = 0;
     const Real* q_ = nullptr;
 };
 

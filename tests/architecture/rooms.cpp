@@ -64,7 +64,7 @@ const std::vector<Room>& rooms() {
         {"methods/contract", {"methods/tableaus", "mechanics", "lie", registered, registration}, numbers},
         {"methods/conditions", {"methods/tableaus/tableau.hpp", "methods/contract/description.hpp"}, numbers},
         {"methods/control", {"methods/contract", "mechanics", "lie"}, numbers},
-        {"methods/implicit", {"mechanics", "lie"}, numbers},
+        {"methods/implicit", {"methods/contract/state_space.hpp", "mechanics", "lie"}, numbers},
         {"methods",
          {"methods/contract", "methods/conditions", "methods/control", "methods/tableaus", "methods/implicit",
           "mechanics", "lie"},

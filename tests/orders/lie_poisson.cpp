@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One step as SO3-LiePoisson against its declared scheme on the matrices of T*SO(3). The slopes of the running step,
+// One step as SO3-LiePoisson against its declared scheme on the matrices of T*SO(3); methods without a scheme are held
+// to their equations there by the checks of their steps (tests/judges/steps/dense_states.hpp). The slopes of the running step,
 // (omega, torque) where it asks for them, are given to the scheme as those of a step on that group.
 #include <catch2/catch.hpp>
 
 #include "mechanics/forwarding_system.hpp"
 #include "mechanics/model/pivots.hpp"
+#include "methods/contract/integrator.hpp"
 #include "tests/judges/families/scheme_family.hpp"
 #include "tests/judges/steps/scheme_checks.hpp"
 #include "tests/judges/steps/scripted_step.hpp"
@@ -83,14 +85,39 @@ std::optional<Real> deviation(const Method& method, const OptionValues& options,
     return most;
 }
 
+/// A system that hides the group that acts on its states, and a method on it.
+class Hidden final : public Integrator {
+  public:
+    Hidden(System& system, const Method& method, const OptionValues& options)
+        : system_(system), integrator_(method.factory.make(system_, options, method.description)) {}
+    Status start(const Real& t, const Real* y) override { return integrator_->start(t, y); }
+    Status step(const Real& t, const Real& h, Real* y) override { return integrator_->step(t, h, y); }
+
+  private:
+    struct Forwarding final : ForwardingSystem {
+        using ForwardingSystem::ForwardingSystem;
+        const StateAction* action() const override { return nullptr; }
+    };
+    Forwarding system_;
+    std::unique_ptr<Integrator> integrator_;
+};
+
+/// Adds to velocities whatever acts on states.
+Method additive(const Method& method) {
+    Method wrong = method;
+    wrong.factory.make = [&method](System& system, const OptionValues& options, const MethodDescription&) {
+        return std::make_unique<Hidden>(system, method, options);
+    };
+    return wrong;
+}
+
 }  // namespace
 
 TEST_CASE("a step in Lie-Poisson form is that of its scheme on T*SO(3)", "[one_step][lie_poisson]") {
     int seen = 0;
     for (const Method& method : methods()) {
-        if (!method.factory.takes_actions) continue;
+        if (!method.factory.takes_actions || !method.factory.scheme) continue;
         INFO(method.description.name);
-        REQUIRE(method.factory.scheme);
         for (OptionValues options : scheme_variants(method)) {
             options.merge(stepping::default_options(method.description.options));
             const auto apart = deviation(method, options, "SO3-LiePoisson");
@@ -107,6 +134,15 @@ TEST_CASE("a step that adds to velocities is not", "[one_step][lie_poisson][cont
         INFO(name);
         const OptionValues options = stepping::default_options(method(name).description.options);
         CHECK(*deviation(method(name), options, "SO3") > Real(1) / 100000);
+    }
+}
+
+TEST_CASE("implicit and multistep methods that add to velocities do not step in Lie-Poisson form",
+          "[one_step][lie_poisson][control]") {
+    for (const char* name : {"rkmk/implicit_midpoint", "rkmk/gauss2", "rkmk/radau2a2", "multistep/adams_bashforth2",
+                             "multistep/adams_moulton2"}) {
+        INFO(name);
+        CHECK_THAT(one_step_objection(additive(method(name))), Catch::EndsWith("as SO3-LiePoisson"));
     }
 }
 

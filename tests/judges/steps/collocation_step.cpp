@@ -6,18 +6,12 @@
 // The stages are iterated with dense matrices until they stand.
 #include "tests/judges/steps/collocation_step.hpp"
 
-#include "tests/judges/steps/recorded_steps.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 namespace {
-
-struct CollocationRows {
-    VecX c, b;
-    MatX a, a_hat;  ///< row i: a_i1, a_i2, ...; a_hat: of velocities
-};
 
 /// Symmetric about 1/2, the inner ones `away` from it.
 VecX symmetric_nodes(int stages, const Real& away, bool with_ends) {
@@ -63,44 +57,42 @@ CollocationRows collocation_rows(const CollocationForm& form) {
     return rows;
 }
 
-/// k_i and v'_i as columns.
-struct CollocationSlopes {
-    MatX k, rate;
-};
-
-CollocationSlopes iterated(RecordedRun& run, const RecordedState& start, const CollocationRows& rows,
-                           const CollocationSlopes& old, bool around_middle) {
-    CollocationSlopes next = old;
-    const VecX centre = around_middle ? VecX(run.h / 2 * old.k * rows.b) : VecX::Zero(start.v.size());
-    for (Eigen::Index i = 0; i < rows.c.size(); ++i) {
-        const VecX u = run.h * old.k * rows.a.row(i).transpose() - centre;
-        const RecordedState at = {.t = start.t + rows.c[i] * run.h,
-                                  .q = run.bodies.moved(run.bodies.moved(start.q, centre), u),
-                                  .v = start.v + run.h * old.rate * rows.a_hat.row(i).transpose(),
-                                  .lambda = {}};
-        next.k.col(i) = run.bodies.pulled_back(u, at.v);
-        next.rate.col(i) = run.index1_rate(at);
-    }
-    return next;
-}
-
-Violations collocation_violations(RecordedRun& run, const CollocationRows& rows, bool around_middle) {
+Violations collocation_violations(RecordedRun& run, const CollocationForm& form) {
     const RecordedState &before = run.states[0], &after = run.states[1];
-    const Eigen::Index stages = rows.c.size();
-    CollocationSlopes slopes{before.v.replicate(1, stages), run.index1_rate(before).replicate(1, stages)};
-    for (int i = 0; i < (KREISEL_QUAD ? 60 : 30); ++i) slopes = iterated(run, before, rows, slopes, around_middle);
+    DenseCollocation stages(run, form);
+    stages.sweep(before, KREISEL_QUAD ? 60 : 30);
     Violations found;
-    found.see("q+ = q exp(theta)", run.bodies.increment(before.q, after.q) - run.h * slopes.k * rows.b);
-    found.see("v+ = v + h sum_i b_i f_i", after.v - before.v - run.h * slopes.rate * rows.b);
+    found.see("y+ = y exp(h sum_i b_i k_i)", DenseStates(run).increment(before, after) - stages.increment());
     return found;
 }
 
 }  // namespace
 
+DenseCollocation::DenseCollocation(RecordedRun& run, const CollocationForm& form)
+    : states_(run), h_(run.h), rows_(collocation_rows(form)), around_middle_(form.around_middle) {}
+
+void DenseCollocation::sweep(const RecordedState& start, int times) {
+    if (slopes_.size() == 0) slopes_ = states_.slope(start).replicate(1, rows_.c.size());
+    const Eigen::Index n = states_.dim() / 2;
+    for (int sweep = 0; sweep < times; ++sweep) {
+        const MatX old = slopes_;
+        const VecX centre = around_middle_ ? VecX(h_ / 2 * old * rows_.b) : VecX::Zero(states_.dim());
+        const RecordedState middle = states_.moved(start, centre, start.t);
+        for (Eigen::Index i = 0; i < rows_.c.size(); ++i) {
+            VecX u(states_.dim());
+            u << old.topRows(n) * rows_.a.row(i).transpose(), old.bottomRows(n) * rows_.a_hat.row(i).transpose();
+            u = h_ * u - centre;
+            const RecordedState at = states_.moved(middle, u, start.t + rows_.c[i] * h_);
+            slopes_.col(i) = states_.pulled_back(u, states_.slope(at));
+        }
+    }
+}
+
+VecX DenseCollocation::increment() const { return h_ * slopes_ * rows_.b; }
+
 Objection collocation_step_objection(const Method& method, const CollocationForm& form) {
-    const CollocationRows rows = collocation_rows(form);
-    return on_models_with_and_without_joints(
-        method, {}, 1, [&](RecordedRun& run) { return collocation_violations(run, rows, form.around_middle); });
+    return on_models_with_and_without_joints(method, {}, 1,
+                                             [&](RecordedRun& run) { return collocation_violations(run, form); });
 }
 
 KREISEL_STEP_CHECK("rkmk/gauss2",

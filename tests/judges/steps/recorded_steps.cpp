@@ -32,6 +32,7 @@ VecX stored(const MatX& g, Eigen::Index size) {
 }  // namespace
 
 MatrixGroup matrix_group(const std::string& formulation) {
+    if (formulation == "SO3-LiePoisson") return matrix_so3();  // its configurations
     for (const MatrixGroup& group : {matrix_so3(), matrix_s3(), matrix_so3xr3(), matrix_s3xr3(), matrix_se3()})
         if (group.name == formulation) return group;
     throw std::out_of_range("no dense matrices for formulation " + formulation);

@@ -2,9 +2,10 @@
 //
 // Adams-Bashforth methods on a group [faltinsen2001], written in backward differences of the slopes in the chart around
 // the newest state: with gamma = 1, 1/2, 5/12, 3/8 [hairer1993, Sec. III.1],
-//   log(q^{-1} q+) = h sum_m gamma_m nabla^m k~,   v+ - v = h sum_m gamma_m nabla^m v'.
+//   log(y^{-1} y+) = h sum_m gamma_m nabla^m k~.
 #include "tests/judges/steps/multistep/adams_bashforth_step.hpp"
 
+#include "tests/judges/steps/dense_states.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
 namespace kreisel {
@@ -38,16 +39,15 @@ void see_starting_step(RecordedRun& run, std::size_t step, Violations& found) {
 
 void see_step(RecordedRun& run, std::size_t step, std::size_t k, const AdamsForm& form, Violations& found) {
     const RecordedState &now = run.states[step], &next = run.states[step + 1];
-    std::vector<VecX> slopes, rates;
+    const DenseStates states(run);
+    std::vector<VecX> slopes;
     for (std::size_t j = 0; j < k; ++j) {
         const RecordedState& past = run.states[step - j];
-        const VecX sigma = form.sign_of_sigma * run.bodies.increment(now.q, past.q);
-        slopes.push_back(form.recentred ? run.bodies.pulled_back(sigma, past.v) : past.v);
-        rates.push_back(run.index1_rate(past));
+        const VecX sigma = form.sign_of_sigma * states.increment(now, past);
+        slopes.push_back(form.recentred ? states.pulled_back(sigma, states.slope(past)) : states.slope(past));
     }
-    found.see("log(q^-1 q+) = h sum gamma nabla k~",
-              run.bodies.increment(now.q, next.q) - run.h * adams_sum(slopes, form.differences_left_out));
-    found.see("v+ - v = h sum gamma nabla v'", next.v - now.v - run.h * adams_sum(rates, form.differences_left_out));
+    found.see("log(y^-1 y+) = h sum gamma nabla k~",
+              states.increment(now, next) - run.h * adams_sum(slopes, form.differences_left_out));
 }
 
 constexpr const char* conditions_by_interpolation =

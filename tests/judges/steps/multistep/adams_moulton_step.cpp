@@ -3,10 +3,10 @@
 // Adams-Moulton methods on a group [faltinsen2001], written in backward differences of the slopes in the chart around
 // the newest state, the slope at the end of the step first: with gamma* = 1, -1/2, -1/12, -1/24, -19/720
 // [hairer1993, Sec. III.1],
-//   log(q^{-1} q+) = h sum_m gamma*_m nabla^m k~,   v+ - v = h sum_m gamma*_m nabla^m v'.
+//   log(y^{-1} y+) = h sum_m gamma*_m nabla^m k~.
 #include "tests/judges/steps/multistep/adams_moulton_step.hpp"
 
-#include "tests/judges/steps/recorded_steps.hpp"
+#include "tests/judges/steps/dense_states.hpp"
 #include "tests/judges/steps/step_checks.hpp"
 
 namespace kreisel {
@@ -31,15 +31,14 @@ VecX moulton_sum(std::vector<VecX> f, int differences_left_out) {
 void see_moulton_step(RecordedRun& run, const std::vector<RecordedState>& known, const AdamsMoultonForm& form,
                       Violations& found) {
     const RecordedState &next = known[0], &now = known[1];
-    std::vector<VecX> slopes, rates;
+    const DenseStates states(run);
+    std::vector<VecX> slopes;
     for (const RecordedState& state : known) {
-        const VecX sigma = form.sign_of_sigma * run.bodies.increment(now.q, state.q);
-        slopes.push_back(form.recentred ? run.bodies.pulled_back(sigma, state.v) : state.v);
-        rates.push_back(run.index1_rate(state));
+        const VecX sigma = form.sign_of_sigma * states.increment(now, state);
+        slopes.push_back(form.recentred ? states.pulled_back(sigma, states.slope(state)) : states.slope(state));
     }
-    found.see("log(q^-1 q+) = h sum gamma* nabla k~",
-              run.bodies.increment(now.q, next.q) - run.h * moulton_sum(slopes, form.differences_left_out));
-    found.see("v+ - v = h sum gamma* nabla v'", next.v - now.v - run.h * moulton_sum(rates, form.differences_left_out));
+    found.see("log(y^-1 y+) = h sum gamma* nabla k~",
+              states.increment(now, next) - run.h * moulton_sum(slopes, form.differences_left_out));
 }
 
 Violations moulton_violations(RecordedRun& run, int k, const AdamsMoultonForm& form) {
