@@ -50,6 +50,11 @@ class DenseProjectedStep {
     }
     /// Modified equations may have no solution.
     bool is_finite() const { return of_positions.allFinite() && of_velocities.allFinite(); }
+    /// Far below the tolerance.
+    bool is_met() const {
+        const Real most = max(of_positions.cwiseAbs().maxCoeff(), of_velocities.cwiseAbs().maxCoeff());
+        return most < equations_tolerance() / 16;
+    }
     /// The multipliers that take away what they can, to first order in h.
     void improve() {
         if (mu.size() == 0) return;
@@ -84,7 +89,7 @@ Violations symmetric_violations(RecordedRun& run, const SymmetricProjectionForm&
     for (std::size_t i = 0; i + 1 < run.states.size(); ++i) {
         DenseProjectedStep step(run, run.states[i], run.states[i + 1], form);
         step.evaluate();
-        for (int k = 0; k < iterations && step.is_finite(); ++k) step.improve(), step.evaluate();
+        for (int k = 0; k < iterations && step.is_finite() && !step.is_met(); ++k) step.improve(), step.evaluate();
         found.see("q~+ of a step from q~, v~", step.of_positions);
         found.see("v~+ of a step from q~, v~", step.of_velocities);
         see_positions(run, run.states[i + 1], found);
