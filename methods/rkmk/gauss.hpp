@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Munthe-Kaas lifts of the Gauss methods [hairer2006, II.1.3] to TG, in coordinates around the middle of the step,
-// which makes them symmetric [zanna2001]: with s stages, order 2 s,
+// Munthe-Kaas lifts of the Gauss methods [hairer2006, II.1.3] to TG in the symmetrised form [zanna2001], in coordinates
+// around the middle of the step, which makes them symmetric: with s stages, order 2 s,
 //   theta = h sum_j b_j k_j,   Q_i = q exp(theta/2) exp(u_i),   u_i = -theta/2 + h sum_j a_ij k_j,
 //   k_i = dexp^{-1}_{-u_i}(V_i),   V_i = v + h sum_j a_ij f_j,   f_i = v' of the index-1 form at (t + c_i h, Q_i, V_i),
 //   q+ = q exp(theta),   v+ = v + h sum_i b_i f_i.

@@ -1,54 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The equations of the implicit midpoint rule between two equal projections (midpoint.cpp), for given w = v~+ - v~, mu
-// and nu: q~, v~, the middle of the step, q+, v+, and the residuals.
 #pragma once
 
-#include <vector>
-
-#include "mechanics/system.hpp"
-#include "methods/implicit/motion_scale.hpp"
+#include "methods/symmetric_projection/projected_step.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-class ProjectedMidpoint {
+/// The implicit midpoint rule between the projections; its slope is w = v~+ - v~.
+class ProjectedMidpoint final : public ProjectedStep {
   public:
-    /// Both outlive this.
-    ProjectedMidpoint(System& system, const MotionScale& scale);
+    ProjectedMidpoint(System& system, const MotionScale& scale)
+        : ProjectedStep(system, scale, 1), middle_v_(moved_), f_(moved_) {}
 
-    Eigen::Index unknowns() const { return n_ + 2 * m_; }
-
-    /// For a step from (q, v) at t by h.
-    void begin(const Real& t, const Real& h, const Real* q, const Real* v);
-    /// q~, v~, and q+ for x = (w, mu, nu).
-    void place(const Real* x);
-    /// x - x' of a guess x: w' = h f, and by the KKT matrix at the middle the mu' and nu' that w' calls for.
-    Status residual(const Real* x, Real* r);
-    /// The same for mu and nu with w held: r = (0, mu - mu', nu - nu').
-    Status correction(const Real* x, Real* r);
-    /// Whether rows lose rank at q+.
-    Status prepare() { return system_.prepare_kkt(end_, configuration_.data()); }
-
-    const std::vector<Real>& configuration() const { return configuration_; }  ///< q+
-    /// v+ = v~ + w + G(q+) nu.
-    const VecX& velocity(const Real* x);
-    const VecX& rate() const { return f_; }  ///< f of the last residual
+    void guess(const VecX& change, Real* slopes) const override;
+    Real largest_change() const override { return abs(h_) * scale_.of_velocity(f_.data()); }
 
   private:
-    /// shift_ = G(q) multipliers, G = M^{-1} C^T.
-    void pull_back(const Real& t, const Real* q, const Real* multipliers);
-    void place_end(const Real* mu);
-    Status correct(const Real* x, Real* r);
+    void place_step(const Real* slopes) override;
+    Status step_residual(const Real* slopes, Real* r) override;
+    void add_change(const Real* slopes, const Real& sign, VecX& to) const override;
+    void add_increment(const Real* slopes, const Real& sign, VecX& to) const override;
 
-    System& system_;
-    const MotionScale& scale_;
-    Eigen::Index n_, m_;
-    std::vector<Real> start_, middle_, free_, configuration_;      // q~, the middle, q~+, q+
-    VecX v_, moved_, middle_v_, f_, u_, shift_, velocity_, zero_;  // n; moved_: v~
-    VecX rows_, phi_;                                              // m
-    Real t_ = 0, end_ = 0, h_ = 0;
-    const Real* q_ = nullptr;
+    VecX middle_v_, f_;
 };
 
 }  // namespace KREISEL_PRECISION

@@ -121,8 +121,11 @@ TEST_CASE("steps of symmetric projections have the same multipliers at both ends
     for (const SymmetricProjectionForm& wrong :
          {SymmetricProjectionForm{.after_alone = true}, SymmetricProjectionForm{.start_alone = true},
           SymmetricProjectionForm{.without_mass = true}})
-        CHECK(symmetric_midpoint_step_objection(midpoint, wrong) != "");
-    CHECK(symmetric_midpoint_step_objection(method("rkmk/implicit_midpoint")) != "");
+        CHECK(symmetric_projection_step_objection(midpoint, wrong) != "");
+    CHECK(symmetric_projection_step_objection(method("rkmk/implicit_midpoint")) != "");
+    const Method& gauss2 = method("symmetric_projection/gauss2");
+    CHECK(symmetric_projection_step_objection(gauss2) != "");  // not the midpoint rule
+    CHECK(symmetric_projection_step_objection(gauss2, {.gauss_stages = 2, .start_alone = true}) != "");
 }
 
 TEST_CASE("steps of Adams-Bashforth methods pull the slopes of earlier states back", "[one_step]") {
