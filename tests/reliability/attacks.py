@@ -5,10 +5,11 @@ import damage
 import equal_bytes
 import faults
 import folders
+import fuzzing
 import kills
 import memory
 import mutants
 import scarcity
 import values
 
-LOADED = (builds, damage, equal_bytes, faults, folders, kills, memory, mutants, scarcity, values)
+LOADED = (builds, damage, equal_bytes, faults, folders, fuzzing, kills, memory, mutants, scarcity, values)

@@ -76,4 +76,4 @@ def huge(kreisel, cases, random, measured):
                 yield f"{line['method']}: {line['detail']}"
 
     measured.each(kreisel, extreme, every if cases >= len(every) else random.sample(every, cases))
-    measured.remark = f"{sum(tried)} cells of {len(usual)} problems"
+    measured.remark = f"{sum(tried):,} cells of {len(usual)} problems"
