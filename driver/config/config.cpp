@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "driver/config/keys/keys.hpp"
 #include "driver/config/reading/measurements.hpp"
 #include "driver/config/reading/methods.hpp"
 #include "driver/config/reading/problems.hpp"
@@ -26,23 +27,16 @@ bool is_plain_name(const std::string& name) {
 }
 
 void read_name(const Node& root, Config& config) {
-    const std::string expected = "a name of letters, digits, '_', '-' and '.', beginning with neither '.' nor '-'";
-    const auto node = root.require("name", expected);
+    const std::string& expected = find_named(config_keys(), "name")->missing;
+    const auto node = find_key(root, config_keys(), "name");
     const auto name = node ? node->text(expected, 100) : std::nullopt;
     if (name && !is_plain_name(*name)) { node->mismatch(expected); }
     config.name = name.value_or("");
 }
 
-void read_kind(const Node& root, Config& config) {
-    const std::vector<std::string> kinds = names_of(experiment_kinds());
-    const auto node = root.require("kind", "one of " + listed(kinds));
-    if (!node) { return; }
-    config.kind = node->name("a kind", kinds).value_or("");
-}
-
 std::vector<std::string> read_names(const Node& root, const std::string& key, const std::string& what,
                                     const std::vector<std::string>& names, const std::vector<std::string>& standard) {
-    const auto node = root.find(key);
+    const auto node = find_key(root, config_keys(), key);
     if (!node) { return standard; }
     std::vector<std::string> result;
     for (const Node& entry : node->distinct_elements("a list of at least one " + what, what)) {
@@ -53,18 +47,12 @@ std::vector<std::string> read_names(const Node& root, const std::string& key, co
 
 // Only "precision" may also be a bare string.
 std::vector<std::string> read_precisions(const Node& root) {
-    const std::vector<std::string> names = {"double", "quad"};
-    const auto node = root.find("precision");
+    const std::vector<std::string>& names = precision_kind().names;
+    const auto node = find_key(root, config_keys(), "precision");
     if (node && node->is_array()) { return read_names(root, "precision", "precision", names, {}); }
     if (!node) { return {"double"}; }
-    const auto name = node->name("a precision or a list of them", names);
+    const auto name = node->name(precision_kind().what + " or a list of them", names);
     return name ? std::vector<std::string>{*name} : std::vector<std::string>();
-}
-
-void read_description(const Node& root, Config& config) {
-    if (const auto node = root.find("description")) {
-        config.description = node->text("a text that describes the experiment", 2000).value_or("");
-    }
 }
 
 }  // namespace
@@ -79,27 +67,21 @@ bool Config::is_repeated() const {
     return known != nullptr && known->repeated;
 }
 
-const std::vector<std::string>& config_keys() {
-    static const std::vector<std::string> keys = {"name",     "description",  "kind",    "precision",
-                                                  "problems", "formulations", "methods", "projections",
-                                                  "time",     "metrics",      "output",  "figure"};
-    return keys;
-}
-
 Config read_config(const Document& document, const Catalogue& catalogue) {
     Diagnostics sink(document);
     const Node root(document.value, "", sink);
+    const std::vector<std::string> keys = names_of(config_keys());
     Config config;
-    if (!root.require_object("a config: an object with the keys " + listed(config_keys()))) { sink.raise(); }
-    root.only_keys(config_keys());
+    if (!root.require_object("a config: an object with the keys " + listed(keys))) { sink.raise(); }
+    root.only_keys(keys);
     read_name(root, config);
-    read_description(root, config);
-    read_kind(root, config);
+    config.description = read_key(root, config_keys(), "description", description_kind()).value_or("");
+    config.kind = read_key(root, config_keys(), "kind", kind_of_experiment()).value_or("");
     config.precisions = read_precisions(root);
     read_problems(root, catalogue, config);
     config.formulations = read_names(root, "formulations", "formulation", names_of(catalogue.formulations), {"SO3xR3"});
     read_methods(root, catalogue, config);
-    if (const auto time = root.require("time", time_expectation)) { read_time(*time, config); }
+    if (const auto time = find_key(root, config_keys(), "time")) { read_time(*time, config); }
     read_measurements(root, catalogue, config);
     sink.raise();
     config.warnings = document.remarks;

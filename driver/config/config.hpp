@@ -51,7 +51,4 @@ struct Config {
 /// Reads a config. Throws UsageError with every error found; physical validity is checked when the plan is made.
 Config read_config(const Document& document, const Catalogue& catalogue);
 
-/// The keys a config may have.
-const std::vector<std::string>& config_keys();
-
 }  // namespace kreisel

@@ -4,14 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "driver/config/config.hpp"
+#include "driver/config/keys/keys.hpp"
 #include "driver/config/options.hpp"
 #include "driver/config/reading/figure_demands.hpp"
-#include "driver/config/reading/measurements.hpp"
 #include "driver/config/schema/figures.hpp"
+#include "driver/config/schema/keys.hpp"
 #include "driver/config/schema/problem.hpp"
 #include "driver/config/schema/terms.hpp"
 #include "driver/config/schema/text_option.hpp"
-#include "driver/config/time.hpp"
 #include "plots/figures/schema.hpp"
 #include "records/json/node.hpp"
 #include "records/kinds/kind.hpp"
@@ -71,24 +71,22 @@ Schema optioned_entries(const std::vector<Description>& all) {
     return entries(names, all, optioned_object<Description>);
 }
 
-Schema tolerance() {
-    const Schema one = {{"type", "number"}, {"minimum", least_positive}, {"exclusiveMaximum", 1}};
-    const Schema geometric =
-        object({{"from", one}, {"levels", integer(1, 64)}, {"factor", integer(2, 1000)}}, {"from", "levels"});
-    return {{"anyOf", {one, set(one), geometric}}};
+Schema series(const ConfigKeys& keys, const Schema& from) {
+    return object_of(
+        keys, {{"from", from}, {"levels", of_kind(level_count_kind())}, {"factor", of_kind(level_factor_kind())}});
+}
+
+Schema one_set_or_series(const Schema& one, const ConfigKeys& keys) {
+    return {{"anyOf", {one, set(one), series(keys, one)}}};
 }
 
 Schema time() {
-    const Schema geometric =
-        object({{"from", integer(1, largest_count)}, {"levels", integer(1, 64)}, {"factor", integer(2, 1000)}},
-               {"from", "levels"});
-    const Schema steps = {{"anyOf", {integer(1, largest_count), set(integer(1, largest_count)), geometric}}};
-    Schema time = object({{"end", positive()},
-                          {"steps", steps},
-                          {"step", one_or_set(positive())},
-                          {"tolerance", tolerance()},
-                          {"controller", choice(step_controllers())}},
-                         {"end"});
+    Schema time =
+        object_of(time_keys(), {{"end", of_kind(end_kind())},
+                                {"steps", one_set_or_series(of_kind(step_count_kind()), step_series_keys())},
+                                {"step", one_or_set(of_kind(step_kind()))},
+                                {"tolerance", one_set_or_series(of_kind(tolerance_kind()), tolerance_series_keys())},
+                                {"controller", of_kind(controller_kind())}});
     const auto has = [](const char* key) { return Schema{{"required", Schema::array({key})}}; };
     time["anyOf"] = Schema::array({has("steps"), has("step"), has("tolerance")});
     time["not"] = {{"required", {"steps", "step"}}};
@@ -130,7 +128,7 @@ Schema figure_of(const Catalogue& catalogue) {
 // A config that extends another: any part of a config, since the rest of it stands in the other file.
 Schema change_of_another() {
     Schema keys = {{"extends", text(4096)}};
-    for (const std::string& key : config_keys()) { keys[key] = Schema::object(); }
+    for (const ConfigKey& key : config_keys()) { keys[key.name] = Schema::object(); }
     return object(keys, {"extends"});
 }
 
@@ -140,22 +138,23 @@ Schema change_of_another() {
 
 nlohmann::ordered_json config_schema(const Catalogue& catalogue) {
     using namespace schema;
-    const Schema precision = choice({"double", "quad"});
     const Schema figure = figure_of(catalogue);
+    const Schema output =
+        object_of(output_keys(), {{"samples", of_kind(sample_count_kind())}, {"dense", of_kind(FlagKind())}});
     Schema config =
-        object({{"name", {{"type", "string"}, {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]*$"}, {"maxLength", 100}}},
-                {"description", text(2000)},
-                {"kind", choice(names_of(experiment_kinds()))},
-                {"precision", one_or_set(precision)},
-                {"problems", entries(names_of_complete(catalogue.problems), catalogue.problems, problem_object)},
-                {"formulations", set(choice(names_of(catalogue.formulations)))},
-                {"methods", optioned_entries(catalogue.methods)},
-                {"projections", optioned_entries(catalogue.projections)},
-                {"time", time()},
-                {"metrics", set(metric(), 0)},
-                {"output", object({{"samples", integer(0, most_samples)}, {"dense", {{"type", "boolean"}}}}, {})},
-                {"figure", {{"anyOf", {figure, set(figure, 0)}}}}},
-               {"name", "kind", "problems", "methods", "time"});
+        object_of(config_keys(),
+                  {{"name", {{"type", "string"}, {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_.-]*$"}, {"maxLength", 100}}},
+                   {"description", of_kind(description_kind())},
+                   {"kind", of_kind(kind_of_experiment())},
+                   {"precision", one_or_set(of_kind(precision_kind()))},
+                   {"problems", entries(names_of_complete(catalogue.problems), catalogue.problems, problem_object)},
+                   {"formulations", set(choice(names_of(catalogue.formulations)))},
+                   {"methods", optioned_entries(catalogue.methods)},
+                   {"projections", optioned_entries(catalogue.projections)},
+                   {"time", time()},
+                   {"metrics", set(metric(), 0)},
+                   {"output", output},
+                   {"figure", {{"anyOf", {figure, set(figure, 0)}}}}});
     config["anyOf"] = Schema::array({not_timed(), measures_nothing_else()});
     config["allOf"] = demands_of_figures();
     return {{"$schema", "http://json-schema.org/draft-07/schema#"},

@@ -8,12 +8,13 @@
 #include <cstdlib>
 #include <unordered_set>
 
+#include "driver/config/keys/keys.hpp"
+
 namespace kreisel {
 
 namespace {
 
 constexpr double whole_tolerance = 1e-9;  // how far end/step may be from a whole number, relative to it
-constexpr const char* tolerance_expectation = "a tolerance greater than 0 and less than 1";
 
 // Fills the numbers of steps of a config, each once.
 class StepList {
@@ -42,22 +43,19 @@ std::vector<Node> one_or_several(const Node& node, const std::string& what) {
 }
 
 void read_geometric(const Node& node, StepList& list) {
-    node.only_keys({"from", "levels", "factor"});
-    const auto from_node = node.require("from", "the smallest number of steps");
-    const auto levels_node = node.require("levels", "how many step counts there are");
-    const auto factor_node = node.find("factor");
-    const long from = from_node ? from_node->count(1, largest_count, "a number of steps").value_or(0) : 0;
-    const long levels = levels_node ? levels_node->count(1, 64, "a number of levels").value_or(0) : 0;
-    const long factor = factor_node ? factor_node->count(2, 1000, "a factor").value_or(0) : 2;
-    if (from == 0 || levels == 0 || factor == 0) { return; }
-    long steps = from;
-    for (long level = 0; level < levels; ++level) {
-        if (level > 0 && steps > largest_count / factor) {
+    node.only_keys(names_of(step_series_keys()));
+    const auto from = read_key(node, step_series_keys(), "from", step_count_kind());
+    const auto levels = read_key(node, step_series_keys(), "levels", level_count_kind());
+    const auto factor = read_key(node, step_series_keys(), "factor", level_factor_kind(), 2L);
+    if (!from || !levels || !factor) { return; }
+    long steps = *from;
+    for (long level = 0; level < *levels; ++level) {
+        if (level > 0 && steps > largest_count / *factor) {
             node.violates(Rule::finest_level, fmt::format("at most {} steps at the finest level", largest_count),
-                          fmt::format("{} * {}^{}", from, factor, levels - 1));
+                          fmt::format("{} * {}^{}", *from, *factor, *levels - 1));
             return;
         }
-        steps *= level > 0 ? factor : 1;
+        steps *= level > 0 ? *factor : 1;
         list.add(node, steps);
     }
 }
@@ -67,14 +65,14 @@ void read_steps(const Node& node, StepList& list) {
         read_geometric(node, list);
         return;
     }
-    for (const Node& entry : one_or_several(node, "a number of steps")) {
-        if (const auto steps = entry.count(1, largest_count, "a number of steps")) { list.add(entry, *steps); }
+    for (const Node& entry : one_or_several(node, step_count_kind().what)) {
+        if (const auto steps = read(entry, step_count_kind())) { list.add(entry, *steps); }
     }
 }
 
 void read_step_sizes(const Node& node, StepList& list) {
     for (const Node& entry : one_or_several(node, "a step in s")) {
-        const auto step = entry.positive("a step greater than 0 (s)");
+        const auto step = read(entry, step_kind());
         if (!step || !(list.t_end() > 0)) { continue; }
         const double ratio = list.t_end() / *step;
         const double steps = std::round(ratio);
@@ -98,24 +96,14 @@ void add_tolerance(const Node& node, double tolerance, Config& config) {
     config.tolerances.push_back(tolerance);
 }
 
-std::optional<double> read_tolerance(const Node& node) {
-    const auto tolerance = node.positive(tolerance_expectation);
-    if (!tolerance || *tolerance < 1) { return tolerance; }
-    node.mismatch(tolerance_expectation);
-    return std::nullopt;
-}
-
 // Decimals such as 1e-07, which a quotient may miss by its rounding.
 double to_15_digits(double value) { return std::strtod(fmt::format("{:.14e}", value).c_str(), nullptr); }
 
 void read_geometric_tolerances(const Node& node, Config& config) {
-    node.only_keys({"from", "levels", "factor"});
-    const auto from_node = node.require("from", "the largest tolerance");
-    const auto levels_node = node.require("levels", "how many tolerances there are");
-    const auto factor_node = node.find("factor");
-    const auto from = from_node ? read_tolerance(*from_node) : std::nullopt;
-    const auto levels = levels_node ? levels_node->count(1, 64, "a number of levels") : std::nullopt;
-    const auto factor = factor_node ? factor_node->count(2, 1000, "a factor") : std::optional(10L);
+    node.only_keys(names_of(tolerance_series_keys()));
+    const auto from = read_key(node, tolerance_series_keys(), "from", tolerance_kind());
+    const auto levels = read_key(node, tolerance_series_keys(), "levels", level_count_kind());
+    const auto factor = read_key(node, tolerance_series_keys(), "factor", level_factor_kind(), 10L);
     if (!from || !levels || !factor) { return; }
     for (long level = 0; level < *levels; ++level) {
         const double divisor = std::pow(static_cast<double>(*factor), static_cast<double>(level));
@@ -133,33 +121,27 @@ void read_geometric_tolerances(const Node& node, Config& config) {
 void read_tolerances(const Node& node, Config& config) {
     if (node.is_object()) { return read_geometric_tolerances(node, config); }
     for (const Node& entry : one_or_several(node, "a tolerance")) {
-        if (const auto tolerance = read_tolerance(entry)) { add_tolerance(entry, *tolerance, config); }
+        if (const auto tolerance = read(entry, tolerance_kind())) { add_tolerance(entry, *tolerance, config); }
     }
 }
 
 void read_controller(const Node& time, Config& config) {
-    const auto node = time.find("controller");
+    const auto node = find_key(time, time_keys(), "controller");
     if (!node) { return; }
-    config.controller = node->name("a controller", step_controllers()).value_or(config.controller);
+    config.controller = read(*node, controller_kind()).value_or(config.controller);
     if (!time.find("tolerance")) { node->error("\"tolerance\" beside it, to which it chooses the steps", "none"); }
 }
 
 }  // namespace
 
-const std::vector<std::string>& step_controllers() {
-    static const std::vector<std::string> names = {"elementary", "pi", "pid"};
-    return names;
-}
-
 void read_time(const Node& time, Config& config) {
-    if (!time.require_object(time_expectation)) { return; }
-    time.only_keys({"end", "steps", "step", "tolerance", "controller"});
-    if (const auto end = time.require("end", "the end time, greater than 0 (s)")) {
-        config.t_end = end->positive("an end time greater than 0 (s)").value_or(0);
-    }
-    const auto steps = time.find("steps");
-    const auto step = time.find("step");
-    const auto tolerance = time.find("tolerance");
+    const std::string& expected = find_named(config_keys(), "time")->missing;
+    if (!time.require_object(expected)) { return; }
+    time.only_keys(names_of(time_keys()));
+    config.t_end = read_key(time, time_keys(), "end", end_kind()).value_or(0);
+    const auto steps = find_key(time, time_keys(), "steps");
+    const auto step = find_key(time, time_keys(), "step");
+    const auto tolerance = find_key(time, time_keys(), "tolerance");
     if (tolerance) { read_tolerances(*tolerance, config); }
     read_controller(time, config);
     StepList list(config);
@@ -170,7 +152,7 @@ void read_time(const Node& time, Config& config) {
     } else if (step) {
         read_step_sizes(*step, list);
     } else if (!tolerance) {
-        time.error(time_expectation, "neither \"steps\" nor \"step\" nor \"tolerance\"");
+        time.error(expected, "neither \"steps\" nor \"step\" nor \"tolerance\"");
     }
 }
 

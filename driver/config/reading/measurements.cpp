@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "driver/config/keys/keys.hpp"
 #include "driver/config/reading/figure_demands.hpp"
 #include "plots/figures/spec.hpp"
 #include "records/kinds/kind.hpp"
@@ -17,16 +18,14 @@ namespace kreisel {
 namespace {
 
 void read_output(const Node& root, Config& config) {
-    const auto output = root.find("output");
+    const auto output = find_key(root, config_keys(), "output");
     if (!output || !output->require_object("an object with \"samples\"")) { return; }
-    output->only_keys({"samples", "dense"});
-    if (const auto dense = output->find("dense")) { config.dense = dense->flag().value_or(true); }
-    const auto node = output->find("samples");
-    const auto samples = node ? node->count(0, most_samples, "a number of samples") : std::nullopt;
-    config.samples = samples.value_or(0);
+    output->only_keys(names_of(output_keys()));
+    config.dense = read_key(*output, output_keys(), "dense", FlagKind()).value_or(true);
+    config.samples = read_key(*output, output_keys(), "samples", sample_count_kind()).value_or(0);
     for (const long steps : config.steps) {
         if (config.samples > 0 && steps % config.samples != 0) {
-            node->violates(
+            output->find("samples")->violates(
                 Rule::whole_strides,
                 "a number that divides every number of steps, since samples of constant steps are not interpolated",
                 fmt::format("{}, which does not divide {}", config.samples, steps));
@@ -49,7 +48,7 @@ std::optional<std::string> read_metric(const Node& entry) {
 void read_metrics(const Node& root, Config& config) {
     const ExperimentKind* kind = find_experiment_kind(config.kind);
     config.metrics = kind == nullptr ? std::vector<std::string>() : kind->metrics;
-    const auto node = root.find("metrics");
+    const auto node = find_key(root, config_keys(), "metrics");
     if (!node) { return; }
     config.metrics_given = true;
     config.metrics.clear();
@@ -103,7 +102,7 @@ void check_selected(const Node& root, const Figure& figure, const std::string& a
 }
 
 void read_figure(const Node& root, const Catalogue& catalogue, Config& config) {
-    const auto node = root.find("figure");
+    const auto node = find_key(root, config_keys(), "figure");
     if (!node) { return; }
     for (const auto& figure : read_figures(*node, config.name)) {
         check_demands(root, *figure);

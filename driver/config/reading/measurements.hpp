@@ -8,9 +8,6 @@
 
 namespace kreisel {
 
-/// The most samples a cell may store.
-inline constexpr long most_samples = 10'000'000;
-
 /// Reads "output", "metrics" and "figure" of the config `root`, whose kind and steps have been read.
 void read_measurements(const Node& root, const Catalogue& catalogue, Config& config);
 

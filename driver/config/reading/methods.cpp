@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "driver/config/keys/keys.hpp"
 #include "driver/config/options.hpp"
 #include "driver/config/reading/entries.hpp"
 
@@ -42,10 +43,10 @@ std::vector<OptionedEntry> read_optioned(const Node& list, const std::string& wh
 }  // namespace
 
 void read_methods(const Node& root, const Catalogue& catalogue, Config& config) {
-    if (const auto node = root.require("methods", "a list of at least one method")) {
+    if (const auto node = find_key(root, config_keys(), "methods")) {
         config.methods = read_optioned(*node, "method", catalogue.methods);
     }
-    if (const auto node = root.find("projections")) {
+    if (const auto node = find_key(root, config_keys(), "projections")) {
         config.projections = read_optioned(*node, "projection", catalogue.projections);
     } else if (const auto* none = find_named(catalogue.projections, "none")) {
         config.projections = {{none->name, default_options(none->options).front(), ""}};

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "driver/config/keys/keys.hpp"
 #include "driver/config/parameters.hpp"
 #include "driver/config/reading/entries.hpp"
 #include "records/json/writer.hpp"
@@ -75,14 +76,15 @@ void add_problems(const Node& entry, const ProblemDescription& description, Prob
                     "none");
         return;
     }
-    list.add(entry, ProblemSeries({description.name, label, entry.pointer(), std::move(read.values), std::move(read.axes)},
-                                  std::move(read.varying)));
+    list.add(entry,
+             ProblemSeries({description.name, label, entry.pointer(), std::move(read.values), std::move(read.axes)},
+                           std::move(read.varying)));
 }
 
 }  // namespace
 
 void read_problems(const Node& root, const Catalogue& catalogue, Config& config) {
-    const auto node = root.require("problems", "a list of at least one problem");
+    const auto node = find_key(root, config_keys(), "problems");
     if (!node) { return; }
     const auto entries = node->distinct_elements("a list of at least one problem", "problem");
     ProblemList list(config, entries.size() > 1);
