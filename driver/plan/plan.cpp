@@ -52,6 +52,18 @@ class Warnings {
     std::map<std::pair<std::string, std::string>, std::size_t> places_;
 };
 
+// A program may be built for one precision only.
+void check_precisions(const Document& document, const Config& config, const Engines& engines, Diagnostics& sink) {
+    const bool wants_quad = std::count(config.precisions.begin(), config.precisions.end(), "quad") > 0;
+    if (!wants_quad || engines.has_quad()) { return; }
+    const auto& written = document.value.at("precision");
+    const auto place = std::find(written.begin(), written.end(), "quad") - written.begin();
+    sink.add({.pointer = written.is_array() ? fmt::format("/precision/{}", place) : "/precision",
+              .expected = "\"double\": this program is built without quad precision (KREISEL_BINARY128=OFF)",
+              .got = in_quotes("quad"),
+              .rule = Rule::quad});
+}
+
 // Builds the system of each problem in each formulation and precision; an inadmissible start or inertia is an error.
 void summarise(const Config& config, const Engines& engines, Diagnostics& sink, Plan& plan) {
     Warnings warnings;
@@ -98,6 +110,8 @@ Plan make_plan(const Document& document, const Config& config, const Engines& en
     Diagnostics sink(document);
     Plan plan;
     plan.config = config;
+    check_precisions(document, config, engines, sink);
+    sink.raise();
     summarise(config, engines, sink, plan);
     sink.raise();
     const auto metrics = known_metrics(plan);
