@@ -6,7 +6,7 @@ add_test(NAME docs.links COMMAND /usr/bin/python3 ${docs_tests}/check_links.py)
 add_test(NAME docs.controls COMMAND /usr/bin/python3 ${docs_tests}/controls.py)
 add_test(NAME docs.index COMMAND /usr/bin/python3 ${docs_tests}/report_index.py)
 set_tests_properties(docs.links docs.controls docs.index PROPERTIES LABELS docs)
-if(TARGET kreisel)
+if(KREISEL_BINARY128)
   get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
   add_test(NAME docs.blocks COMMAND /usr/bin/python3 ${docs_tests}/run_blocks.py $<TARGET_FILE:kreisel>
                                     -I ${CMAKE_BINARY_DIR}/generated -I ${eigen})
@@ -17,7 +17,7 @@ endif()
 
 # The program as it is installed: what it finds beside itself, man page, completions. What needs a shell or a library
 # that is missing is skipped by name.
-if(TARGET kreisel)
+if(KREISEL_BINARY128)
   add_test(NAME installed COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/installed/run.py ${CMAKE_BINARY_DIR})
   set_tests_properties(installed PROPERTIES LABELS installed TIMEOUT 300)
 endif()

@@ -50,10 +50,10 @@ find_library(KREISEL_TINYXML2 tinyxml2 REQUIRED)  # URDF
 target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json fmt::fmt CLI11::CLI11 GSL::gsl Threads::Threads
                                             Boost::headers ${KREISEL_NETTLE} ${KREISEL_TINYXML2})
 
+# Objects only, no usage requirements: main.cpp belongs to neither precision.
+add_executable(kreisel ${CMAKE_SOURCE_DIR}/driver/main.cpp ${KREISEL_OBJECTS_binary64} ${KREISEL_PEER_OBJECTS_binary64})
+target_link_libraries(kreisel PRIVATE kreisel_driver ${KREISEL_PEER_LIBRARIES})
 if(KREISEL_BINARY128)
-  # Objects only, no usage requirements: main.cpp belongs to neither precision.
-  add_executable(kreisel ${CMAKE_SOURCE_DIR}/driver/main.cpp ${KREISEL_OBJECTS_binary64}
-                         ${KREISEL_OBJECTS_binary128} ${KREISEL_PEER_OBJECTS_binary64}
-                         ${KREISEL_PEER_OBJECTS_binary128})
-  target_link_libraries(kreisel PRIVATE kreisel_driver ${KREISEL_PEER_LIBRARIES} quadmath)
+  target_sources(kreisel PRIVATE ${KREISEL_OBJECTS_binary128} ${KREISEL_PEER_OBJECTS_binary128})
+  target_link_libraries(kreisel PRIVATE quadmath)
 endif()

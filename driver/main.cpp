@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "driver/cli/cli.hpp"
+#include "kreisel_build.hpp"
 
 int main(int argc, char** argv) {
-    return kreisel::kreisel_main(argc, argv, kreisel::engine_binary64(), kreisel::engine_binary128());
+    using namespace kreisel;
+    if constexpr (build::has_binary128) {
+        return kreisel_main(argc, argv, engine_binary64(), engine_binary128());
+    } else {
+        return kreisel_main(argc, argv, engine_binary64());
+    }
 }

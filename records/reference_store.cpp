@@ -84,7 +84,7 @@ StoredReference stored_reference(const PlannedReference& planned, const Referenc
     object.member("route", json_text(reference.route)).member("horizon", json_number(reference.horizon));
     object.member("error", bounds_text(reference.error)).member("state", json_value(reference.state, true));
     if (!reference.samples.empty()) { object.member("samples", json_list(reference.samples, sample_text)); }
-    return {reference, with_sum(object.open_text(), sum_of_reference)};
+    return {.reference = reference, .text = with_sum(object.open_text(), sum_of_reference)};
 }
 
 std::optional<StoredReference> read_reference(const std::string& text, const PlannedReference& planned,
@@ -92,9 +92,9 @@ std::optional<StoredReference> read_reference(const std::string& text, const Pla
     if (!is_whole_reference(text)) { return std::nullopt; }
     try {
         const JsonValue json = parse_exactly(std::string(before_sum(text, sum_of_reference)) + "}");
-        const bool same_code = digest.empty() || json.at("by").string() == digest;
+        const bool same_code = json.at("by").string().starts_with(digest);
         if (!same_code || json.at("of") != parse_exactly(planned.content)) { return std::nullopt; }
-        return StoredReference{reference_of(json), text};
+        return StoredReference{.reference = reference_of(json), .text = text};
     } catch (const std::invalid_argument&) { return std::nullopt; }  // intact, but of another format
 }
 
@@ -105,6 +105,17 @@ std::optional<StoredReference> load_reference(const std::filesystem::path& file,
     try {
         return read_reference(read_text(file), planned, digest);
     } catch (const FileError&) { return std::nullopt; }
+}
+
+std::string digest_of_sources(const std::string& digest) { return digest.substr(0, digest.find('-')); }
+
+std::optional<StoredReference> given_reference(const std::filesystem::path& folder, const PlannedReference& planned,
+                                               const std::string& digest) {
+    if (folder.empty()) { return std::nullopt; }
+    auto stored =
+        load_reference(reference_file(folder, hash_text(planned.content)), planned, digest_of_sources(digest));
+    if (stored) { stored->given = true; }
+    return stored;
 }
 
 bool is_whole_reference(const std::string& text) { return sum_state(text, sum_of_reference) == SumState::holds; }
@@ -142,6 +153,7 @@ std::filesystem::path ReferenceStore::in_cache(const PlannedReference& planned) 
 
 std::optional<StoredReference> ReferenceStore::find(const PlannedReference& planned) const {
     if (auto stored = load_reference(in_results(planned), planned, digest_)) { return stored; }
+    if (auto stored = given_reference(given_, planned, digest_)) { return stored; }
     return cache_.empty() ? std::nullopt : load_reference(in_cache(planned), planned, digest_);
 }
 
@@ -163,7 +175,7 @@ ThingLock ReferenceStore::lock(const PlannedReference& planned) const {
 
 std::string ReferenceStore::keep(const PlannedReference& planned, const StoredReference& stored) const {
     write_if_different(in_results(planned), stored.text);
-    if (cache_.empty()) { return ""; }
+    if (cache_.empty() || stored.given) { return ""; }
     try {
         write_if_different(in_cache(planned), stored.text);
     } catch (const FileError& error) { return error.what(); }

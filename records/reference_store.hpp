@@ -20,6 +20,7 @@ namespace kreisel {
 struct StoredReference {
     Reference reference;
     std::string text;
+    bool given = false;  ///< by another program: it is kept in results, and in no cache
 };
 
 /// `references/<hash>.json`.
@@ -29,13 +30,22 @@ std::filesystem::path reference_file(const std::filesystem::path& folder, const 
 StoredReference stored_reference(const PlannedReference& planned, const Reference& reference,
                                  const std::string& digest);
 
-/// Reads such a text; nothing if it is damaged, or not of this content. `digest`: of this code only; empty: of any.
+/// Reads such a text; nothing if it is damaged, or not of this content. `digest`: of code whose digest begins so; empty:
+/// of any.
 std::optional<StoredReference> read_reference(const std::string& text, const PlannedReference& planned,
                                               const std::string& digest);
 
 /// The same from a file; nothing if it is not there or cannot be read.
 std::optional<StoredReference> load_reference(const std::filesystem::path& file, const PlannedReference& planned,
                                               const std::string& digest);
+
+/// The part of a digest that all programs of the same sources have.
+std::string digest_of_sources(const std::string& digest);
+
+/// What another results folder has, if it is of the same sources as the code of that digest; nothing if `folder` is
+/// empty.
+std::optional<StoredReference> given_reference(const std::filesystem::path& folder, const PlannedReference& planned,
+                                               const std::string& digest);
 
 /// Whether the text of a reference's file has its sum.
 bool is_whole_reference(const std::string& text);
@@ -48,11 +58,17 @@ std::filesystem::path default_cache_folder();
 
 class ReferenceStore {
   public:
-    /// `cache` may be empty. `digest` identifies the code that computes references (Engine::reference_digest).
-    ReferenceStore(std::filesystem::path results, std::filesystem::path cache, std::string digest)
-        : results_(std::move(results)), cache_(std::move(cache)), digest_(std::move(digest)) {}
+    /// `cache` and `given` may be empty. `digest` identifies the code that computes references
+    /// (Engine::reference_digest). `given`: another results folder, whose references count if they are of the same
+    /// sources.
+    ReferenceStore(std::filesystem::path results, std::filesystem::path cache, std::string digest,
+                   std::filesystem::path given = {})
+        : results_(std::move(results)),
+          cache_(std::move(cache)),
+          digest_(std::move(digest)),
+          given_(std::move(given)) {}
 
-    /// From the result folder, else from the cache.
+    /// From the result folder, else from the one that is given, else from the cache.
     std::optional<StoredReference> find(const PlannedReference& planned) const;
     /// Whether the file in the result folder is there and its sum does not hold.
     bool is_damaged(const PlannedReference& planned) const;
@@ -73,6 +89,7 @@ class ReferenceStore {
 
     std::filesystem::path results_, cache_;
     std::string digest_;
+    std::filesystem::path given_;
 };
 
 }  // namespace kreisel

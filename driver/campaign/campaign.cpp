@@ -181,8 +181,8 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
     report.reused = ledger.reuse(earlier.journals, settings);
     state.counts = count_cells(plan, ledger.finished(), settings);
     if (report.reused > 0) { write_state(); }
-    run_workers(plan, forker, ledger, ReferenceStore(folder, settings.cache, engines.binary128.reference_digest()),
-                settings, messages, report);
+    const ReferenceStore store(folder, settings.cache, engines.reference_digest(), settings.references);
+    run_workers(plan, forker, ledger, store, settings, messages, report);
     state.counts = report.counts = count_cells(plan, ledger.finished(), settings);
     close_results(plan, engines, folder, settings, ledger.finished());
     say_of_cells(plan, ledger.finished(), report);

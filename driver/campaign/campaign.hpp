@@ -23,6 +23,7 @@ struct RunSettings {
     std::size_t shard = 1, shards = 1;  ///< run the cells that are dealt to this part (plan/shards.hpp)
     std::string build;                  ///< identifies the code; results of another build are never reused
     std::filesystem::path cache;        ///< where references are kept for all results; empty: nowhere
+    std::filesystem::path references;   ///< a results folder to take references from; empty: none
     bool terminal = false;              ///< progress as one line that rewrites itself
     double grace = 1;                   ///< s that interrupted workers get to finish before they are killed
     double timeout = 0;                 ///< s of CPU time that a cell may take; 0: any

@@ -47,13 +47,20 @@ Exit guarded(int argc, const char* const* argv, const Engines& engines, const Te
     }
 }
 
+int run_with(const Engines& engines, int argc, const char* const* argv) {
+    occupy_closed_descriptors();
+    const Terminal terminal{std::cout, std::cerr};
+    return static_cast<int>(guarded(argc, argv, engines, terminal));
+}
+
 }  // namespace
 
 int kreisel_main(int argc, const char* const* argv, const Engine& binary64, const Engine& binary128) {
-    occupy_closed_descriptors();
-    const Engines engines{binary64, binary128};
-    const Terminal terminal{std::cout, std::cerr};
-    return static_cast<int>(guarded(argc, argv, engines, terminal));
+    return run_with(Engines(binary64, binary128), argc, argv);
+}
+
+int kreisel_main(int argc, const char* const* argv, const Engine& binary64) {
+    return run_with(Engines(binary64), argc, argv);
 }
 
 }  // namespace kreisel

@@ -110,18 +110,28 @@ void CommandLine::add_changes(CLI::App& sub) {
         ->take_all();
 }
 
+void CommandLine::add_references(CLI::App& sub) {
+    sub.add_option("--references", arguments_.settings.references,
+                   "Results of a kreisel of the same sources: reference solutions that it has are not computed")
+        ->check(CLI::ExistingDirectory);
+}
+
 void CommandLine::add_planning() {
     CLI::App* check = command("check", "Checks configs and their physics without running anything", [this] {
-        return check_command(arguments_.configs, arguments_.changes, engines_, terminal_);
+        return check_command(arguments_.configs, arguments_.changes, arguments_.settings.references, engines_,
+                             terminal_);
     });
     check->add_option("config", arguments_.configs, config_help)->required();
     add_changes(*check);
+    add_references(*check);
     CLI::App* plan = command("plan", "Shows the cells a config leads to, and why some are skipped", [this] {
-        return plan_command(arguments_.configs.front(), arguments_.changes, arguments_.json, engines_, terminal_);
+        return plan_command(arguments_.configs.front(), arguments_.changes, arguments_.settings.references,
+                            arguments_.json, engines_, terminal_);
     });
     plan->add_option("config", arguments_.configs, config_help)->required()->expected(1);
     plan->add_flag("--json", arguments_.json, "Print JSON instead of a table");
     add_changes(*plan);
+    add_references(*plan);
 }
 
 void CommandLine::add_results() {

@@ -54,6 +54,7 @@ class CommandLine {
     void add_inquiries();
     void add_beginnings();
     void add_changes(CLI::App& sub);
+    void add_references(CLI::App& sub);
     void add_planning();
     void add_run();
     void add_limits(CLI::App& run);

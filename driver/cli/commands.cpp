@@ -52,6 +52,7 @@ std::string to_go_on(std::span<const PlannedConfig> left, std::span<const std::f
     if (settings.shards > 1) { command += fmt::format(" --shard {}/{}", settings.shard, settings.shards); }
     if (settings.timeout > 0) { command += fmt::format(" --timeout {}", settings.timeout); }
     if (settings.max_memory > 0) { command += fmt::format(" --max-memory {}", settings.max_memory); }
+    if (!settings.references.empty()) { command += " --references " + in_shell(settings.references.string()); }
     if (settings.references_only) { command += " --references-only"; }
     return command + " --resume";
 }
@@ -97,10 +98,10 @@ void say_before(const PlannedConfig& planned, const RunSettings& settings, std::
 
 }  // namespace
 
-Exit check_command(const Paths& written, const ConfigChanges& changes, const Engines& engines,
-                   const Terminal& terminal) {
+Exit check_command(const Paths& written, const ConfigChanges& changes, const std::filesystem::path& references,
+                   const Engines& engines, const Terminal& terminal) {
     const Paths configs = config_files(written);
-    const auto plans = read_plans(configs, changes, engines, terminal.messages);
+    const auto plans = read_plans(configs, changes, references, engines, terminal.messages);
     for (std::size_t i = 0; i < plans.size(); ++i) {
         fmt::print(terminal.out, "{}: good; {}; {}\n", configs[i].string(), plan_summary(plans[i]),
                    estimate_text(estimate_of(plans[i])));
@@ -108,9 +109,10 @@ Exit check_command(const Paths& written, const ConfigChanges& changes, const Eng
     return Exit::ok;
 }
 
-Exit plan_command(const std::filesystem::path& config, const ConfigChanges& changes, bool json, const Engines& engines,
+Exit plan_command(const std::filesystem::path& config, const ConfigChanges& changes,
+                  const std::filesystem::path& references, bool json, const Engines& engines,
                   const Terminal& terminal) {
-    const Plan plan = read_plans(config_files({config}), changes, engines, terminal.messages).front();
+    const Plan plan = read_plans(config_files({config}), changes, references, engines, terminal.messages).front();
     json ? print_plan_json(plan, terminal.out) : print_plan(plan, terminal.out);
     return Exit::ok;
 }
@@ -120,7 +122,8 @@ Exit run_command(const Paths& written, const ConfigChanges& changes, const std::
     RunSettings settings = given;
     const Paths configs = config_files(written);
     if (settings.cache.empty()) { settings.cache = default_cache_folder(); }
-    const auto all = with_folders(read_plans(configs, changes, engines, terminal.messages), output);
+    const auto all =
+        with_folders(read_plans(configs, changes, settings.references, engines, terminal.messages), output);
     for (const PlannedConfig& planned : all) { check_output_folder(planned.folder, planned.plan, settings); }
     for (const PlannedConfig& planned : all) { say_before(planned, settings, terminal.messages); }
     const InterruptGuard guard;  // until the last word is said

@@ -28,10 +28,11 @@ struct ConfigChanges {
 };
 
 /// Configs are files, or names of shipped configs (driver/config/shipped.hpp).
-Exit check_command(const Paths& configs, const ConfigChanges& changes, const Engines& engines,
-                   const Terminal& terminal);
-Exit plan_command(const std::filesystem::path& config, const ConfigChanges& changes, bool json, const Engines& engines,
-                  const Terminal& terminal);
+/// `references`: see read_plans.hpp.
+Exit check_command(const Paths& configs, const ConfigChanges& changes, const std::filesystem::path& references,
+                   const Engines& engines, const Terminal& terminal);
+Exit plan_command(const std::filesystem::path& config, const ConfigChanges& changes,
+                  const std::filesystem::path& references, bool json, const Engines& engines, const Terminal& terminal);
 
 /// Without `output`, each config goes to results/<its name>; with several configs, each to output/<its name>.
 Exit run_command(const Paths& configs, const ConfigChanges& changes, const std::filesystem::path& output,

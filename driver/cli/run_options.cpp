@@ -57,6 +57,7 @@ void CommandLine::add_run() {
     run->add_option("--shard", arguments_.shard, "I/N: run only the I-th of N parts; kreisel merge puts them together");
     run->add_flag("--references-only", settings.references_only,
                   "Compute the reference solutions that cells need, and no cell");
+    add_references(*run);
     add_limits(*run);
     add_changes(*run);
 }

@@ -8,14 +8,34 @@
 #include <vector>
 
 #include "engine/engine.hpp"
+#include "support/errors.hpp"
 
 namespace kreisel {
 
-/// The two precisions, injected so that tests can bring their own.
-struct Engines {
+/// The precisions, injected so that tests can bring their own. A program may be built without quad precision
+/// (KREISEL_BINARY128=OFF); it computes no references then.
+class Engines {
+  public:
+    Engines(const Engine& narrow, const Engine& wide) : binary64(narrow), wide_(&wide) {}
+    explicit Engines(const Engine& narrow) : binary64(narrow) {}
+
     const Engine& binary64;
-    const Engine& binary128;
-    const Engine& of(const std::string& precision) const { return precision == "quad" ? binary128 : binary64; }
+    bool has_quad() const { return wide_ != nullptr; }
+    /// Throws UsageError where there is none.
+    const Engine& quad() const {
+        if (wide_ == nullptr) {
+            throw UsageError(
+                "expected a kreisel with quad precision, got one that is built without it "
+                "(KREISEL_BINARY128=OFF): it computes in double and makes no references");
+        }
+        return *wide_;
+    }
+    const Engine& of(const std::string& precision) const { return precision == "quad" ? quad() : binary64; }
+    /// Identifies the code that computes references, or would (Engine::reference_digest).
+    std::string reference_digest() const { return (wide_ == nullptr ? binary64 : *wide_).reference_digest(); }
+
+  private:
+    const Engine* wide_ = nullptr;
 };
 
 /// The entry called `name`, or null.

@@ -54,6 +54,18 @@ class Warnings {
     std::map<std::pair<std::string, std::string>, std::size_t> places_;
 };
 
+// A program may be built for one precision only.
+void check_precisions(const Document& document, const Config& config, const Engines& engines, Diagnostics& sink) {
+    const bool wants_quad = std::count(config.precisions.begin(), config.precisions.end(), "quad") > 0;
+    if (!wants_quad || engines.has_quad()) { return; }
+    const auto& written = document.value.at("precision");
+    const auto place = std::find(written.begin(), written.end(), "quad") - written.begin();
+    sink.add({.pointer = written.is_array() ? fmt::format("/precision/{}", place) : "/precision",
+              .expected = "\"double\": this program is built without quad precision (KREISEL_BINARY128=OFF)",
+              .got = in_quotes("quad"),
+              .rule = Rule::quad});
+}
+
 // Asks the engines about the problems, each in every formulation and precision.
 class Summaries {
   public:
@@ -119,6 +131,8 @@ Plan make_plan(const Document& document, const Config& config, const Engines& en
     Diagnostics sink(document);
     Plan plan;
     plan.config = config;
+    check_precisions(document, config, engines, sink);
+    sink.raise();
     summarise(config, engines, sink, plan);
     sink.raise();
     const auto metrics = known_metrics(plan);

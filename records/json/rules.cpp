@@ -21,6 +21,8 @@ const std::vector<RuleDescription>& rules_of_meaning() {
          "parameters describe a mechanism: names that exist, inertias of bodies, a start on the "
          "joints"},
         {Rule::options, "options", "options of a method or projection go together, and with the problem"},
+        {Rule::quad, "quad",
+         "a program without quad precision computes neither in quad nor the references of `error.*`"},
         {Rule::metric, "metric", "a metric is one of these problems"},
         {Rule::figure_metric, "figure-metric", "a figure draws a metric that the experiment measures"},
         {Rule::figure_selection, "figure-selection", "`select` names what the experiment has, and fits some cell"},

@@ -23,6 +23,7 @@ enum class Rule {
     file,
     model,
     options,
+    quad,
     metric,
     figure_metric,
     figure_selection,

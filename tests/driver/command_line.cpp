@@ -34,14 +34,23 @@ class Capture {
     std::streambuf* old_;
 };
 
-}  // namespace
-
-ProgramResult run_program(const std::vector<std::string>& words, const Engine& engine) {
+template <class Program>
+ProgramResult captured(const std::vector<std::string>& words, const Program& program) {
     std::vector<const char*> arguments = {"kreisel"};
     for (const std::string& word : words) { arguments.push_back(word.c_str()); }
     const Capture out(std::cout), messages(std::cerr);
-    const int code = kreisel_main(static_cast<int>(arguments.size()), arguments.data(), engine, engine);
+    const int code = program(static_cast<int>(arguments.size()), arguments.data());
     return {code, out.text(), messages.text()};
+}
+
+}  // namespace
+
+ProgramResult run_program(const std::vector<std::string>& words, const Engine& engine) {
+    return captured(words, [&](int argc, const char* const* argv) { return kreisel_main(argc, argv, engine, engine); });
+}
+
+ProgramResult run_program_in_double(const std::vector<std::string>& words, const Engine& engine) {
+    return captured(words, [&](int argc, const char* const* argv) { return kreisel_main(argc, argv, engine); });
 }
 
 ProgramResult run_program(const std::vector<std::string>& words) { return run_program(words, FakeEngine()); }

@@ -26,6 +26,9 @@ struct ProgramResult {
 ProgramResult run_program(const std::vector<std::string>& words, const Engine& engine);
 ProgramResult run_program(const std::vector<std::string>& words);
 
+/// The same of a program without quad precision.
+ProgramResult run_program_in_double(const std::vector<std::string>& words, const Engine& engine);
+
 /// A folder that is empty at first and is removed when the test ends.
 class ScratchFolder {
   public:

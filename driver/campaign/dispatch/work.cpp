@@ -64,7 +64,7 @@ std::string Work::compute_reference(const PlannedReference& planned, const Print
     try {
         const CpuLimit limit(timeout_);
         reference =
-            engines_.binary128.reference(planned.problem, planned.parameters, planned.t_end, planned.samples, stop);
+            engines_.quad().reference(planned.problem, planned.parameters, planned.t_end, planned.samples, stop);
     } catch (const std::bad_alloc&) { throw; } catch (const std::exception& error) {
         return answer_text(Answered::no_reference, with_printed(error.what(), printed.take()));
     } catch (...) { return answer_text(Answered::no_reference, with_printed(not_an_exception, printed.take())); }

@@ -28,7 +28,7 @@ class Work {
           folder_(std::move(folder)),
           build_(settings.build),
           timeout_(settings.timeout),
-          store_(folder_, settings.cache, engines.binary128.reference_digest()) {}
+          store_(folder_, settings.cache, engines.reference_digest(), settings.references) {}
 
     /// Answers jobs until the socket is closed.
     void serve(const Descriptor& socket, const Printed& printed, const std::stop_token& stop);

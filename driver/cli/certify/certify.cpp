@@ -133,7 +133,7 @@ void append(std::vector<std::string>& all, std::vector<std::string> more) {
 std::vector<std::string> try_out(const MethodDescription& method, bool is_long, const std::filesystem::path& folder,
                                  const Engines& engines, std::ostream& messages, DataSheet& sheet) {
     std::vector<std::string> complaints;
-    sheet.tables.push_back(stability_of(engines.binary128.stability(method.name)));
+    sheet.tables.push_back(stability_of(engines.quad().stability(method.name)));
     for (const SheetTrial& trial : trials) {
         if (trial.needs_steps && method.own_control) { continue; }
         const std::string name = trial.config;

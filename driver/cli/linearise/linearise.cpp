@@ -95,7 +95,7 @@ Exit linearise_command(const std::filesystem::path& config, const std::filesyste
     const Plan plan = plan_of(composed_config(config_file(config)), engines);
     EigenvalueTables tables;
     std::string refusals;
-    for (const LinearisedEntry& entry : entries_of(plan, engines.binary128)) {
+    for (const LinearisedEntry& entry : entries_of(plan, engines.quad())) {
         const std::string& skip = entry.result.skip_reason;
         const std::string& refusal = entry.result.refusal;
         if (!skip.empty()) {

@@ -116,7 +116,7 @@ void submit(const std::string& command) {
 
 Exit slurm_command(const fs::path& written, const ConfigChanges& changes, const fs::path& output,
                    const SlurmSettings& settings, const Engines& engines, const Terminal& terminal) {
-    const Plan plan = read_plans(config_files({written}), changes, engines, terminal.messages).front();
+    const Plan plan = read_plans(config_files({written}), changes, {}, engines, terminal.messages).front();
     const fs::path given = output.empty() ? fs::path("results") / plan.config.name : output;
     const std::size_t parts = parts_of(plan, settings);
     check_output_folder(given, plan, {.resume = true, .shard = 1, .shards = parts});

@@ -17,14 +17,17 @@ namespace kreisel {
 
 namespace {
 
-/// Of the folder, if this code has made it, else computed.
+/// Of the folder, if this code has made it, or a program of the same sources where this one makes none; else computed.
 std::optional<Reference> reference_of(const PlannedCell& planned, const Plan& plan, const std::filesystem::path& folder,
-                                      const Engine& engine) {
+                                      const Engines& engines) {
     if (planned.reference().empty()) { return std::nullopt; }
     const PlannedReference& wanted = plan.references.at(planned.reference());
-    auto stored = load_reference(reference_file(folder, planned.reference()), wanted, engine.reference_digest());
+    const std::string digest = engines.reference_digest();
+    auto stored = load_reference(reference_file(folder, planned.reference()), wanted,
+                                 engines.has_quad() ? digest : digest_of_sources(digest));
     if (stored) { return std::move(stored->reference); }
-    return engine.reference(wanted.problem, wanted.parameters, wanted.t_end, wanted.samples, {});
+    if (!engines.has_quad()) { return std::nullopt; }
+    return engines.quad().reference(wanted.problem, wanted.parameters, wanted.t_end, wanted.samples, {});
 }
 
 std::string recomputed(const PlannedCell& planned, const std::optional<Reference>& reference, const Engine& engine,
@@ -42,7 +45,7 @@ Recomputer::Recomputer(const Plan& plan, const std::filesystem::path& folder, co
     : plan_(plan), forker_([&](const Descriptor& socket, const Printed& printed, const std::stop_token&) {
           while (const auto index = receive_message(socket)) {
               const PlannedCell& planned = plan.cells[std::stoul(*index)];
-              const auto reference = reference_of(planned, plan, folder, engines.binary128);
+              const auto reference = reference_of(planned, plan, folder, engines);
               printed.take();
               send_message(socket, recomputed(planned, reference, engines.of(planned.precision()), printed));
           }

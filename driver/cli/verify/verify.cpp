@@ -143,9 +143,14 @@ void verify_reference(const std::string& hash, const PlannedReference& planned, 
 /// missing, damaged or wrong.
 std::size_t verify_references(const Plan& plan, const std::filesystem::path& folder, const Engines& engines,
                               std::ostream& out) {
+    if (!engines.has_quad()) {
+        fmt::print(out, "{} references are not verified: this program is built without quad precision\n",
+                   plan.references.size());
+        return 0;
+    }
     ReferenceCounts counts;
     for (const auto& [hash, planned] : plan.references) {
-        verify_reference(hash, planned, folder, engines.binary128, out, counts);
+        verify_reference(hash, planned, folder, engines.quad(), out, counts);
     }
     fmt::print(out, "{} of {} references confirmed by the second route, {} wrong or missing\n", counts.confirmed,
                plan.references.size(), counts.wrong);

@@ -30,6 +30,7 @@ class MeasuredEngine : public OtherEngine {
         Outcome outcome;
         const double error = std::pow(static_cast<double>(cell.steps), -order_);
         outcome.metrics = {{"error.position", {error, ""}}};
+        outcome.final = ReportedState();
         return outcome;
     }
     Reference reference(const std::string&, const ParameterValues&, double, long,
@@ -138,6 +139,20 @@ TEST_CASE("the self-test holds observed orders against the declared one, and the
     CHECK(vague.code == static_cast<int>(Exit::cells_failed));
     CHECK(line_about(vague.out, "self-test: reference").starts_with("failed"));
     CHECK(examine(scratch / "", FakeEngine()).out.find("there is no problem lagrange_top") != std::string::npos);
+}
+
+TEST_CASE("without quad precision the self-test holds double against finer steps, and says what is missing") {
+    const ScratchFolder scratch;
+    const OwnPath path;
+    const auto examined = [&](double order) {
+        return run_program_in_double({"doctor", "-o", (scratch / "").string()}, MeasuredEngine(order));
+    };
+    const ProgramResult good = examined(4);
+    INFO(good.out);
+    CHECK(good.code == 0);
+    CHECK(line_about(good.out, "self-test: quad").starts_with("missing"));
+    CHECK(line_about(good.out, "self-test: double").find("observed orders 4.00, 4.00") != std::string::npos);
+    CHECK(examined(3).code == static_cast<int>(Exit::cells_failed));
 }
 
 TEST_CASE("the same as JSON") {
