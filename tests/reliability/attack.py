@@ -28,6 +28,11 @@ class Measured:
         self.cases += 1
         self.faults += [f"{name}: {fault}" for fault in faults]
 
+    def require(self, cases):
+        """A fault where fewer have been tried."""
+        if self.cases < cases:
+            self.faults.append(f"there are only {self.cases} cases of {cases}")
+
     def each(self, kreisel, function, items):
         """Calls a function, which gives the faults of an item, for all of them, some at the same time."""
         with concurrent.futures.ThreadPoolExecutor(kreisel.jobs) as pool:

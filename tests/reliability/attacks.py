@@ -2,6 +2,7 @@
 """All attacks: importing a file registers those in it."""
 import builds
 import damage
+import duration
 import equal_bytes
 import faults
 import folders
@@ -12,4 +13,4 @@ import mutants
 import scarcity
 import values
 
-LOADED = (builds, damage, equal_bytes, faults, folders, fuzzing, kills, memory, mutants, scarcity, values)
+LOADED = (builds, damage, duration, equal_bytes, faults, folders, fuzzing, kills, memory, mutants, scarcity, values)

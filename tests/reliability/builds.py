@@ -95,5 +95,5 @@ def change(kreisel, cases, random, measured):
         faults = resumed(kreisel, f"with_{name}", base, json.dumps(BASE), 0,
                          environment={"LD_LIBRARY_PATH": str(folder)})
         measured.case(name, *faults)
-    assert measured.cases >= cases
+    measured.require(cases)
     measured.remark = f"{len(CHANGED)} changes, {len(same)} that are none, {len(libraries) - 1} libraries"
