@@ -76,7 +76,7 @@ std::string numbers_text(const std::map<std::string, double>& numbers) {
 }
 
 /// All that tables and figures are made from.
-std::string everything(const std::filesystem::path& folder, const Results& results) {
+std::string everything(const Results& results) {
     std::string text = results.name + results.kind + results.config;
     for (const auto& [name, unit] : results.units) { text += name + unit; }
     for (const ResultRow& row : results.rows) {
@@ -144,7 +144,7 @@ TEST_CASE("what is changed or cut in a results folder is noticed by its readers,
     const Results good = read_results(small.folder);
     REQUIRE(good.damage.empty());
     REQUIRE(good.rows.size() == 2);
-    const std::string before = everything(small.folder, good),
+    const std::string before = everything(good),
                       recorded = everything(read_recorded_folder(small.folder));
     for (const auto& file : small.files()) {
         CAPTURE(file.string());
@@ -155,7 +155,7 @@ TEST_CASE("what is changed or cut in a results folder is noticed by its readers,
             const Results read = read_results(small.folder);
             noticed += read.damage.empty() ? 0U : 1U;
             unnamed += read.damage.empty() || names_file(read.damage, file) ? 0U : 1U;
-            silent += read.damage.empty() && everything(small.folder, read) != before ? 1U : 0U;
+            silent += read.damage.empty() && everything(read) != before ? 1U : 0U;
         });
         for_each_damage(text, 29, [&](const std::string& damaged) {
             put(file, damaged);
