@@ -7,8 +7,8 @@
 #include <memory>
 #include <set>
 
+#include "plots/figures/cells/joined.hpp"
 #include "plots/figures/gnuplot.hpp"
-#include "plots/figures/joined.hpp"
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
 #include "plots/wanting.hpp"

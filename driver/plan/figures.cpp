@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "plots/figures/cell_value.hpp"
+#include "plots/figures/cells/cell_value.hpp"
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
 #include "records/json/diagnostics.hpp"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "plots/figures/kind.hpp"
-#include "plots/figures/overlay_files.hpp"
+#include "plots/figures/overlay/overlay_files.hpp"
 #include "records/json/strict.hpp"
 #include "records/kinds/kind.hpp"
 #include "support/errors.hpp"

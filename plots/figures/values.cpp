@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "plots/figures/cell_value.hpp"
+#include "plots/figures/cells/cell_value.hpp"
 #include "plots/tables/names.hpp"
 #include "records/metrics/catalogue.hpp"
 #include "support/nearest.hpp"

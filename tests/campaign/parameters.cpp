@@ -171,8 +171,9 @@ TEST_CASE("a number of parts is a whole one, alone or in a list, for the reader 
             INFO(problem.name << " " << parameter.name);
             CHECK(read("3").at(parameter.name) == ParameterValue(3.0));
             CHECK(read("[3, 4]").at(parameter.name) == ParameterValue(3.0));
+            CHECK(read("1e3").at(parameter.name) == ParameterValue(1000.0));
             for (const char* value :
-                 {"2.5", "[2, 2.5]", "2.000000000000001", "0", "-1", "1000001", "[2, 0]", "true", "1e3"})
+                 {"2.5", "[2, 2.5]", "2.000000000000001", "0", "-1", "1000001", "[2, 0]", "true", "1e7"})
                 CHECK_THROWS_WITH(read(value), Catch::Contains("/problems/0/parameters/" + parameter.name) &&
                                                    Catch::Contains("a whole number from 1 to 1000000"));
             for (const double value : {2.5, 0.0, -1.0, 1000001.0, std::nextafter(2.0, 3)}) {

@@ -144,8 +144,7 @@ TEST_CASE("what is changed or cut in a results folder is noticed by its readers,
     const Results good = read_results(small.folder);
     REQUIRE(good.damage.empty());
     REQUIRE(good.rows.size() == 2);
-    const std::string before = everything(good),
-                      recorded = everything(read_recorded_folder(small.folder));
+    const std::string before = everything(good), recorded = everything(read_recorded_folder(small.folder));
     for (const auto& file : small.files()) {
         CAPTURE(file.string());
         const std::string text = contents(file);

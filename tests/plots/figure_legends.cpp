@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "plots/figures/cells/select.hpp"
 #include "plots/figures/kinds/curve_kind.hpp"
-#include "plots/figures/select.hpp"
 #include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"
 

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "plots/figures/joined.hpp"
-#include "plots/figures/overlay_files.hpp"
+#include "plots/figures/cells/joined.hpp"
+#include "plots/figures/overlay/overlay_files.hpp"
 #include "plots/plot.hpp"
 #include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"

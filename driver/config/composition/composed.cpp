@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "driver/config/composition/mechanism_files.hpp"
-#include "plots/figures/overlay_files.hpp"
+#include "plots/figures/overlay/overlay_files.hpp"
 #include "records/json/node.hpp"
 #include "records/json/strict.hpp"
 #include "records/manifest.hpp"

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <map>
 
+#include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kind.hpp"
 #include "plots/figures/kinds/abscissa_value.hpp"
 #include "plots/figures/kinds/panel_kind.hpp"
-#include "plots/figures/select.hpp"
 
 namespace kreisel {
 

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <map>
 
+#include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kinds/abscissa_value.hpp"
 #include "plots/figures/kinds/curve_kind.hpp"
 #include "plots/figures/kinds/slope_triangle.hpp"
-#include "plots/figures/select.hpp"
 #include "plots/laws/convergence.hpp"
 #include "plots/laws/proportionality.hpp"
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "plots/figures/cells/legends.hpp"
 #include "plots/figures/enhanced_text.hpp"
-#include "plots/figures/legends.hpp"
 #include "records/metrics/catalogue.hpp"
 
 namespace kreisel {

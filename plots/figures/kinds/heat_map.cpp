@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "plots/figures/cell_value.hpp"
+#include "plots/figures/cells/cell_value.hpp"
+#include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kinds/curve_kind.hpp"
-#include "plots/figures/select.hpp"
 #include "plots/figures/settings.hpp"
 #include "support/files.hpp"
 #include "support/nearest.hpp"

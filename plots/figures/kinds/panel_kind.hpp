@@ -9,7 +9,7 @@
 
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kind.hpp"
-#include "plots/figures/overlay.hpp"
+#include "plots/figures/overlay/overlay.hpp"
 #include "plots/figures/panels.hpp"
 
 namespace kreisel {

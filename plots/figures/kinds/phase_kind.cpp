@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "plots/figures/legends.hpp"
-#include "plots/figures/select.hpp"
+#include "plots/figures/cells/legends.hpp"
+#include "plots/figures/cells/select.hpp"
 
 namespace kreisel {
 

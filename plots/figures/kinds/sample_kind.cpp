@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kinds/abscissa_value.hpp"
-#include "plots/figures/select.hpp"
 
 namespace kreisel {
 

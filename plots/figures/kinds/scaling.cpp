@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plots/figures/cells/select.hpp"
 #include "plots/figures/kinds/curve_kind.hpp"
-#include "plots/figures/select.hpp"
 
 namespace kreisel {
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
-#include "plots/figures/select.hpp"
 #include "support/files.hpp"
 
 namespace kreisel {

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kinds/curve_kind.hpp"
-#include "plots/figures/select.hpp"
 #include "plots/laws/abscissa.hpp"
 
 namespace kreisel {

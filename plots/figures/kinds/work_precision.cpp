@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
+#include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kinds/abscissa_value.hpp"
 #include "plots/figures/kinds/curve_kind.hpp"
-#include "plots/figures/select.hpp"
 
 namespace kreisel {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plots/figures/overlay_files.hpp"
+#include "plots/figures/overlay/overlay_files.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "plots/figures/overlay.hpp"
+#include "plots/figures/overlay/overlay.hpp"
 #include "records/json/layers.hpp"
 #include "records/json/node.hpp"
 #include "support/errors.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plots/figures/legends.hpp"
+#include "plots/figures/cells/legends.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plots/figures/cell_value.hpp"
+#include "plots/figures/cells/cell_value.hpp"
 
 #include <algorithm>
 

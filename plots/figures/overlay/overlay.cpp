@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plots/figures/overlay.hpp"
+#include "plots/figures/overlay/overlay.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plots/figures/joined.hpp"
+#include "plots/figures/cells/joined.hpp"
 
 #include <fmt/format.h>
 

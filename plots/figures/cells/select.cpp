@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plots/figures/select.hpp"
+#include "plots/figures/cells/select.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "plots/figures/cell_value.hpp"
+#include "plots/figures/cells/cell_value.hpp"
 #include "plots/tables/names.hpp"
 
 namespace kreisel {
