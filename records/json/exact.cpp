@@ -182,7 +182,10 @@ std::string json_of(const JsonValue& value, const WriteNumber& number) {
 
 }  // namespace
 
-bool JsonValue::operator==(const JsonValue&) const = default;
+// Written out: clang 14 crashes on a default for a class that holds others of its kind.
+bool JsonValue::operator==(const JsonValue& other) const {
+    return kind == other.kind && text == other.text && elements == other.elements && members == other.members;
+}
 
 const JsonValue* JsonValue::find(std::string_view name) const {
     for (const JsonMember& member : members) {
