@@ -25,6 +25,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # False alarms of GCC 12 inside inlined standard and Eigen templates; designated initialisers leave defaults on purpose.
   add_compile_options(-Wno-null-dereference -Wno-maybe-uninitialized -Wno-missing-field-initializers -Wno-array-bounds
                       -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  # `GCC ivdep`; designated initialisers leave defaults on purpose.
+  add_compile_options(-Wno-unknown-pragmas -Wno-missing-field-initializers)
 endif()
 
 if(KREISEL_SANITIZE)

@@ -27,7 +27,8 @@ add_custom_command(OUTPUT ${page_source} DEPENDS ${page_parts} ${CMAKE_SOURCE_DI
                    COMMAND ${CMAKE_COMMAND} -D "PARTS=${page_parts}" -D TO=${page_source}
                            -P ${CMAKE_SOURCE_DIR}/cmake/page.cmake VERBATIM)
 target_sources(kreisel_driver PRIVATE ${page_source})
-set_source_files_properties(${page_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+set_source_files_properties(${page_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON
+                                                     COMPILE_OPTIONS -Wno-overlength-strings)  # of a pedantic clang
 # The jobs in the script that `kreisel slurm` writes.
 set(jobs ${CMAKE_SOURCE_DIR}/driver/cli/slurm/jobs.sh)
 set(jobs_source ${CMAKE_BINARY_DIR}/generated/kreisel_slurm_jobs.cpp)

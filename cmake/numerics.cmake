@@ -8,6 +8,12 @@
 # kreisel_parts                those of neither precision, part of kreisel_<precision> and of kreisel_driver
 #                              (mechanics/parts, methods/conditions)
 
+# clang has no quadmath.h; that of gcc serves.
+if(KREISEL_BINARY128 AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  file(GLOB quadmath_folders /usr/lib/gcc/${CMAKE_CXX_LIBRARY_ARCHITECTURE}/*/include)
+  find_path(KREISEL_QUADMATH_INCLUDE quadmath.h PATHS ${quadmath_folders} NO_DEFAULT_PATH REQUIRED)
+endif()
+
 function(kreisel_flags precision)
   set(target kreisel_flags_${precision})
   add_library(${target} INTERFACE)
@@ -20,6 +26,9 @@ function(kreisel_flags precision)
   if(precision STREQUAL "binary128")
     target_compile_definitions(${target} INTERFACE KREISEL_QUAD=1)
     target_link_libraries(${target} INTERFACE quadmath)
+    if(KREISEL_QUADMATH_INCLUDE)  # after clang's own headers, which stand there too
+      target_compile_options(${target} INTERFACE SHELL:-idirafter\ ${KREISEL_QUADMATH_INCLUDE})
+    endif()
   else()
     target_compile_definitions(${target} INTERFACE KREISEL_QUAD=0)
   endif()

@@ -7,6 +7,8 @@ function(kreisel_unite target)
   if(KREISEL_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # A local name may be a global one of a neighbour.
     target_compile_options(${target} PRIVATE -Wno-shadow -Wshadow=local)
+  elseif(KREISEL_UNITY)
+    target_compile_options(${target} PRIVATE -Wno-shadow)
   endif()
 endfunction()
 

@@ -77,7 +77,7 @@ Schema value(ValueKind kind) {
 }
 
 // {"required": ["one"]}
-Schema has(const std::vector<std::string>& keys) { return {{"required", keys}}; }
+Schema has_all(const std::vector<std::string>& keys) { return {{"required", keys}}; }
 
 Schema element(const ElementType& type, bool must_say_type, bool names_bodies) {
     Schema properties = {{"type", {{"const", type.name}}}};
@@ -91,8 +91,8 @@ Schema element(const ElementType& type, bool must_say_type, bool names_bodies) {
     Schema schema = object(properties, required);
     schema["description"] = type.summary;
     for (const auto& [one, other, needed] : type.alternatives) {
-        Schema rule = {{"not", has({one, other})}};
-        if (needed) { rule = {{"oneOf", {has({one}), has({other})}}}; }
+        Schema rule = {{"not", has_all({one, other})}};
+        if (needed) { rule = {{"oneOf", {has_all({one}), has_all({other})}}}; }
         schema["allOf"].push_back(rule);
     }
     return schema;
@@ -136,7 +136,7 @@ Schema parameter(ParameterKind kind) {
 Schema value_or_axis(ParameterKind kind) {
     const Schema one = parameter(kind);
     Schema axis = object({{"axis", list(one)}, {"zip", text(64)}}, {"axis"});
-    axis["anyOf"] = {has({"zip"}), {{"properties", {{"axis", {{"uniqueItems", true}}}}}}};
+    axis["anyOf"] = {has_all({"zip"}), {{"properties", {{"axis", {{"uniqueItems", true}}}}}}};
     Schema choices = {one, axis};
     const bool is_number =
         kind == ParameterKind::scalar || kind == ParameterKind::positive || kind == ParameterKind::count;
@@ -154,7 +154,7 @@ Schema written_or_from_file(Schema parameters, const std::vector<std::string>& r
     parameters["root"] = choice({"ground", "free"});
     Schema schema = object(parameters, {});
     for (const char* key : {"positions", "rates", "root"}) { schema["dependencies"][key] = {"file"}; }
-    if (!required.empty()) { schema["anyOf"] = {has(required), has({"file"})}; }
+    if (!required.empty()) { schema["anyOf"] = {has_all(required), has_all({"file"})}; }
     return schema;
 }
 
