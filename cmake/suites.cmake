@@ -21,7 +21,7 @@ set(KREISEL_FOLDERS_outside peers/simbody)
 set(KREISEL_FOLDERS_peers peers/methods)
 set(KREISEL_FOLDERS_problems problems judges/problems)
 set(KREISEL_FOLDERS_reference engine engine/joints engine/stability peers)
-set(KREISEL_FOLDERS_tables plots records)
+set(KREISEL_FOLDERS_tables plots plots/figures records)
 
 # kreisel_suite(name variant LIBRARIES ... SOURCES ...): the *.cpp of its folders, and further sources or objects.
 function(kreisel_suite suite variant)

@@ -125,6 +125,10 @@ BodyData read_body(const Node& node, const ElementType& type, const PrintedNumbe
     if (const auto inertia = node.find("inertia")) { assign(body.inertia, read_inertia(*inertia, printed)); }
     if (const auto R = node.find("R")) { assign(body.R, read_rotation(*R, printed)); }
     if (const auto quaternion = node.find("quaternion")) { assign(body.R, read_quaternion(*quaternion, printed)); }
+    // What was computed of the text; -0 would be read again as 0.
+    for (Matrix3* matrix : {&body.R, &body.inertia}) {
+        for (double& entry : *matrix) { entry += 0.0; }
+    }
     body.omega = vector_at(node, "omega");
     return body;
 }

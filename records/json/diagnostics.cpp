@@ -63,6 +63,16 @@ const Document& writer_of(const Document& document, const std::string& pointer) 
     return *source_of(document, pointer).first;
 }
 
+std::vector<Layer> layers_of(const Document& document) {
+    if (!document.layers.empty()) { return document.layers; }
+    return {{"", std::make_shared<const Document>(document)}};
+}
+
+std::filesystem::path folder_of(const Document& document, const std::string& pointer) {
+    const Document& writer = writer_of(document, pointer);
+    return std::filesystem::path(writer.file.starts_with("--set ") ? document.file : writer.file).parent_path();
+}
+
 std::string in_quotes(std::string_view text) { return "\"" + escaped(cut(text)) + "\""; }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -3,6 +3,7 @@
 // A JSON text with its values, and the errors found in it.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -53,6 +54,13 @@ struct Refusal : UsageError {
 
 /// The layer of a document that wrote the value at `pointer`, or the document itself.
 const Document& writer_of(const Document& document, const std::string& pointer);
+
+/// The layers of a document, with itself where it has none: for those who put other files into it.
+std::vector<Layer> layers_of(const Document& document);
+
+/// The folder that a path written at `pointer` is relative to: that of the file which holds it; of a setting, that of
+/// the document.
+std::filesystem::path folder_of(const Document& document, const std::string& pointer);
 
 /// `file:line:column: /pointer: expected ..., got ...; did you mean "..."?`, on one line whatever the file holds.
 std::string message(const Document& document, const Issue& issue);

@@ -83,7 +83,7 @@ std::optional<double> Node::number(const std::string& expected) const {
         mismatch(fmt::format("{} of at most {} in size", expected, largest_number));
         return std::nullopt;
     }
-    return value;
+    return value + 0.0;  // -0 is written as an integer, which has no sign when it is read again
 }
 
 std::optional<double> Node::positive(const std::string& expected) const {

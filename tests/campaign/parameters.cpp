@@ -6,8 +6,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "driver/config/composition/composed.hpp"
 #include "driver/config/config.hpp"
+#include "driver/config/resolved.hpp"
+#include "driver/config/shipped.hpp"
 #include "engine/engine.hpp"
+#include "kreisel_build.hpp"
 #include "mechanics/parts/driven_joints.hpp"
 #include "records/json/strict.hpp"
 #include "records/json/writer.hpp"
@@ -196,4 +200,19 @@ TEST_CASE("a round trip that loses a bit is noticed", "[campaign][control]") {
     for (auto& [name, value] : values)
         if (auto* vector = std::get_if<Vector3>(&value)) (*vector)[2] = std::nextafter((*vector)[2], 1e9);
     CHECK_FALSE(back == values);
+}
+
+TEST_CASE("the parameters of a shipped config are the same to the last sign when its manifest is read", "[campaign]") {
+    const Catalogue catalogue(engine_binary64());
+    const auto written = [](const Config& config) {
+        std::string text;
+        for (const ProblemPoint& problem : config.problems) text += json_value(problem.parameters()) + "\n";
+        return text;
+    };
+    for (const auto& [name, file] : configs_below(std::filesystem::path(build::source_dir) / "experiments")) {
+        INFO(name);
+        const Config config = read_config(composed_config(file), catalogue);
+        const Config again = read_config(parse_document("manifest.json", resolved_config(config)), catalogue);
+        CHECK(written(config) == written(again));
+    }
 }

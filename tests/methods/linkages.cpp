@@ -63,6 +63,7 @@ TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") 
             INFO(named.name << " as " << formulation);
             const auto exact = precise(named.model, formulation, t_end, 1024);
             for_each_implicit([&](const Method& entry) {
+                if (KREISEL_QUAD && entry.description.order.configuration < 3) return;  // errors far from round-off
                 double errors[2], multipliers[2];
                 for (int i = 0; i < 2; ++i) {
                     Trip trip(named.model, formulation, entry);

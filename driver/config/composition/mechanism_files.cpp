@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "driver/config/urdf/mechanism.hpp"
-#include "records/json/layers.hpp"
 #include "records/json/node.hpp"
 #include "records/json/strict.hpp"
 #include "support/files.hpp"

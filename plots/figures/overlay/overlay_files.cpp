@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "plots/figures/overlay/overlay.hpp"
-#include "records/json/layers.hpp"
 #include "records/json/node.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"

@@ -40,13 +40,15 @@ Results on_circle(const ResultFolder& folder) {
 TEST_CASE("a phase portrait shows two components of a body against each other") {
     const ResultFolder folder;
     const Results results = planes::on_circle(folder);
-    const Panel panel = panels_of({{"kind", "phase"}, {"x", "x1"}, {"y", "v2"}, {"until", 6}}, results).panels.at(0);
+    const Panel panel =
+        panels_of({{"kind", "phase_portrait"}, {"x", "x1"}, {"y", "v2"}, {"until", 6}}, results).panels.at(0);
     CHECK(panel.x_label == "x_1 [m]");
     CHECK(panel.y_label == "v_2 [m/s]");
     REQUIRE(panel.curves.size() == 1);
     CHECK(panel.curves[0].points.size() == 301);
     for (const Point& point : panel.curves[0].points) { CHECK(point.x == point.y); }
-    CHECK_THROWS_WITH(panels_of({{"kind", "phase"}, {"body", "bal"}}, results), Catch::Contains("no body \"bal\""));
+    CHECK_THROWS_WITH(panels_of({{"kind", "phase_portrait"}, {"body", "bal"}}, results),
+                      Catch::Contains("no body \"bal\""));
 }
 
 TEST_CASE("a Poincare section shows where a component passes a value") {

@@ -15,7 +15,7 @@ class PhaseFigure final : public PhaseKind {
 
 }  // namespace
 
-KREISEL_FIGURE(PhaseFigure, {.name = "phase",
+KREISEL_FIGURE(PhaseFigure, {.name = "phase_portrait",
                              .summary = "two components of x, v or omega of a body against each other",
                              .draws = FigureData::samples,
                              .script = "lines",

@@ -82,7 +82,7 @@ TEST_CASE("samples are read from the folder of their cell") {
     a.write("trajectories/aa.csv", trajectory_text(50));
     b.write("trajectories/aa.csv", trajectory_text(20));
     const Results both = joined({read_results(a.path()), read_results(b.path())});
-    const Panel panel = panels_of({{"kind", "phase"}, {"y", "x2"}}, both).panels.at(0);
+    const Panel panel = panels_of({{"kind", "phase_portrait"}, {"y", "x2"}}, both).panels.at(0);
     REQUIRE(panel.curves.size() == 2);
     CHECK(panel.curves[0].points.size() == 51);
     CHECK(panel.curves[1].points.size() == 21);
