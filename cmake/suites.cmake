@@ -218,13 +218,15 @@ endif()
 # What is promised (tests/reliability/README.md): a share of the attacks on the program, some of them on one that breaks
 # its promises, and the table itself.
 if(TARGET kreisel)
-  add_test(NAME reliability.attacks COMMAND ${CMAKE_SOURCE_DIR}/tools/reliability --share -j 1 -k $<TARGET_FILE:kreisel>)
+  add_test(NAME reliability.attacks
+           COMMAND ${CMAKE_SOURCE_DIR}/tools/reliability --share -j 1 -k $<TARGET_FILE:kreisel>)
   add_test(NAME reliability.table
            COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/reliability/test_table.py ${CMAKE_BINARY_DIR})
   add_test(NAME reliability.controls
            COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tests/reliability/test_attacks.py $<TARGET_FILE:kreisel>
                    R1 R4 R6 R26)
-  set_tests_properties(reliability.attacks reliability.controls reliability.table PROPERTIES LABELS reliability TIMEOUT 600)
+  set_tests_properties(reliability.attacks reliability.controls reliability.table
+                       PROPERTIES LABELS reliability TIMEOUT 600)
 endif()
 
 include(cmake/docs.cmake)
