@@ -58,8 +58,8 @@ function(kreisel_layer precision layer)
   if(precision STREQUAL "binary128")
     kreisel_compile_quickly(kreisel_${layer}_${precision})
   endif()
-  # Alone: closed forms, whose local names are those of the theory, and formulations, which take a quarter minute each.
-  list(FILTER sources INCLUDE REGEX "_closed_form.cpp$|/formulations/")
+  # Alone: closed forms, whose local names are those of the theory.
+  list(FILTER sources INCLUDE REGEX "_closed_form.cpp$")
   set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set(KREISEL_OBJECTS_${precision} ${KREISEL_OBJECTS_${precision}} PARENT_SCOPE)
 endfunction()
@@ -72,9 +72,12 @@ macro(kreisel_numerics precision)
   kreisel_layer(${precision} lie ${CMAKE_SOURCE_DIR}/lie/*.cpp)
   file(GLOB mechanics_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/mechanics/*.cpp
        ${CMAKE_SOURCE_DIR}/mechanics/*/*.cpp)
-  list(FILTER mechanics_sources EXCLUDE REGEX "/mechanics/parts/")
+  list(FILTER mechanics_sources EXCLUDE REGEX "/mechanics/(parts|formulations)/")
   kreisel_layer(${precision} mechanics ${mechanics_sources})
-  target_sources(kreisel_mechanics_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_parts>)
+  # Together: they instantiate the same templates.
+  kreisel_layer(${precision} formulations ${CMAKE_SOURCE_DIR}/mechanics/formulations/*.cpp)
+  target_sources(kreisel_mechanics_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_formulations_${precision}>
+                                                          $<TARGET_OBJECTS:kreisel_parts>)
   target_sources(kreisel_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_parts>)
   kreisel_layer(${precision} problems ${CMAKE_SOURCE_DIR}/problems/*.cpp ${CMAKE_SOURCE_DIR}/problems/*/*.cpp)
   file(GLOB methods_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/methods/*.cpp ${CMAKE_SOURCE_DIR}/methods/*/*.cpp)

@@ -53,7 +53,8 @@ Model with_stiff_springs(Model model, const Real& stiffness, const Real& damping
 }  // namespace
 
 TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") {
-    const Real t_end = Real(1) / 4;
+    const Real t_end = Real(1) / (KREISEL_QUAD ? 8 : 4);
+    const long few = KREISEL_QUAD ? 32 : 64;
     for (const Named& named : redundant_linkages()) {
         REQUIRE_FALSE(has_independent_rows(named.model));
         const bool all_formulations = named.name == "planar four-bar" && !KREISEL_QUAD;
@@ -61,13 +62,13 @@ TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") 
         for (const std::string& formulation : applicable(named.model)) {
             if (formulation != "SO3xR3" && !all_formulations) continue;
             INFO(named.name << " as " << formulation);
-            const auto exact = precise(named.model, formulation, t_end, 1024);
+            const auto exact = precise(named.model, formulation, t_end, 16 * few);
             for_each_implicit([&](const Method& entry) {
                 if (KREISEL_QUAD && entry.description.order.configuration < 3) return;  // errors far from round-off
                 double errors[2], multipliers[2];
                 for (int i = 0; i < 2; ++i) {
                     Trip trip(named.model, formulation, entry);
-                    REQUIRE(trip.run(t_end, 64L << i) == Status::ok);
+                    REQUIRE(trip.run(t_end, few << i) == Status::ok);
                     errors[i] = to_double(worst(distance(trip.bodies(), exact)));
                     if (!entry.description.meets_constraints()) continue;
                     CHECK(trip.position_defect(t_end) <= 1000 * epsilon);
@@ -92,7 +93,7 @@ TEST_CASE("implicit methods run on redundant rows at their order", "[methods]") 
 
 TEST_CASE("a linkage moves the same in every unit", "[methods]") {
     const Model one = planar_four_bar();
-    const int steps = KREISEL_QUAD ? 10 : 100;
+    const int steps = KREISEL_QUAD ? 5 : 100;
     for_each_implicit([&](const Method& entry) {
         Trip reference(one, "SO3xR3", entry);
         REQUIRE(reference.run(Real(steps) / 200, steps) == Status::ok);
@@ -110,7 +111,7 @@ TEST_CASE("a linkage moves the same in every unit", "[methods]") {
 
 TEST_CASE("a linkage moves the same in every place", "[methods]") {
     const Model one = planar_four_bar();
-    const int steps = KREISEL_QUAD ? 10 : 50;
+    const int steps = KREISEL_QUAD ? 5 : 50;
     for_each_implicit([&](const Method& entry) {
         Trip reference(one, "SO3xR3", entry);
         REQUIRE(reference.run(Real(steps) / 200, steps) == Status::ok);
@@ -180,6 +181,7 @@ bool is_stable_for_small_steps_alone(const Method& entry) {
 }  // namespace
 
 TEST_CASE("fast motions of stiff springs that nothing damps are solved, or are newton_failed", "[methods]") {
+    if (KREISEL_QUAD) return;  // slow, and the same code
     // From steps of h^2 k/m = 10 on nothing near the last accelerations is a solution.
     const Real h = Real(1) / 100;
     const Model chain = linked(
@@ -187,12 +189,11 @@ TEST_CASE("fast motions of stiff springs that nothing damps are solved, or are n
     for_each_implicit([&](const Method& entry) {
         if (is_stable_for_small_steps_alone(entry)) return;
         for (const int stiffness : {10000, 100000, 1000000}) {
-            if (KREISEL_QUAD && stiffness != 100000) continue;  // slow, and the same code
             INFO("stiffness " << stiffness);
             const bool solvable = stiffness < 1000000;
             Trip trip(with_stiff_springs(chain, stiffness, 0), "SO3xR3", entry, damping_options(entry));
             Status status = trip.integrator->start(0, trip.y.data());
-            const int steps = KREISEL_QUAD ? (solvable ? 5 : 1) : solvable ? 60 : 3;
+            const int steps = solvable ? 60 : 3;
             for (int i = 0; i < steps && status == Status::ok; ++i)
                 status = trip.integrator->step(i * h, h, trip.y.data());
             INFO(name(status));
