@@ -49,18 +49,21 @@ void for_each_with_memory(F f) {
 }  // namespace
 
 TEST_CASE("a step of another length starts afresh", "[methods][memory]") {
+    if (KREISEL_QUAD) return;  // slow, and the same code
     for_each_with_memory([](const Method& entry, const Model& model, const std::string& formulation) {
         CHECK(starts_afresh(entry, model, formulation, h / 2, [](Trip&) {}));
     });
 }
 
 TEST_CASE("a step after one that fails starts afresh", "[methods][memory]") {
+    if (KREISEL_QUAD) return;  // slow, and the same code
     for_each_with_memory([](const Method& entry, const Model& model, const std::string& formulation) {
         CHECK(starts_afresh(entry, model, formulation, h, fail_once));
     });
 }
 
 TEST_CASE("a step of the same length after one that does not fail does not", "[methods][memory][control]") {
+    if (KREISEL_QUAD) return;  // slow, and the same code
     for (const char* name : {"multistep/adams_bashforth2", "multistep/bliedf2", "symmetric_projection/gauss2",
                              "variational/rattlie", "rkmk/gauss2", "rkmk/implicit_midpoint"}) {
         INFO(name);
