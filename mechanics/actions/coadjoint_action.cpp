@@ -25,11 +25,22 @@ using Slope = Changed<CotangentSO3::dim>;
 
 void change(Real* last, const Mat3& matrix) { store(Vec3(matrix * vec3(last)), last); }
 
-/// (R, omega) of (R, m), refined once: the round-off of the inverse, the same at every step, would add up.
-void to_velocity(Real* y, const Mat3& J, const Mat3& J_inverse) {
-    const Vec3 m = vec3(y + momentum_at);
+/// J_O^{-1} m, refined once: the round-off of the inverse, the same at every step, would add up.
+Vec3 solved(const Vec3& m, const Mat3& J, const Mat3& J_inverse) {
     const Vec3 omega = J_inverse * m;
-    store(Vec3(omega + J_inverse * (m - J * omega)), y + momentum_at);
+    return omega + J_inverse * (m - J * omega);
+}
+
+/// (R, omega) of (R, m).
+void to_velocity(Real* y, const Mat3& J, const Mat3& J_inverse) {
+    store(solved(vec3(y + momentum_at), J, J_inverse), y + momentum_at);
+}
+
+/// (R, omega) of the (R, m) that has come of `before`, by the change of m: what goes from omega to m and back is
+/// rounded to the same side for thousands of steps, and |m| would leave its orbit by a tenth of eps in each.
+void to_velocity(const Vec3& omega, const State& before, Real* y, const Mat3& J, const Mat3& J_inverse) {
+    const Vec3 change = vec3(y + momentum_at) - vec3(before + momentum_at);
+    store(Vec3(omega + solved(change, J, J_inverse)), y + momentum_at);
 }
 
 }  // namespace
@@ -72,12 +83,16 @@ void CoadjointAction::dexp(const Real* u, const Real* z, Real* out) const {
     change(out + torque_at, J_inverse_);
 }
 void CoadjointAction::append_exp(const Real* y, const Real* u, Real* out) const {
-    group_.append_exp(State(y, J_), Slope(u, J_), out);
-    to_velocity(out, J_, J_inverse_);
+    const State before(y, J_);
+    const Vec3 omega = vec3(y + momentum_at);  // out may be y
+    group_.append_exp(before, Slope(u, J_), out);
+    to_velocity(omega, before, out, J_, J_inverse_);
 }
 void CoadjointAction::append_cay(const Real* y, const Real* u, Real* out) const {
-    group_.append_cay(State(y, J_), Slope(u, J_), out);
-    to_velocity(out, J_, J_inverse_);
+    const State before(y, J_);
+    const Vec3 omega = vec3(y + momentum_at);  // out may be y
+    group_.append_cay(before, Slope(u, J_), out);
+    to_velocity(omega, before, out, J_, J_inverse_);
 }
 bool CoadjointAction::in_exp_chart(const Real* u) const { return group_.in_exp_chart(u); }
 bool CoadjointAction::dexpinv_left(const Real* u, const Real* z, Real* out) const {

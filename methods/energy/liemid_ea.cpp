@@ -38,6 +38,7 @@ class LieMidpointFlow final : private Equations {
 
     /// (q, p) after the time h of free motion, in place.
     Status advance(const Real& h, Real* q, VecX& p) {
+        if (h != h_) newton_.forget();
         h_ = h, q_ = q, p_ = &p;
         system_.solve_mass(q, p.data(), u_.data());
         u_ *= h;

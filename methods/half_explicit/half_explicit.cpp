@@ -2,6 +2,7 @@
 #include "methods/half_explicit/half_explicit.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "mechanics/system.hpp"
 #include "methods/contract/integrator.hpp"
@@ -43,10 +44,9 @@ class HalfExplicit final : public Integrator {
 
     Status step(const Real& t, const Real& h, Real* y) override {
         if (h == 0) return system_.evaluate(t, y, system_.v(y), force_.data());
-        if (!known_) {
+        if (!std::exchange(known_, false) || h != h_) {  // known again if this step succeeds
             const Status status = system_.accelerations(t, y, system_.v(y), force_.data(), lambda_.data());
             if (status != Status::ok) return status;
-            known_ = true;
         }
         std::copy_n(y, stage_.size(), stage_.begin());
         std::fill(u_.begin(), u_.end(), Real(0));
@@ -58,7 +58,7 @@ class HalfExplicit final : public Integrator {
         std::copy(new_.begin(), new_.end(), y);
         lambda_.setZero();
         for (std::size_t i = 0; i < d_.size(); ++i) lambda_ += d_[i] * multipliers_[i];
-        end_ = t + h, stepped_ = true;
+        h_ = h, end_ = t + h, stepped_ = known_ = true;
         reported_ = lambda_, least_norm_ = false;
         return Status::ok;
     }
@@ -153,7 +153,7 @@ class HalfExplicit final : public Integrator {
     mutable VecX reported_;
     std::vector<VecX> multipliers_;  // Lambda
     std::vector<Real> stage_, next_, new_;
-    Real end_ = 0;
+    Real h_ = 0, end_ = 0;                  // of the last step
     bool known_ = false, stepped_ = false;  // lambda is that of the state; there was a step
     mutable bool least_norm_ = true;
 };

@@ -80,6 +80,7 @@ class LieNewmark final : public Integrator, private Equations {
 
     /// v+ from the guess v_.
     Status iterate(const Real& h) {
+        if (h != h_) newton_.forget();
         h_ = h;
         scale_.to_space(q_.data(), v_.data(), turned_.data());
         const Status status = newton_.solve(*this, weights_, turned_.data());

@@ -68,9 +68,13 @@ Status RattleIncrements::solve(const Real& t, const Real& h, const Real* y) {
     equations_->begin(t, h, y, system_.v(y));
     size_ = max(known, rows_.of_places(h));
     const Status status = iterate(y);
-    if (status == Status::ok && size_ > much * motion) equations_->settle(unknowns_.data(), r_.data());
+    if (status == Status::ok && (size_ > much * motion || is_near())) equations_->settle(unknowns_.data(), r_.data());
     return status;
 }
+
+/// Whether what is left is round-off of the motion, and not of large forces, of which D' has more than D. Beside poses
+/// in which rows lose rank D' has more, too.
+bool RattleIncrements::is_near() const { return m_ == 0 && scale_.of_velocity(r_.data()) <= 64 * round_off() * size_; }
 
 /// From the guess, and where that leads nowhere from an unchanged velocity.
 Status RattleIncrements::iterate(const Real* y) {

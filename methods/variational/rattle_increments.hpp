@@ -23,8 +23,10 @@ class RattleIncrements final : private Equations {
     Status begin(const Real& t, const Real& h, const Real& span, const Real* y);
     /// D and mu of a step by h from y(t), which is to stay where it is until `remember`. Places are known to round-off,
     /// mu therefore to that over h, however often it is iterated, and with it what it makes of D. Where steps are so
-    /// short that this is much beside the motion, the iteration ends there, and D is made to fit to the last mu': along
-    /// the motions that the joints allow, where errors add up, it is known h times better.
+    /// short that this is much beside the motion, the iteration ends there. D is then made to fit to the last mu':
+    /// along the motions that the joints allow, where errors add up, it is known h times better. So it is without
+    /// joints, unless forces are stiff: an iteration comes to its end from the same side again and again, and by some
+    /// eps of each step momenta would drift.
     Status solve(const Real& t, const Real& h, const Real* y);
     /// They help to guess those of the next step.
     void remember();
@@ -38,6 +40,7 @@ class RattleIncrements final : private Equations {
   private:
     Status index_one(const Real& t, const Real* y, const Real* v);
     Status iterate(const Real* y);
+    bool is_near() const;
     Status residual(const Real* turned, Real* r) override;
     Real size() const override { return size_; }
     Real round_off() const override { return rows_.remoteness() * system_.kkt_round_off(); }

@@ -84,6 +84,17 @@ struct NotTurned : TurnedBackwards {
     }
 };
 
+/// omega goes to m and back with all digits of m.
+struct ThereAndBack : CoadjointAction {
+    using CoadjointAction::CoadjointAction;
+    void append_exp(const Real* y, const Real* u, Real* out) const override {
+        std::vector<Real> turn(static_cast<std::size_t>(size()));
+        identity(turn.data());
+        CoadjointAction::append_exp(turn.data(), u, turn.data());
+        multiply(y, turn.data(), out);
+    }
+};
+
 class Acted final : public ForwardingSystem {
   public:
     Acted(const Model& model, const StateAction* action) : ForwardingSystem(make_system(model, "SO3")), acts_(action) {}
@@ -92,6 +103,32 @@ class Acted final : public ForwardingSystem {
   private:
     const StateAction* acts_;
 };
+
+/// A method on a body, with the action of the body's own where there is one.
+struct Bound {
+    std::unique_ptr<StateAction> action;
+    std::unique_ptr<System> system;
+    std::unique_ptr<Integrator> integrator;
+};
+
+/// Of |m| after 20,000 steps by `step` of bodies whose inertias have no exact inverse, over |m|.
+template <class Bind>
+Real change_by_round_off(const Real& step, Bind bind) {
+    constexpr long many = 20000;
+    Real most = 0;
+    for (const Vec3& moments : {Vec3(2, 1, Real(2) / 3), Vec3(3, 1, 2)}) {
+        Model model = free_body();
+        model.bodies[0].J = moments.asDiagonal();
+        const Bound bound = bind(model);
+        std::vector<Real> y = initial_state(*bound.system, model);
+        const auto size = [&] { return Real((model.bodies[0].J * vec3(bound.system->v(y.data()))).norm()); };
+        const Real before = size();
+        REQUIRE(bound.integrator->start(0, y.data()) == Status::ok);
+        for (long i = 0; i < many; ++i) REQUIRE(bound.integrator->step(step * Real(i), step, y.data()) == Status::ok);
+        most = max(most, Real(abs(size() / before - 1)));
+    }
+    return most;
+}
 
 /// |omega - exact| of the free body after a quarter second in N steps.
 Real error_of(const Method& entry, const StateAction& action, long N) {
@@ -132,6 +169,38 @@ TEST_CASE("methods keep the Casimir and the momentum of a free body in Lie-Poiss
         }
     }
     CHECK(seen >= 74);
+}
+
+TEST_CASE("round-off does not lead a momentum off its orbit", "[methods][lie_poisson]") {
+    if (KREISEL_QUAD) return;  // slow, and the same code
+    const auto check = [](const char* name, const OptionValues& changed) {
+        const Method& entry = method(name);
+        const OptionValues options = with_defaults(changed, entry.description.options);
+        for (const Real& step : {Real(1) / 1024, Real(1) / 128}) {
+            const Real change = change_by_round_off(step, [&](const Model& model) {
+                Bound bound{nullptr, make_system(model, lie_poisson), nullptr};
+                bound.integrator = entry.bind(*bound.system, options);
+                return bound;
+            });
+            INFO(name << ", h = " << to_text(step) << ": " << to_text(Real(change / epsilon)) << " eps");
+            CHECK(change < 300 * epsilon);
+        }
+    };
+    for (const char* coordinates : {"exp", "cayley"}) check("rkmk/rk4", {{"coordinates", std::string(coordinates)}});
+    for (const char* name : {"crouch_grossman/cg3a", "rkmk/gauss2", "multistep/adams_bashforth3"}) check(name, {});
+}
+
+TEST_CASE("a momentum that is rounded as a velocity leaves its orbit", "[methods][lie_poisson][control]") {
+    if (KREISEL_QUAD) return;  // slow, and the same code
+    const Real change = change_by_round_off(Real(1) / 1024, [](const Model& model) {
+        const Pivoted body = pivoted_bodies(model)[0];
+        Bound bound{std::make_unique<ThereAndBack>(body.J_O, body.J_O_inverse), nullptr, nullptr};
+        bound.system = std::make_unique<Acted>(model, bound.action.get());
+        const Method& rk4 = method("rkmk/rk4");
+        bound.integrator = rk4.bind(*bound.system, default_options(rk4.description.options));
+        return bound;
+    });
+    CHECK(change > 600 * epsilon);
 }
 
 TEST_CASE("where velocities are additive, methods keep neither", "[methods][lie_poisson][control]") {
