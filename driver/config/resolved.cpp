@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "records/json/begin.hpp"
+#include "records/begin.hpp"
 #include "records/json/writer.hpp"
 
 namespace kreisel {

@@ -10,8 +10,8 @@
 
 #include "driver/config/catalogue.hpp"
 #include "driver/config/keys/keys.hpp"
+#include "records/begin.hpp"
 #include "records/folder/damage.hpp"
-#include "records/json/begin.hpp"
 #include "records/json/node.hpp"
 #include "records/json/strict.hpp"
 #include "records/results.hpp"

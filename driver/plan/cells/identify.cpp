@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "records/json/begin.hpp"
+#include "records/begin.hpp"
 #include "records/json/writer.hpp"
 #include "support/hash.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "records/json/begin.hpp"
+#include "records/begin.hpp"
 
 #include "records/json/lists.hpp"
 #include "records/json/writer.hpp"
