@@ -174,7 +174,7 @@ const std::vector<BadConfig>& bad_configs() {
          "/time/begin/bodies/0/x/1", "a number"},
         {R"({"time": {"begin": {"t": 0, "bodies": [{"name": "top"}], "turn": {}}}})", "/time/begin/turn",
          "did you mean \"turns\"?"},
-        {R"({"time": {"begin": {"t": 0, "bodies": [{"name": "top"}]}}})", "/time/begin/bodies/0", "the key \"omega\""},
+        {R"({"time": {"begin": {"t": 0, "bodies": [{"name": "top"}]}}})", "/time/begin/bodies/0", "the key \"x\""},
         {R"({"time": {"end": null}})", "/time", "the key \"end\""},
         {R"({"time": {"end": -1}})", "/time/end", "got -1"},
         {R"({"time": {"end": 0}})", "/time/end", "greater than 0"},
