@@ -87,9 +87,16 @@ TEST_CASE("two routes agree to 25 digits after a second on screws, wheels that m
     std::vector<Case> cases = {{"screw", models::jointed("screw")}, {"meshing", models::meshing()}};
     for (const JointType type : models::driven_types())
         cases.push_back({type.name() + std::string(", another motion"), moved_otherwise(type)});
-    for (const ForceReader& type : Registered<ForceReader>::all()) cases.push_back({type.name, acted_on(type)});
+    for (const ForceReader& type : Registered<ForceReader>::all())
+        if (type.name != "torsion_spring") cases.push_back({type.name, acted_on(type)});
     for (const Case& one : cases)
         WARN(one.name << ": " << std::setprecision(2) << to_double(require_agreement(one, 1)));
+}
+
+TEST_CASE("a torsion spring whose axes part within a second has no reference after it", "[.long]") {
+    for (const ForceReader& type : Registered<ForceReader>::all())
+        if (type.name == "torsion_spring")
+            CHECK(reference_solution(acted_on(type), 1).stopped == name(Status::turn_lost));
 }
 
 TEST_CASE("two routes agree to 25 digits on a shaft that turns twenty times in a second") {
