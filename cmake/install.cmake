@@ -15,7 +15,7 @@ if(TARGET kreisel)
 
   install(TARGETS kreisel)
   install(DIRECTORY experiments DESTINATION share/kreisel FILES_MATCHING
-          PATTERN "*.json" PATTERN "*.urdf" PATTERN "published.csv")
+          PATTERN "*.json" PATTERN "*.urdf" PATTERN "*.csv")
   install(DIRECTORY plots/gnuplot/ DESTINATION share/kreisel/plots FILES_MATCHING PATTERN "*.gp")
   install(DIRECTORY python/kreisel DESTINATION share/kreisel/python FILES_MATCHING PATTERN "*.py")
   install(FILES ${written}/schema.json DESTINATION share/kreisel)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/engine.hpp"
 
+#include "engine/begin.hpp"
 #include "engine/linearised/linearise.hpp"
 #include "engine/metrics/metric.hpp"
 #include "engine/report/geometry.hpp"
@@ -62,6 +63,11 @@ class RealEngine final : public Engine {
         for (const FirstIntegral& integral : system->integrals())
             summary.integrals.push_back({integral.name, integral.unit, integral.reason});
         return summary;
+    }
+
+    BeginCheck check_begin(const std::string& name, const ParameterValues& values, const std::string& formulation_name,
+                           const BeginState& begin) const override {
+        return checked_begin(problem(name).build(Parameters(values)), formulation_name, begin);
     }
 
     Geometry geometry(const std::string& name, const ParameterValues& values) const override {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <stop_token>
@@ -57,6 +58,22 @@ struct ReportedState {
     std::vector<long> turns = {};
 };
 
+/// A state that a run goes on from, in place of the start of its problem: bodies, and the full turns of each torsion
+/// spring, by the names that they have in samples.
+struct BeginState {
+    Number t;  ///< s
+    std::vector<ReportedBody> bodies;
+    std::map<std::string, long> turns;  ///< of "ground-wheel"
+};
+
+/// What such a state is to a problem in a formulation.
+struct BeginCheck {
+    std::string fault;  ///< not empty: no run can go on from it, and why
+    double position = 0,
+           velocity = 0;  ///< by which it misses the joints: norms of Phi and C v + b, the rows of lengths
+    bool drifts = false;  ///< either is above 1e-12 of the mechanism's extent, or of its speed
+};
+
 /// A reference solution at a time on the way, with its own uncertainty by metric error.*.
 struct ReferenceSample {
     ReportedState state;
@@ -94,6 +111,7 @@ struct Cell {
     OptionValues options;  ///< complete, defaults filled in
     std::string projection;
     OptionValues projection_options;
+    std::shared_ptr<const BeginState> begin = {};  ///< null: the start of the problem, at t = 0
     double t_end = 1;
     long steps = 1;                    ///< of one size; 0 where there is a tolerance
     double tolerance = 0;              ///< to which steps are chosen (methods/control/stepper.hpp); 0: of one size
@@ -103,6 +121,7 @@ struct Cell {
     std::vector<std::string> metrics;  ///< names or patterns with `*`
     bool timed = false;                ///< measure only time and memory of the steps
     bool repeated = false;             ///< measure, and then the time of the steps by themselves too (Cost::run_s)
+    double t_begin() const { return begin ? begin->t.value : 0; }
 };
 
 /// The rounds in which the CPU time of cells is taken, each cell in turn: the first by Engine::run, the others by
@@ -239,6 +258,9 @@ class Engine {
     /// Builds the system. Throws ParameterError if the parameters do not describe a system.
     virtual SystemSummary summary(const std::string& problem, const ParameterValues&,
                                   const std::string& formulation) const = 0;
+    /// Whether a problem in a formulation that applies can go on from a state. Throws ParameterError.
+    virtual BeginCheck check_begin(const std::string& problem, const ParameterValues&, const std::string& formulation,
+                                   const BeginState&) const = 0;
     /// What is drawn of a problem. Throws ParameterError.
     virtual Geometry geometry(const std::string& problem, const ParameterValues&) const = 0;
     /// A method under these options, which may decide its order and its estimate.

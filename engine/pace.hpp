@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "engine/engine.hpp"
+#include "engine/begin.hpp"
 #include "methods/simulation.hpp"
 
 namespace kreisel {
@@ -10,12 +10,10 @@ inline namespace KREISEL_PRECISION {
 /// The steps of a run: so many of one size, or those that the method chooses to a tolerance.
 class Pace {
   public:
-    /// Refers to both.
-    Pace(const Cell& cell, Simulation& simulation)
-        : cell_(cell),
-          simulation_(simulation),
-          t_end_(decimal(cell.t_end)),
-          h_(cell.steps > 0 ? Real(t_end_ / Real(cell.steps)) : Real(0)) {}
+    /// Refers to both; from the time of the simulation.
+    Pace(const Cell& cell, Simulation& simulation) : cell_(cell), simulation_(simulation), t_end_(decimal(cell.t_end)) {
+        if (cell.steps > 0) times_ = StepTimes(simulation.time(), t_end_, cell.steps);
+    }
 
     bool to_tolerance() const { return cell_.tolerance > 0; }
     const Real& t_end() const { return t_end_; }
@@ -29,21 +27,20 @@ class Pace {
     }
     /// The next step, not beyond `limit` if its size is chosen.
     Status step(const Real& limit) {
-        const Status status = to_tolerance() ? simulation_.stride(limit) : simulation_.step(h_, time(done_ + 1));
+        const Status status =
+            to_tolerance() ? simulation_.stride(limit) : simulation_.step(times_.h(), time(done_ + 1));
         if (status == Status::ok) ++done_;
         return status;
     }
 
     /// After so many steps: of one size any, else the last.
-    Real time(long step) const {
-        if (to_tolerance()) return simulation_.time();
-        return step == cell_.steps ? t_end_ : Real(h_ * Real(step));
-    }
+    Real time(long step) const { return to_tolerance() ? simulation_.time() : times_.at(step); }
 
   private:
     const Cell& cell_;
     Simulation& simulation_;
-    Real t_end_, h_;
+    Real t_end_;
+    StepTimes times_;
     long done_ = 0;
 };
 

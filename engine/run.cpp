@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/run.hpp"
 
+#include "engine/begin.hpp"
 #include "engine/observers/conservation.hpp"
 #include "engine/observers/errors.hpp"
 #include "engine/observers/timing.hpp"
@@ -51,6 +52,14 @@ Sampler::Between between_steps(const Cell& cell) {
     return Interpolant::order >= least ? Sampler::Between::ends : Sampler::Between::none;
 }
 
+/// Takes a simulation to where its cell begins.
+const std::vector<Real>& placed(Simulation& simulation, const Cell& cell) {
+    if (!cell.begin) return simulation.state();
+    const Model moved = moved_to(simulation.model(), *cell.begin);
+    simulation.move_to(from_text(cell.begin->t.text), initial_state(simulation.system(), moved));
+    return simulation.state();
+}
+
 /// A simulation and its observers: all objects of one cell.
 class Run {
   public:
@@ -81,6 +90,7 @@ class Run {
     Simulation simulation_;
     double memory_;
     const std::vector<Real> start_;
+    const Real begin_;
     Pace pace_;
     Observation observation_;
     StepMetrics step_metrics_;
@@ -99,7 +109,8 @@ Run::Run(const Cell& cell, const Reference* reference, SampleSink* sink)
       heap_before_(heap_bytes()),
       simulation_(problem(cell.problem).build(Parameters(cell.parameters)), setup_of(cell)),
       memory_(heap_bytes() - heap_before_),
-      start_(simulation_.state()),
+      start_(placed(simulation_, cell)),
+      begin_(simulation_.time()),
       pace_(cell, simulation_),
       observation_(simulation_.system()),
       step_metrics_(simulation_.system(), cell.metrics),
@@ -156,7 +167,7 @@ void Run::time_steps(const std::stop_token& stop) {
 RepeatedTimes Run::repeat(const std::stop_token& stop) {
     RepeatedTimes times;
     while (outcome_.status == "ok" && !times.enough()) {
-        simulation_.restart(0, start_);
+        simulation_.restart(begin_, start_);
         const double begin = thread_seconds();
         advance(false, stop);
         times.add(thread_seconds() - begin);

@@ -12,12 +12,14 @@ Sampler::Sampler(const Cell& cell, Simulation& simulation, const Sampled& source
       between_(between),
       before_(simulation.state()),
       inside_(before_),
+      t_begin_(simulation.time()),
       t_end_(decimal(cell.t_end)) {
     if (between == Between::ends) interpolant_.emplace(simulation.system());
 }
 
 Real Sampler::next() const {
-    return taken_ >= cell_.samples ? t_end_ : Real(t_end_ / Real(cell_.samples) * Real(taken_));
+    if (taken_ == 0 || taken_ >= cell_.samples) return taken_ == 0 ? t_begin_ : t_end_;
+    return t_begin_ + (t_end_ - t_begin_) / Real(cell_.samples) * Real(taken_);
 }
 
 void Sampler::begin(Observation& start) {

@@ -51,7 +51,7 @@ class Sampler {
     Between between_;
     std::optional<Interpolant> interpolant_;
     std::vector<Real> before_, inside_;  // the state before the step, and one inside it
-    Real t_end_, t_before_ = 0;
+    Real t_begin_, t_end_, t_before_ = 0;
     long taken_ = 0;
 };
 

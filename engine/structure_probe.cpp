@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/begin.hpp"
 #include "mechanics/model/scales.hpp"
 #include "methods/contract/method.hpp"
 #include "problems/problem.hpp"
@@ -29,7 +30,8 @@ StructureProbe::StructureProbe(const Cell& cell, const Setup& setup)
         metrics_.decline(reason);
         return;
     }
-    h_ = decimal(cell.t_end) / Real(cell.steps);
+    const Real begin = cell.begin ? from_text(cell.begin->t.text) : Real(0);
+    h_ = StepTimes(begin, decimal(cell.t_end), cell.steps).h();
     step_ = [this](const Real& t, const Real& h, Real* y) {
         state_.assign(y, y + state_.size());
         Status status = simulation_.restart(t, state_);

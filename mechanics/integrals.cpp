@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "mechanics/formulation.hpp"
+#include "mechanics/model/driven.hpp"
 #include "mechanics/model/symmetries.hpp"
 
 namespace kreisel {
@@ -92,8 +93,7 @@ std::string energy_reason(const Model& model) {
 }
 
 void add_energy(const Shared& model, std::vector<FirstIntegral>& integrals) {
-    const auto driven = [](const Joint& joint) { return joint.is_driven(); };
-    if (!is_conservative(*model) || std::any_of(model->joints.begin(), model->joints.end(), driven)) return;
+    if (!is_conservative(*model) || std::any_of(model->joints.begin(), model->joints.end(), is_driven)) return;
     integrals.push_back(
         integral("energy", "J", energy_reason(*model), [model](const MotionState& s) { return energy(*model, s); }));
 }

@@ -44,7 +44,7 @@ std::vector<BodyState> Simulation::bodies() const {
 }
 
 Status Simulation::restart(const Real& t, const std::vector<Real>& y) {
-    t_ = t, y_ = y;
+    move_to(t, y);
     return restart();
 }
 

@@ -70,6 +70,8 @@ class Simulation {
     const Stepper* stepper() const { return stepper_.get(); }
     const Work& work() const { return stepper_ ? stepper_->work() : integrator_->work(); }
 
+    /// Sets time and state; `restart` or `advance` goes on from there.
+    void move_to(const Real& t, const std::vector<Real>& y) { t_ = t, y_ = y; }
     /// From the state y at time t on: what the method remembers of earlier steps is dropped. Needed before the first
     /// step of a user's own loop; `advance` does it by itself.
     Status restart(const Real& t, const std::vector<Real>& y);

@@ -3,6 +3,7 @@
 // A config as read and resolved: every name known, every default filled in, every option list multiplied out.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,10 @@ struct Config {
     std::vector<std::string> formulations;
     std::vector<OptionedEntry> methods;
     std::vector<OptionedEntry> projections;
+    std::shared_ptr<const BeginState> begin;  ///< null: the starts of the problems, at t = 0
     double t_end = 0;
+    /// How long runs are, s.
+    double duration() const { return t_end - (begin ? begin->t.value : 0); }
     std::vector<long> steps;         ///< of one size; empty where there are only tolerances
     std::vector<double> tolerances;  ///< to which methods choose their steps; may be empty
     std::string controller = "pi";   ///< of steps to a tolerance

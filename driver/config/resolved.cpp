@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "records/begin.hpp"
 #include "records/json/writer.hpp"
 
 namespace kreisel {
@@ -90,6 +91,7 @@ std::string count_text(long value) { return fmt::format("{}", value); }
 
 std::string time_text(const Config& config) {
     ObjectWriter time;
+    if (config.begin) { time.member("begin", json_begin(*config.begin)); }
     time.member("end", json_number(config.t_end));
     if (!config.steps.empty()) { time.member("steps", list_text(config.steps, count_text)); }
     if (!config.tolerances.empty()) {

@@ -6,6 +6,7 @@
 #include "driver/config/config.hpp"
 #include "driver/config/keys/keys.hpp"
 #include "driver/config/options.hpp"
+#include "driver/config/reading/begin.hpp"
 #include "driver/config/reading/figure_demands.hpp"
 #include "driver/config/schema/figures.hpp"
 #include "driver/config/schema/keys.hpp"
@@ -13,6 +14,7 @@
 #include "driver/config/schema/terms.hpp"
 #include "driver/config/schema/text_option.hpp"
 #include "plots/figures/schema.hpp"
+#include "records/json/model_keys.hpp"
 #include "records/json/node.hpp"
 #include "records/kinds/kind.hpp"
 #include "records/metrics/catalogue.hpp"
@@ -80,9 +82,31 @@ Schema one_set_or_series(const Schema& one, const ConfigKeys& keys) {
     return {{"anyOf", {one, set(one), series(keys, one)}}};
 }
 
+// A number, or one in quotes with more digits than a double has.
+Schema digits(const Schema& one, const char* pattern) {
+    Schema quoted = text(64);
+    quoted["pattern"] = pattern;
+    return {{"anyOf", {one, quoted}}};
+}
+
+// A state, or the file of a sample.
+Schema begin() {
+    const Schema vector = list_of_three(digits(number(), digits_pattern));
+    const Schema body =
+        object_of(begin_body_keys(),
+                  {{"name", text(64)}, {"x", vector}, {"R", list_of_three(vector)}, {"v", vector}, {"omega", vector}});
+    const Schema turns = {{"type", "object"}, {"additionalProperties", integer(-largest_whole, largest_whole)}};
+    const Schema state =
+        object_of(begin_keys(),
+                  {{"t", digits(not_negative(), positive_digits_pattern)}, {"bodies", list(body)}, {"turns", turns}});
+    const Schema file = object_of(begin_file_keys(), {{"file", text(4096)}, {"t", not_negative()}});
+    return {{"anyOf", {file, state}}};
+}
+
 Schema time() {
     Schema time =
-        object_of(time_keys(), {{"end", of_kind(end_kind())},
+        object_of(time_keys(), {{"begin", begin()},
+                                {"end", of_kind(end_kind())},
                                 {"steps", one_set_or_series(of_kind(step_count_kind()), step_series_keys())},
                                 {"step", one_or_set(of_kind(step_kind()))},
                                 {"tolerance", one_set_or_series(of_kind(tolerance_kind()), tolerance_series_keys())},

@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "driver/config/keys/keys.hpp"
+#include "driver/config/reading/begin.hpp"
 
 namespace kreisel {
 
@@ -28,7 +29,7 @@ class StepList {
             node.violates(Rule::each_once, "each number of steps once", fmt::format("{} again", steps));
         }
     }
-    double t_end() const { return config_.t_end; }
+    const Config& config() const { return config_; }
 
   private:
     Config& config_;
@@ -73,13 +74,15 @@ void read_steps(const Node& node, StepList& list) {
 void read_step_sizes(const Node& node, StepList& list) {
     for (const Node& entry : one_or_several(node, "a step in s")) {
         const auto step = read(entry, step_kind());
-        if (!step || !(list.t_end() > 0)) { continue; }
-        const double ratio = list.t_end() / *step;
+        const double duration = list.config().duration();
+        if (!step || !(duration > 0)) { continue; }
+        const double ratio = duration / *step;
         const double steps = std::round(ratio);
         if (!(ratio <= static_cast<double>(largest_count)) || steps < 1 ||
             std::abs(ratio - steps) > whole_tolerance * steps) {
             entry.violates(Rule::whole_steps,
-                           fmt::format("a step that divides the end time {} into 1 to {} equal steps", list.t_end(),
+                           fmt::format("a step that divides {} {} into 1 to {} equal steps",
+                                       list.config().begin ? "the time from begin to end," : "the end time", duration,
                                        largest_count),
                            fmt::format("{}, which gives {} steps", *step, ratio));
             continue;
@@ -132,6 +135,14 @@ void read_controller(const Node& time, Config& config) {
     if (!time.find("tolerance")) { node->error("\"tolerance\" beside it, to which it chooses the steps", "none"); }
 }
 
+void read_begin_into(const Node& time, const Node& begin, Config& config) {
+    config.begin = read_begin(begin);
+    if (!config.begin || config.t_end == 0 || config.duration() > 0) { return; }
+    time.find("end")->violates(Rule::begin,
+                               fmt::format("an end after the time of \"begin\", {} s", config.begin->t.value),
+                               fmt::format("{}", config.t_end));
+}
+
 }  // namespace
 
 void read_time(const Node& time, Config& config) {
@@ -139,6 +150,7 @@ void read_time(const Node& time, Config& config) {
     if (!time.require_object(expected)) { return; }
     time.only_keys(names_of(time_keys()));
     config.t_end = read_key(time, time_keys(), "end", end_kind()).value_or(0);
+    if (const auto begin = find_key(time, time_keys(), "begin")) { read_begin_into(time, *begin, config); }
     const auto steps = find_key(time, time_keys(), "steps");
     const auto step = find_key(time, time_keys(), "step");
     const auto tolerance = find_key(time, time_keys(), "tolerance");

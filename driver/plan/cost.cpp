@@ -38,7 +38,8 @@ double steps_of(const PlannedCell& planned) {
     if (planned.tolerance <= 0) { return static_cast<double>(planned.steps); }
     const auto& declared = planned.run->identity.order;
     const int order = declared ? std::max(1, declared->configuration) : 1;
-    return steps_to_tolerance * planned.run->cell.t_end * root(std::max(1.0, 1 / planned.tolerance), order);
+    const Cell& cell = planned.run->cell;
+    return steps_to_tolerance * (cell.t_end - cell.t_begin()) * root(std::max(1.0, 1 / planned.tolerance), order);
 }
 
 // Measuring and projecting a step cost about as much as a stage.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "driver/plan/begins.hpp"
 #include "driver/plan/cells/crossing.hpp"
 #include "driver/plan/figures.hpp"
 #include "driver/plan/metrics.hpp"
@@ -135,6 +136,7 @@ Plan make_plan(const Document& document, const Config& config, const Engines& en
     sink.raise();
     summarise(config, engines, sink, plan);
     sink.raise();
+    check_begins(engines, sink, plan);
     const auto metrics = known_metrics(plan);
     check_metrics(metrics, sink, plan);
     check_figures(document, plan, metrics, engines.binary64, sink);

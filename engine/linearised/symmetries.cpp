@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "mechanics/model/driven.hpp"
 #include "mechanics/model/scales.hpp"
 #include "mechanics/model/symmetries.hpp"
 
@@ -161,7 +162,7 @@ Generator combination(const std::vector<Generator>& all, const VecX& factors) {
 std::string why_not_autonomous(const Model& model) {
     if (!model.gravity.is_constant()) return "gravity is modulated";
     for (std::size_t i = 0; i < model.joints.size(); ++i)
-        if (model.joints[i].is_driven()) return model.name_of_joint(i) + " is driven";
+        if (is_driven(model.joints[i])) return model.name_of_joint(i) + " is driven";
     for (const Load& load : model.loads)
         if (load.amplitude != 0) return "a load on body \"" + model.name_of(load.body) + "\" is modulated";
     return "";

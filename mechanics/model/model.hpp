@@ -60,9 +60,6 @@ struct Joint {
     Real lead = 0;                      ///< of a screw or a rack: its shift in one turn (m)
     std::array<int, 2> teeth = {0, 0};  ///< of a gear
     std::string name = {};              ///< empty: that of its bodies
-
-    /// Whether its rows depend on time.
-    bool is_driven() const { return amplitude != 0 || !turn.is_zero() || !shift.is_zero(); }
 };
 
 /// g(t) = g (1 + amplitude sin(frequency t)); frequency in rad/s.

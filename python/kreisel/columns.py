@@ -13,8 +13,8 @@ import pandas as pd
 _PREFIXES = {"parameters": "parameter.", "options": "option.", "projection_options": "projection_option.",
              "metrics": "", "cost": "cost.", "final": "final."}
 _FIELDS = ("cell", "problem", "label", "series", "parameters", "formulation", "method", "options", "projection",
-           "projection_options", "precision", "steps", "h", "tolerance", "controller", "t_end", "status", "detail",
-           "steps_done", "t_reached", "bodies", "metrics", "trajectory", "trajectory_sum", "cost", "final")
+           "projection_options", "precision", "steps", "h", "tolerance", "controller", "t_begin", "t_end", "status",
+           "detail", "steps_done", "t_reached", "bodies", "metrics", "trajectory", "trajectory_sum", "cost", "final")
 _MOST_BODIES = 16  # of which the table has the final state
 _MEASURED = ("metrics", "final")  # numbers of the engine, which are text in quad
 

@@ -126,6 +126,7 @@ const std::vector<RecordField>& record_fields() {
         of_constant_steps("h", &I::h, "h [s]"),
         identity_field("tolerance", &I::tolerance, "tolerance [1]", Presence::optional),
         identity_field("controller", &I::controller, "controller", Presence::optional),
+        identity_field("t_begin", &I::t_begin, "t_begin [s]", Presence::optional),
         identity_field("t_end", &I::t_end, "t_end [s]"),
         outcome_field("status", &O::status, "status", Presence::always),
         outcome_field("detail", &O::detail, "detail"),

@@ -17,7 +17,7 @@ CellIdentity PlannedCell::identity() const {
     identity.parameters = parse_exactly(run->problems->parameters_text(point));
     identity.cell = hash();
     identity.steps = steps;
-    identity.h = steps > 0 ? identity.t_end / static_cast<double>(steps) : 0;
+    identity.h = steps > 0 ? (identity.t_end - identity.t_begin) / static_cast<double>(steps) : 0;
     identity.tolerance = tolerance;
     identity.controller = tolerance > 0 ? run->cell.controller : "";
     return identity;

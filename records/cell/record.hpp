@@ -37,6 +37,7 @@ struct CellIdentity {
     double h = 0;    ///< s; of steps of one size
     double tolerance = 0;
     std::string controller;  ///< of steps to a tolerance
+    double t_begin = 0;      ///< s; 0: the start of the problem
     double t_end = 0;        ///< s
 
     bool quad() const { return precision == "quad"; }

@@ -81,6 +81,7 @@ std::map<std::string, std::string> identity_of_record(const CellIdentity& cell) 
         identity["tolerance"] = exact_text(cell.tolerance);
         identity["controller"] = cell.controller;
     }
+    if (cell.t_begin != 0) { identity["t_begin"] = exact_text(cell.t_begin); }
     if (cell.t_end != 0) { identity["t_end"] = exact_text(cell.t_end); }
     for (const JsonMember& parameter : cell.parameters.members) {
         identity["parameters." + parameter.name] = canonical(parameter.value);

@@ -10,6 +10,8 @@ const std::vector<RuleDescription>& rules_of_meaning() {
         {Rule::separators, "separators", "texts hold no control characters and no line separators beyond ASCII"},
         {Rule::whole_steps, "whole-steps", "a step divides the end time"},
         {Rule::whole_strides, "whole-strides", "the number of samples divides every number of constant steps"},
+        {Rule::begin, "begin",
+         "`begin` is a sample of the mechanism that its file has and the formulation holds, before `end`"},
         {Rule::finest_level, "finest-level",
          "steps and tolerances of `{\"from\", \"levels\", \"factor\"}` are allowed "
          "up to the last level"},

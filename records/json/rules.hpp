@@ -16,6 +16,7 @@ enum class Rule {
     separators,
     whole_steps,
     whole_strides,
+    begin,
     finest_level,
     symmetry,
     unit_norm,

@@ -144,7 +144,22 @@ const std::vector<Bad> bad = {
      R"("lead": 0.1})",
      "/joints/1/axes",
      {"joint 1 (crank - rod, screw)", "point the same way"}},
+    {"/joints/1",
+     R"({"type": "screw", "between": ["crank", "rod"], "points": [[1, 0, 0], [1, 0.5, 0]], "axis": [1, 0, 0], )"
+     R"("lead": 0.1})",
+     "",
+     {"position level", "joint 1 (crank - rod, screw): 0.5 m"}},
+    {"/joints/1",
+     R"({"type": "prismatic", "between": ["crank", "bob"], "points": [[1, 0, 0], [2, 0, 0]], "axis": [1, 0, 0], )"
+     R"("shift": {"polynomial": [0, 1]}})",
+     "/joints/1/between/1",
+     {"joint 1 (crank - bob, prismatic)", "\"bob\" is a point mass"}},
     // wheels that mesh
+    {"/joints/1",
+     R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [2, 0, 0]], "axis": [0, 1, 0], )"
+     R"("teeth": [1001, 30]})",
+     "/joints/1/teeth/0",
+     {"joint 1 (crank - rod, gear)", "from 1 to 1000", "got 1001"}},
     {"/joints/1",
      R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [0, 2, 0]], "axis": [0, 1, 0], )"
      R"("teeth": [20, 30]})",

@@ -23,6 +23,11 @@ class FakeEngine : public Engine {
     std::vector<MetricDescription> metrics() const override;
     SystemSummary summary(const std::string& problem, const ParameterValues&,
                           const std::string& formulation) const override;
+    /// Goes on from any state.
+    BeginCheck check_begin(const std::string&, const ParameterValues&, const std::string&,
+                           const BeginState&) const override {
+        return {};
+    }
     /// A body, "top", on a pin.
     Geometry geometry(const std::string& problem, const ParameterValues&) const override;
     MethodDescription method(const std::string& name, const OptionValues&) const override;

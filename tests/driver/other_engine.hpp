@@ -47,6 +47,10 @@ class OtherEngine : public Engine {
                             const std::string& formulation) const override {
         return fake_.linearise(problem, values, formulation);
     }
+    BeginCheck check_begin(const std::string& problem, const ParameterValues& values, const std::string& formulation,
+                           const BeginState& begin) const override {
+        return fake_.check_begin(problem, values, formulation, begin);
+    }
     std::string reference_digest() const override { return fake_.reference_digest(); }
 
   private:

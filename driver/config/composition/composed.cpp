@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "driver/config/composition/begin_file.hpp"
 #include "driver/config/composition/mechanism_files.hpp"
 #include "plots/figures/overlay/overlay_files.hpp"
 #include "records/json/node.hpp"
@@ -148,6 +149,7 @@ Document merged_config(const std::filesystem::path& file, const std::vector<std:
 Document composed_config(const std::filesystem::path& file, const std::vector<std::string>& settings) {
     Document config = merged_config(file, settings);
     insert_mechanism_files(config);
+    insert_begin_file(config);
     insert_overlay_files(config, "/figure");
     return config;
 }

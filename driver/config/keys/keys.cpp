@@ -39,11 +39,36 @@ const ConfigKeys& config_keys() {
 
 const ConfigKeys& time_keys() {
     static const ConfigKeys keys = {
+        {"begin", "the sample of an earlier trajectory to go on from; the start of the problem, at 0 s, by default"},
         {"end", "end of the integration, s", "the end time, greater than 0 (s)"},
         {"steps", "number of steps, a list of numbers, or {from, levels, factor}"},
         {"step", "step size, s, in place of steps; divides the end"},
         {"tolerance", "to which steps are chosen, instead of steps of one size or beside them"},
         {"controller", "of steps to a tolerance; pi by default"}};
+    return keys;
+}
+
+const ConfigKeys& begin_keys() {
+    static const ConfigKeys keys = {{"t", "time of the state, s", "the time of the state (s)"},
+                                    {"bodies", "states of all bodies", "a list of the states of all bodies"},
+                                    {"turns", "full turns of each torsion spring, by its name in samples"}};
+    return keys;
+}
+
+const ConfigKeys& begin_body_keys() {
+    static const ConfigKeys keys = {{"name", "of the body", "the name of a body"},
+                                    {"x", "mass centre, space axes, m", "three numbers"},
+                                    {"R", "rotation, body to space", "three rows of three numbers"},
+                                    {"v", "velocity of the mass centre, space axes, m/s", "three numbers"},
+                                    {"omega", "angular velocity, body axes, rad/s", "three numbers"}};
+    return keys;
+}
+
+const ConfigKeys& begin_file_keys() {
+    static const ConfigKeys keys = {
+        {"file", "path of a trajectory (results/NAME/trajectories/CELL.csv), relative to the config",
+         "the path of a trajectory"},
+        {"t", "time of the sample, s; the last by default"}};
     return keys;
 }
 

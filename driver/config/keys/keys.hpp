@@ -21,6 +21,10 @@ using ConfigKeys = std::vector<ConfigKey>;
 
 const ConfigKeys& config_keys();
 const ConfigKeys& time_keys();
+/// Of `begin` in `time`: a state, the bodies of one, or the file that has it.
+const ConfigKeys& begin_keys();
+const ConfigKeys& begin_body_keys();
+const ConfigKeys& begin_file_keys();
 const ConfigKeys& output_keys();
 /// {"from": N, "levels": k, "factor": f}: N f^j of numbers of steps, N / f^j of tolerances.
 const ConfigKeys& step_series_keys();

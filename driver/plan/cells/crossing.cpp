@@ -119,6 +119,7 @@ class RunsOfEntry {
                            .options = combination.method.options,
                            .projection = combination.projection.name,
                            .projection_options = combination.projection.options,
+                           .begin = config.begin,
                            .t_end = config.t_end,
                            .controller = config.controller,
                            .dense = config.dense,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "records/begin.hpp"
 #include "records/json/writer.hpp"
 #include "support/hash.hpp"
 
@@ -22,6 +23,7 @@ CellIdentity identity_of(const Cell& cell, const std::string& series, const std:
     identity.projection = cell.projection;
     identity.projection_options = cell.projection_options;
     identity.precision = precision;
+    identity.t_begin = cell.t_begin();
     identity.t_end = cell.t_end;
     return identity;
 }
@@ -37,8 +39,9 @@ CellNaming::CellNaming(const PlannedRun& run) {
         .member("options", json_value(cell.options))
         .member("projection", json_text(cell.projection))
         .member("projection_options", json_value(cell.projection_options))
-        .member("precision", json_text(run.identity.precision))
-        .member("t_end", json_number(cell.t_end));
+        .member("precision", json_text(run.identity.precision));
+    if (cell.begin) { after.member("begin", json_begin(*cell.begin)); }
+    after.member("t_end", json_number(cell.t_end));
     before_steps_ = "," + after.open_text().substr(1) + ",\"steps\":";
     std::vector<std::string> metrics = cell.metrics;
     std::sort(metrics.begin(), metrics.end());

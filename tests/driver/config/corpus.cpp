@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 
+#include "driver/config/composition/begin_file.hpp"
 #include "driver/config/composition/mechanism_files.hpp"
 #include "driver/config/shipped.hpp"
 #include "driver/plan/plan.hpp"
@@ -37,6 +38,7 @@ Judgement judged(const json& config, const Engines& engines) {
     Document document = parse_document(file.string(), config.dump());
     try {
         insert_mechanism_files(document);
+        insert_begin_file(document);
         plan_of(document, engines);
     } catch (const Refusal& refusal) {
         Judgement judgement{false, {}, refusal.what()};

@@ -134,6 +134,10 @@ std::vector<json> shipped_configs() {
                    {"kind": "convergence", "name": "c", "x": "evaluations", "select": {"tolerance": [1e-3, 1e-5]}}]})"),
                                  json::parse(R"({"name": "t", "kind": "convergence", "problems": ["heavy_top"],
         "methods": ["fake/pair"], "time": {"end": 1, "tolerance": [1e-3, 1e-4]}})"),
+                                 json::parse(R"({"name": "b", "kind": "drift", "problems": ["heavy_top"],
+        "methods": ["rkmk/rk4"], "time": {"end": 1, "steps": 4, "begin": {"t": "0.5", "turns": {"ground-top": -2},
+        "bodies": [{"name": "top", "x": [0, 1, "-1.25e-3"], "R": [[1, 0, 0], [0, 1, 0], [0, 0, "1.0"]],
+                    "v": [0, 0, 0], "omega": [0, 150, 0]}]}}})"),
                                  mechanism_with("/project_initial", "true"),
                                  mechanism_with("/joints/0", R"({"type": "rolling", "between": ["ground", "rod"],
         "points": [[0, 0, 0], [0, 0, 1]], "axes": [[0, 0, 1], [1, 0, 0]], "radius": 1})")};

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Both routes on mechanisms with prescribed coordinates and screws whose motion is known.
+#include <algorithm>
+
 #include "lie/so3.hpp"
+#include "mechanics/formulation.hpp"
 #include "mechanics/parts/driven_joints.hpp"
 #include "mechanics/start.hpp"
 #include "tests/engine/two_routes.hpp"
@@ -142,6 +145,32 @@ TEST_CASE("a pendulum on a shaft that turns evenly keeps the integral of Jacobi,
     CHECK(change(uneven, lost.second.states) > Real(1) / 1000);
     CHECK(abs(kinetic_energy(even, kept.first.states) - kinetic_energy(even, kept.second.states)) <
           1000 * driven_digits);
+}
+
+TEST_CASE("a shaft that is locked holds as a fixed joint does, and the energy stays") {
+    const auto has_energy = [](const Model& model) {
+        const auto integrals = make_system(model, "SO3xR3")->integrals();
+        return std::any_of(integrals.begin(), integrals.end(),
+                           [](const FirstIntegral& integral) { return integral.name == "energy"; });
+    };
+    const Model locked = pendulum_on_shaft({{0, 0}, {{Real(1) / 2, 0, 0}}});
+    Model fixed = locked;
+    fixed.joints[0].type = "fixed";
+    const BothRoutes held = driven_by_both(locked, 1), same = driven_by_both(fixed, 1);
+    const std::vector<BodyState> start = {locked.bodies[0].start, locked.bodies[1].start};
+    for (const std::vector<BodyState>& states : {held.first.states, held.second.states}) {
+        const Distance d = distance(states, same.first.states);
+        CHECK(max(max(d.position, d.rotation), max(d.velocity, d.omega)) < 100 * driven_digits);
+        CHECK(abs(jacobi(locked, states, 0) - jacobi(locked, start, 0)) < 1000 * driven_digits);
+    }
+    CHECK(has_energy(locked));
+    CHECK_FALSE(has_energy(pendulum_on_shaft({{0, 1}, {}})));
+    CHECK_FALSE(has_energy(pendulum_on_shaft({{}, {{Real(1) / 2, 1, 0}}})));
+    Model lift = locked;
+    lift.joints[0].type = driven("prismatic", {.shift = true}), lift.joints[0].shift = {{Real(1) / 8}, {}};
+    CHECK(has_energy(lift));
+    lift.joints[0].shift.polynomial = {0, 0, 1};
+    CHECK_FALSE(has_energy(lift));
 }
 
 TEST_CASE("a pendulum on a shaft that turns evenly stands out where weight and centrifugal force balance") {
