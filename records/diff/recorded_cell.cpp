@@ -82,7 +82,8 @@ std::map<std::string, std::string> identity_of_record(const CellIdentity& cell) 
         identity["controller"] = cell.controller;
     }
     if (cell.t_end != 0) { identity["t_end"] = exact_text(cell.t_end); }
-    for (const JsonMember& parameter : cell.parameters.members) {
+    const JsonValue parameters = parse_exactly(cell.parameters);
+    for (const JsonMember& parameter : parameters.members) {
         identity["parameters." + parameter.name] = canonical(parameter.value);
     }
     add_options(identity, "options.", cell.options);
