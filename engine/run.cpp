@@ -106,9 +106,9 @@ class Run {
 Run::Run(const Cell& cell, const Reference* reference, SampleSink* sink)
     : cell_(cell),
       reference_(reference),
-      heap_before_(heap_bytes()),
+      heap_before_(cell.timed ? heap_bytes() : 0),
       simulation_(problem(cell.problem).build(Parameters(cell.parameters)), setup_of(cell)),
-      memory_(heap_bytes() - heap_before_),
+      memory_(cell.timed ? heap_bytes() - heap_before_ : 0),
       start_(placed(simulation_, cell)),
       begin_(simulation_.time()),
       pace_(cell, simulation_),

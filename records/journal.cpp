@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "records/sums/summed_text.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {
@@ -58,6 +59,12 @@ std::uint32_t JournalLines::add(const std::filesystem::path& journal) {
 }
 
 std::string JournalLines::line(const JournalPlace& place) const {
+    std::string line = text_at(place);
+    if (sum_state(line) != SumState::holds) { fail_changed(place); }
+    return line;
+}
+
+std::string JournalLines::text_at(const JournalPlace& place) const {
     if (!open_ || number_ != place.file) {
         open_.emplace(files_.at(place.file));
         number_ = place.file;
@@ -66,9 +73,13 @@ std::string JournalLines::line(const JournalPlace& place) const {
 }
 
 CellRecord JournalLines::record(const JournalPlace& place) const {
-    auto cell = read_journal_line(line(place));
-    if (!cell) { throw FileError(fmt::format("{}: has changed while it was read", files_.at(place.file).string())); }
+    auto cell = read_journal_line(text_at(place));
+    if (!cell) { fail_changed(place); }
     return std::move(cell->record);
+}
+
+void JournalLines::fail_changed(const JournalPlace& place) const {
+    throw FileError(fmt::format("{}: has changed while it was read", files_.at(place.file).string()));
 }
 
 JournalLines JournalContents::lines() const {

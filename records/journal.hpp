@@ -28,12 +28,14 @@ class JournalLines {
   public:
     /// Adds a journal; returns its number.
     std::uint32_t add(const std::filesystem::path& journal);
-    /// Throws FileError.
+    /// Both throw FileError, also where the line is not what it was.
     std::string line(const JournalPlace& place) const;
-    /// Throws FileError, also where the line is not what it was.
     CellRecord record(const JournalPlace& place) const;
 
   private:
+    std::string text_at(const JournalPlace& place) const;
+    [[noreturn]] void fail_changed(const JournalPlace& place) const;
+
     std::vector<std::filesystem::path> files_;
     mutable std::optional<LineFile> open_ = {};
     mutable std::uint32_t number_ = 0;  // of the open one

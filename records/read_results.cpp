@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -94,18 +97,37 @@ void add_missing(const std::vector<CellIdentity>& planned, Results& results) {
     if (!results.rows.empty() && results.missing.size() == planned.size()) { results.missing.clear(); }
 }
 
-void read_lines_into(const std::vector<std::string>& lines, bool summed, const std::filesystem::path& folder,
-                     Results& results) {
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (lines[i].empty()) { continue; }
+// One after the other, also a last one without an end: all together may take more memory than the rows.
+template <class Visit>
+void visit_lines(const std::filesystem::path& file, const Visit& visit) {
+    std::ifstream stream(file, std::ios::binary);
+    for (std::string line; std::getline(stream, line);) { visit(line); }
+    if (!stream.eof()) { throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno))); }
+}
+
+// Lines of this format have sums; where the format is not known one sum tells of all.
+bool is_summed(const std::filesystem::path& file, bool known) {
+    if (known) { return true; }
+    bool summed = false;
+    visit_lines(file, [&](const std::string& line) { summed = summed || sum_state(line) == SumState::holds; });
+    return summed;
+}
+
+// Returns how many lines there are.
+std::size_t read_lines_into(const std::filesystem::path& folder, bool summed, Results& results) {
+    std::size_t number = 0;
+    visit_lines(folder / "results.jsonl", [&](const std::string& line) {
+        ++number;
+        if (line.empty()) { return; }
         try {
-            require_sum(lines[i], summed);
-            results.rows.push_back(read_result_line(lines[i]));
+            require_sum(line, summed);
+            results.rows.push_back(read_result_line(line));
             results.rows.back().folder = folder;
         } catch (const std::exception& error) {
-            results.damage.push_back(fmt::format("results.jsonl:{}: not a result line: {}", i + 1, error.what()));
+            results.damage.push_back(fmt::format("results.jsonl:{}: not a result line: {}", number, error.what()));
         }
-    }
+    });
+    return number;
 }
 
 std::vector<std::string> measured_metrics(const std::vector<ResultRow>& rows) {
@@ -141,13 +163,13 @@ std::string what_is_wanting(const Results& results) {
 
 Results read_results(const std::filesystem::path& folder, const PlannedCells& planned) {
     Results results;
-    const std::vector<std::string> lines = read_lines(folder / "results.jsonl");
+    const auto file = folder / "results.jsonl";
     const auto manifest = read_manifest_into(folder, results);
-    const bool summed = lines_have_sums(lines, format_of(folder) >= folder_format);
+    const bool summed = is_summed(file, format_of(folder) >= folder_format);
     results.warning = summed ? "" : format_warning(folder);
-    read_lines_into(lines, summed, folder, results);
+    const std::size_t lines = read_lines_into(folder, summed, results);
     if (manifest) {
-        std::string missing = missing_lines(folder / "results.jsonl", lines.size(), *manifest);
+        std::string missing = missing_lines(file, lines, *manifest);
         if (!missing.empty()) { results.damage.push_back(std::move(missing)); }
     }
     for (std::string& text : folder_damage(folder)) { results.damage.push_back(std::move(text)); }

@@ -88,7 +88,7 @@ ResultRow result_row(const CellRecord& record) {
                   .detail = outcome.detail,
                   .options = texts(identity.options),
                   .projection_options = texts(identity.projection_options),
-                  .parameters = identity.parameters,
+                  .parameters = parse_exactly(identity.parameters),
                   .steps = identity.steps,
                   .bodies = outcome.bodies,
                   .h = identity.h,

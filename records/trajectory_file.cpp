@@ -70,6 +70,7 @@ void TrajectoryFile::keep() {
 void TrajectoryFile::discard() {
     stream_.reset();
     pending_.clear();
+    if (file_.empty()) { return; }
     std::error_code ignored;
     std::filesystem::remove(part(), ignored);
 }

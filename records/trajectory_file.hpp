@@ -43,7 +43,8 @@ class TrajectorySum : public SampleSink {
 };
 
 /// Writes the text to FILE.part: the first sample at once, the others about once a second. A part that is neither kept
-/// nor discarded stays. All functions throw FileError.
+/// nor discarded stays. All functions throw FileError. An empty path is that of a cell without samples, of which there
+/// is no part.
 class TrajectoryFile final : public TrajectorySum {
   public:
     explicit TrajectoryFile(std::filesystem::path file) : file_(std::move(file)) {}

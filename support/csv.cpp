@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/csv.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace kreisel {
@@ -25,10 +26,20 @@ std::string quoted_field(const std::string& text, std::size_t& at) {
 }  // namespace
 
 std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) { return text; }
-    std::string quoted = "\"";
-    for (const char c : text) { quoted += c == '"' ? std::string("\"\"") : std::string(1, c); }
-    return quoted + "\"";
+    std::string field;
+    append_csv_field(field, text);
+    return field;
+}
+
+void append_csv_field(std::string& row, std::string_view text) {
+    const auto needs_quotes = [](char c) { return c == ',' || c == '"' || c == '\n' || c == '\r'; };
+    if (std::none_of(text.begin(), text.end(), needs_quotes)) {
+        row += text;
+        return;
+    }
+    row += '"';
+    for (const char c : text) { row.append(c == '"' ? 2 : 1, c); }
+    row += '"';
 }
 
 std::vector<std::vector<std::string>> read_csv(const std::string& text) {

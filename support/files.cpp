@@ -164,14 +164,15 @@ std::string LineFile::line(std::uint64_t begin, std::size_t size) const {
 LineAppender::LineAppender(std::filesystem::path file, Start start)
     : file_(std::move(file)),
       descriptor_(open_file(file_, O_WRONLY | O_CREAT | O_APPEND | (start == Start::empty ? O_TRUNC : 0))) {
-    if (!descriptor_.valid()) { fail(file_, "cannot be opened", errno); }
+    const off_t end = descriptor_.valid() ? ::lseek(descriptor_.number(), 0, SEEK_END) : -1;
+    if (end < 0) { fail(file_, "cannot be opened", errno); }
+    end_ = static_cast<std::uint64_t>(end);
 }
 
 std::uint64_t LineAppender::append(const std::string& line) {
-    const off_t end = ::lseek(descriptor_.number(), 0, SEEK_END);
     const int error = write_all(descriptor_.number(), line + "\n");
-    if (error == 0) { return static_cast<std::uint64_t>(end); }
-    if (end >= 0 && ::ftruncate(descriptor_.number(), end) != 0) {
+    if (error == 0) { return std::exchange(end_, end_ + line.size() + 1); }
+    if (::ftruncate(descriptor_.number(), static_cast<off_t>(end_)) != 0) {
         fail(file_, "cannot be written, and its last line may be torn (a resumed run ignores it)", error);
     }
     fail(file_, "cannot be written", error);

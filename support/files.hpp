@@ -79,7 +79,8 @@ class LineFile {
     Descriptor descriptor_;
 };
 
-/// Appends whole lines. A line that could not be written completely is removed again if the system allows it.
+/// Appends whole lines; nothing else may write to the file meanwhile. A line that could not be written completely is
+/// removed again if the system allows it.
 class LineAppender {
   public:
     /// What happens to existing lines.
@@ -91,6 +92,7 @@ class LineAppender {
   private:
     std::filesystem::path file_;
     Descriptor descriptor_;
+    std::uint64_t end_ = 0;  // of the file
 };
 
 /// Keeps other runs out of an output folder for as long as it lives (flock: a killed run leaves no stale lock).

@@ -12,10 +12,14 @@ CellEnd end_of(const CellOutcome& outcome) {
 
 }  // namespace
 
-void FinishedCells::set(std::size_t index, const CellOutcome& outcome, const JournalPlace& place) {
-    size_ += has(index) ? 0U : 1U;
+CellEnding ending_of(const CellOutcome& outcome) {
     const bool past_horizon = outcome.reference && outcome.reference->past_horizon;
-    cells_[index] = {place, end_of(outcome), outcome.lost.has_value() || past_horizon};
+    return {end_of(outcome), outcome.lost.has_value() || past_horizon};
+}
+
+void FinishedCells::set(std::size_t index, const CellEnding& ending, const JournalPlace& place) {
+    size_ += has(index) ? 0U : 1U;
+    cells_[index] = {place, ending};
 }
 
 }  // namespace kreisel

@@ -16,6 +16,13 @@ namespace kreisel {
 /// How a cell has ended, as far as counts tell.
 enum class CellEnd : std::uint8_t { missing, ok, skipped, failed };
 
+/// What a run keeps in mind of a cell that has ended.
+struct CellEnding {
+    CellEnd end = CellEnd::missing;
+    bool remarkable = false;  ///< something is said of it after the run though it is ok
+};
+CellEnding ending_of(const CellOutcome& outcome);
+
 /// Cells by their index in the plan.
 class FinishedCells {
   public:
@@ -24,13 +31,12 @@ class FinishedCells {
     /// A journal that places refer to; returns its number.
     std::uint32_t add_journal(const std::filesystem::path& journal) { return lines_.add(journal); }
     /// What a line of a journal says of a cell. Of several lines the last counts.
-    void set(std::size_t index, const CellOutcome& outcome, const JournalPlace& place);
+    void set(std::size_t index, const CellEnding& ending, const JournalPlace& place);
 
     std::size_t size() const { return size_; }
     bool has(std::size_t index) const { return end(index) != CellEnd::missing; }
-    CellEnd end(std::size_t index) const { return cells_[index].end; }
-    /// Whether something is said of the cell after the run though it is ok.
-    bool is_remarkable(std::size_t index) const { return cells_[index].remarkable; }
+    CellEnd end(std::size_t index) const { return cells_[index].ending.end; }
+    bool is_remarkable(std::size_t index) const { return cells_[index].ending.remarkable; }
     /// Throws FileError.
     CellRecord record(std::size_t index) const { return lines_.record(cells_[index].place); }
     std::string line(std::size_t index) const { return lines_.line(cells_[index].place); }
@@ -38,8 +44,7 @@ class FinishedCells {
   private:
     struct Finished {
         JournalPlace place;
-        CellEnd end = CellEnd::missing;
-        bool remarkable = false;
+        CellEnding ending;
     };
     std::vector<Finished> cells_;
     JournalLines lines_;

@@ -8,6 +8,7 @@
 #include "driver/config/resolved.hpp"
 #include "driver/plan/shards.hpp"
 #include "driver/plan/text.hpp"
+#include "records/cell/line.hpp"
 #include "records/cell/stepping.hpp"
 #include "records/cell/table.hpp"
 #include "records/sums/sum_list.hpp"
@@ -27,14 +28,14 @@ Units units_of(const Plan& plan) {
     return units_of_metrics(integrals);
 }
 
-/// Writes results.csv. Rows are right as long as no record has a column that the first has not; then all are written
+/// Writes results.csv. Rows are right as long as no line has a column that the first has not; then all are written
 /// again, when all columns are known.
 class TableFile {
   public:
     TableFile(const TableUnits& units, std::filesystem::path path) : table_(units), path_(std::move(path)) {}
 
-    void add(const CellRecord& record) {
-        const std::string row = table_.row(record);
+    void add(const std::string& line) {
+        const std::string row = table_.row(line);
         if (!file_) { begin_again(); }
         if (is_whole()) { file_->add(row); }
     }
@@ -54,14 +55,12 @@ class TableFile {
     std::size_t columns_ = 0;
 };
 
-/// In the order of the plan.
+/// Visits the lines of results.jsonl in the order of the plan. What was run is told as the plan tells it: labels may
+/// have changed since.
 template <class Visit>
-void for_each_record(const Plan& plan, const FinishedCells& finished, const Visit& visit) {
+void for_each_line_of(const Plan& plan, const FinishedCells& finished, const Visit& visit) {
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-        if (!finished.has(i)) { continue; }
-        CellRecord record = finished.record(i);
-        record.identity = plan.cells[i].identity();  // its label may have changed since
-        visit(record);
+        if (finished.has(i)) { visit(result_line(plan.cells[i].identity(), finished.line(i))); }
     }
 }
 
@@ -71,15 +70,16 @@ void write_results(const Plan& plan, const FinishedCells& finished, const TableU
                    const std::filesystem::path& folder) {
     AtomicFile lines(folder / "results.jsonl");
     TableFile table(units, folder / "results.csv");
-    for_each_record(plan, finished, [&](const CellRecord& record) {
-        lines.add(result_line(record) + "\n");
-        table.add(record);
+    for_each_line_of(plan, finished, [&](const std::string& line) {
+        lines.add(line);
+        lines.add("\n");
+        table.add(line);
     });
     lines.keep();
     announce_files(folder, {"results.csv"});
     if (!table.is_whole()) {
         table.begin_again();
-        for_each_record(plan, finished, [&](const CellRecord& record) { table.add(record); });
+        for_each_line_of(plan, finished, [&](const std::string& line) { table.add(line); });
     }
     table.keep();
     record_sums(folder, {"results.csv"});

@@ -107,7 +107,8 @@ class Merger {
     void add_cell(std::size_t index, const std::string& line, const std::filesystem::path& from) {
         const auto cell = read_journal_line(line);
         if (!cell || !copy_trajectory(cell->record, from)) { return; }
-        finished_.set(index, cell->record.outcome, {number_, static_cast<std::uint32_t>(line.size()), size_});
+        finished_.set(index, ending_of(cell->record.outcome),
+                      {number_, static_cast<std::uint32_t>(line.size()), size_});
         journal_.add(line + "\n");
         size_ += line.size() + 1;
     }

@@ -10,6 +10,7 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 IntegralMetrics::IntegralMetrics(System& system, const std::vector<std::string>& patterns) : patterns_(patterns) {
+    if (patterns.empty()) return;
     for (const FirstIntegral& integral : system.integrals()) {
         const std::string name = "invariant." + integral.name;
         if (is_requested(name)) entries_.push_back({&integral, name});

@@ -5,8 +5,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <iterator>
 #include <set>
-#include <sstream>
 
 #include "lie/so3.hpp"
 
@@ -15,11 +16,10 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
+/// Ten digits. Not by a stream, which would take longer than all else of a small model.
 std::string text(double x) {
-    std::ostringstream out;
-    out.precision(10);
-    out << x;
-    return out.str();
+    char digits[32];
+    return {digits, std::to_chars(digits, std::end(digits), x, std::chars_format::general, 10).ptr};
 }
 
 }  // namespace
@@ -117,13 +117,15 @@ Mat3 to_inertia(const Matrix3& m, const std::string& path, TriangleInequality ru
     if (J != J.transpose()) throw ParameterError(path, "expected a symmetric inertia matrix");
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(J, Eigen::EigenvaluesOnly);
     const Vec3& moments = principal.eigenvalues();  // in increasing order
-    const std::string got = "got principal moments " + text(to_double(moments[0])) + ", " +
-                            text(to_double(moments[1])) + ", " + text(to_double(moments[2])) + " kg m^2";
-    if (!(moments[0] > 0)) throw ParameterError(path, "expected a positive definite inertia, " + got);
+    const auto got = [&] {
+        return "got principal moments " + text(to_double(moments[0])) + ", " + text(to_double(moments[1])) + ", " +
+               text(to_double(moments[2])) + " kg m^2";
+    };
+    if (!(moments[0] > 0)) throw ParameterError(path, "expected a positive definite inertia, " + got());
     const Real slack = Real(1) / 1000000000000;
     if (moments[0] + moments[1] < moments[2] * (1 - slack)) {
         const std::string what =
-            "no body has this inertia: each principal moment is at most the sum of the others, " + got;
+            "no body has this inertia: each principal moment is at most the sum of the others, " + got();
         if (rule == TriangleInequality::required) throw ParameterError(path, what);
         warnings.push_back(what);
     }

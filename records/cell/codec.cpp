@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "records/json/lists.hpp"
+#include "records/json/written/written.hpp"
 
 namespace kreisel {
 
@@ -13,7 +14,7 @@ namespace {
 
 /// The times of a cost by name.
 template <class Times>
-auto* time_named(const std::string& name, Times& times) {
+auto* time_named(std::string_view name, Times& times) {
     return name == "step_s"   ? &times.step_s
            : name == "memory" ? &times.memory
            : name == "run_s"  ? &times.run_s
@@ -217,6 +218,16 @@ void add_times(const CellTimes& times, ObjectWriter& object) {
     if (times.step_s) { object.member("step_s", json_number(*times.step_s)); }
     if (times.memory) { object.member("memory", json_number(*times.memory)); }
     if (times.run_s) { object.member("run_s", json_number(*times.run_s)); }
+}
+
+std::string without_times(std::string_view cost) {
+    CellTimes times;
+    ObjectWriter object;
+    for (const WrittenMember& member : members_of(cost)) {
+        const bool is_time = member.name == "cpu_s" || time_named(member.name, times) != nullptr;
+        if (!is_time) { object.member(member.name, member.json); }
+    }
+    return object.text();
 }
 
 bool read_time(const JsonMember& member, CellTimes& times) {

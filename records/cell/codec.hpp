@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "records/cell/record.hpp"
 #include "records/json/writer.hpp"
@@ -60,5 +61,7 @@ bool is_default(const std::optional<Value>& value) {
 void add_times(const CellTimes& times, ObjectWriter& object);
 /// False where the member is no time.
 bool read_time(const JsonMember& member, CellTimes& times);
+/// A cost as written, but for its times.
+std::string without_times(std::string_view cost);
 
 }  // namespace kreisel

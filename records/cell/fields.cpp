@@ -55,6 +55,12 @@ RecordField series_field() {
     return field;
 }
 
+RecordField parameters_field() {
+    const auto write = [](const CellRecord& record, LineKind) { return record.identity.parameters; };
+    const auto read = [](const JsonValue& json, CellRecord& record) { record.identity.parameters = json_value(json); };
+    return {"parameters", FieldPart::identity, write, read, "parameter."};
+}
+
 /// Only of failed cells.
 template <class Value>
 RecordField of_failure(const char* name, Value CellOutcome::*member, const char* column) {
@@ -101,7 +107,7 @@ RecordField cost_field() {
             }
         }
     };
-    return {"cost", FieldPart::outcome, write, read, "cost."};
+    return {"cost", FieldPart::outcome, write, read, "cost.", false, without_times};
 }
 
 }  // namespace
@@ -114,7 +120,7 @@ const std::vector<RecordField>& record_fields() {
         identity_field("problem", &I::problem, "problem"),
         identity_field("label", &I::label, "label"),
         series_field(),
-        identity_field("parameters", &I::parameters, "parameter."),
+        parameters_field(),
         identity_field("formulation", &I::formulation, "formulation"),
         identity_field("method", &I::method, "method"),
         identity_field("options", &I::options, "option."),

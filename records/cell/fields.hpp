@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "records/cell/record.hpp"
@@ -27,6 +28,8 @@ struct RecordField {
     /// each member of the object, "option." ("*": none). Empty: JSON lines only.
     std::string column = "";
     bool is_text = false;  ///< whatever a column holds is text, also "12"
+    /// What a result line has, given what the journal line of the same cell has; null: the same.
+    std::string (*of_result)(std::string_view json) = nullptr;
 };
 
 /// In the order of a line.

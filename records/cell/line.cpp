@@ -7,6 +7,7 @@
 
 #include "records/cell/fields.hpp"
 #include "records/json/writer.hpp"
+#include "records/json/written/written.hpp"
 #include "records/sums/summed_text.hpp"
 
 namespace kreisel {
@@ -84,10 +85,21 @@ CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const R
 
 std::string result_text(const CellRecord& record) { return line_of(record, LineKind::result).text(); }
 
-std::string result_line(const CellRecord& record) { return with_sum(line_of(record, LineKind::result).open_text()); }
+std::string result_line(CellIdentity identity, std::string_view journal_line) {
+    ObjectWriter object;
+    add_identity(std::move(identity), object);
+    const std::vector<WrittenMember> members = members_of(journal_line);
+    for (const RecordField& field : record_fields()) {
+        const std::string_view json =
+            field.part == FieldPart::outcome ? value_of(members, field.name) : std::string_view();
+        if (json.empty()) { continue; }
+        field.of_result == nullptr ? object.member(field.name, json) : object.member(field.name, field.of_result(json));
+    }
+    return with_sum(object.open_text());
+}
 
-void add_identity(const CellIdentity& identity, ObjectWriter& object) {
-    add_fields({identity, {}, {}}, FieldPart::identity, LineKind::result, object);
+void add_identity(CellIdentity identity, ObjectWriter& object) {
+    add_fields({std::move(identity), {}, {}}, FieldPart::identity, LineKind::result, object);
 }
 
 CellRecord read_record(const JsonValue& line) {
@@ -106,6 +118,10 @@ CellRecord read_record(const std::string& line) { return read_record(parse_exact
 
 std::string journal_line(const CellRecord& record, const std::string& build) {
     return with_sum(line_of(record, LineKind::journal).member("build", json_text(build)).open_text());
+}
+
+bool is_line_of(std::string_view line, const std::string& hash) {
+    return line.starts_with(ObjectWriter().member(record_fields().front().name, json_text(hash)).open_text());
 }
 
 std::optional<JournalledCell> read_journal_line(const std::string& line) {

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "records/cell/planned.hpp"
 #include "records/cell/record.hpp"
@@ -20,11 +21,12 @@ CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const R
 /// What a result line says, the same bytes on every run of one build. Throws std::logic_error if the record holds a
 /// number that is not finite.
 std::string result_text(const CellRecord& record);
-/// The line of results.jsonl: that with its sum.
-std::string result_line(const CellRecord& record);
+/// The line of results.jsonl: that with its sum. What was run is told apart, and how it ended by the cell's line of the
+/// journal, which is not read but passed on. Throws std::invalid_argument if that is none.
+std::string result_line(CellIdentity identity, std::string_view journal_line);
 
 /// Adds the members of what was run, with which a line begins.
-void add_identity(const CellIdentity& identity, ObjectWriter& object);
+void add_identity(CellIdentity identity, ObjectWriter& object);
 
 /// A line of either file. Members that are unknown here are ignored and others may be missing, so that lines of older
 /// and newer versions can be read. Throws std::invalid_argument on a line that is not one.
@@ -33,6 +35,9 @@ CellRecord read_record(const JsonValue& line);
 
 /// The line of the journal: the result line with the times, build and check sum.
 std::string journal_line(const CellRecord& record, const std::string& build);
+
+/// Whether a line, which is not read, begins as one of that cell.
+bool is_line_of(std::string_view line, const std::string& hash);
 
 /// A journal line and the build that wrote it; nothing if it is torn or damaged, or its cell's name is none.
 struct JournalledCell {

@@ -14,7 +14,7 @@ Cell PlannedCell::cell() const {
 CellIdentity PlannedCell::identity() const {
     CellIdentity identity = run->identity;
     identity.label = label();
-    identity.parameters = parse_exactly(run->problems->parameters_text(point));
+    identity.parameters = run->problems->parameters_text(point);
     identity.cell = hash();
     identity.steps = steps;
     identity.h = steps > 0 ? (identity.t_end - identity.t_begin) / static_cast<double>(steps) : 0;

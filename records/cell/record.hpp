@@ -25,8 +25,8 @@ inline std::string trajectory_file(const std::string& hash) { return "trajectori
 struct CellIdentity {
     std::string cell;  ///< hash, 16 hexadecimal digits, over all that determines the numbers
     std::string problem, label;
-    std::string series;  ///< of the label, where a parameter varies; else the label
-    JsonValue parameters = {JsonValue::Kind::object, "", {}, {}};
+    std::string series;             ///< of the label, where a parameter varies; else the label
+    std::string parameters = "{}";  ///< JSON
     std::string formulation, method;
     OptionValues options;
     std::optional<Order> order;  ///< as the method declares it

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 
@@ -12,22 +13,34 @@ namespace kreisel {
 
 namespace {
 
-class EntryList {
+/// Names are made in one place: a table has a row of them for each cell.
+class EntryVisitor {
   public:
+    explicit EntryVisitor(const VisitStateEntry& visit) : visit_(visit) {}
+
+    void add(std::string_view name, std::string_view family, std::string_view unit, const Number& number) {
+        name_ = name;
+        visit_({name_, family, unit}, number);
+    }
+    /// NAME.1, NAME.2, ...
     template <class Numbers>
-    void add(const std::string& name, const std::string& family, const std::string& unit, const Numbers& numbers) {
+    void add_all(std::string_view name, std::string_view family, std::string_view unit, const Numbers& numbers) {
+        name_ = name;
+        const std::size_t size = name_.size();
         for (std::size_t i = 0; i < numbers.size(); ++i) {
-            all.push_back({fmt::format("{}.{}", name, i + 1), family, unit, numbers[i]});
+            name_.resize(size);
+            name_.append(".").append(std::to_string(i + 1));
+            visit_({name_, family, unit}, numbers[i]);
         }
     }
     void add_body(const ReportedBody& body) {
-        add(body.name + ".x", "x", "m", body.x);
+        add_all(body.name + ".x", "x", "m", body.x);
         for (std::size_t row = 0; row < 3; ++row) {
-            const std::array<Number, 3> of_row = {body.R[3 * row], body.R[3 * row + 1], body.R[3 * row + 2]};
-            add(fmt::format("{}.R.{}", body.name, row + 1), "R", "1", of_row);
+            const std::string name = body.name + ".R." + std::to_string(row + 1);
+            add_all(name, "R", "1", std::span(body.R).subspan(3 * row, 3));
         }
-        add(body.name + ".v", "v", "m/s", body.v);
-        add(body.name + ".omega", "omega", "rad/s", body.omega);
+        add_all(body.name + ".v", "v", "m/s", body.v);
+        add_all(body.name + ".omega", "omega", "rad/s", body.omega);
     }
     /// Names are "lambda.pin.2 [N]", or missing in lines of older versions.
     void add_multipliers(const ReportedState& state) {
@@ -36,11 +49,20 @@ class EntryList {
             const std::string title = named ? state.multiplier_names[i] : fmt::format("lambda.{}", i + 1);
             const auto end = std::min(title.rfind(" ["), title.size());
             const std::string unit = end == title.size() ? "" : title.substr(end + 2, title.size() - end - 3);
-            all.push_back({title.substr(0, end), "multipliers" + title.substr(end), unit, state.multipliers[i]});
+            add(title.substr(0, end), "multipliers" + title.substr(end), unit, state.multipliers[i]);
         }
     }
+    void add_reaction(const ReportedReaction& reaction) {
+        add_all("reaction." + reaction.joint + ".force", "reaction.force", "N", reaction.force);
+        add_all("reaction." + reaction.joint + ".torque", "reaction.torque", "N m", reaction.torque);
+        const std::string drive = "drive." + reaction.joint;
+        if (reaction.driving_force) { add(drive + ".force", "drive.force", "N", *reaction.driving_force); }
+        if (reaction.driving_torque) { add(drive + ".torque", "drive.torque", "N m", *reaction.driving_torque); }
+    }
 
-    std::vector<StateEntry> all;
+  private:
+    const VisitStateEntry& visit_;
+    std::string name_;
 };
 
 /// "rod", "R", {2, 3} of "rod.R.2.3": a name, a quantity and one or two indices, counted from 0.
@@ -119,28 +141,25 @@ ReportedState state_of(const std::vector<StateEntry>& entries) {
     return state;
 }
 
-std::vector<StateEntry> state_entries(const ReportedState& state) {
-    EntryList list;
-    list.all.push_back({"t", "t", "s", state.t});
-    for (const ReportedBody& body : state.bodies) { list.add_body(body); }
-    list.add_multipliers(state);
-    for (const ReportedReaction& reaction : state.reactions) {
-        list.add("reaction." + reaction.joint + ".force", "reaction.force", "N", reaction.force);
-        list.add("reaction." + reaction.joint + ".torque", "reaction.torque", "N m", reaction.torque);
-        const std::string drive = "drive." + reaction.joint;
-        if (reaction.driving_force) {
-            list.all.push_back({drive + ".force", "drive.force", "N", *reaction.driving_force});
-        }
-        if (reaction.driving_torque) {
-            list.all.push_back({drive + ".torque", "drive.torque", "N m", *reaction.driving_torque});
-        }
-    }
-    list.add("theta", "theta", "rad", state.theta);
+void for_each_state_entry(const ReportedState& state, const VisitStateEntry& visit) {
+    EntryVisitor visitor(visit);
+    visitor.add("t", "t", "s", state.t);
+    for (const ReportedBody& body : state.bodies) { visitor.add_body(body); }
+    visitor.add_multipliers(state);
+    for (const ReportedReaction& reaction : state.reactions) { visitor.add_reaction(reaction); }
+    visitor.add_all("theta", "theta", "rad", state.theta);
     for (std::size_t i = 0; i < state.turns.size(); ++i) {
-        const auto turns = static_cast<double>(state.turns[i]);
-        list.all.push_back({fmt::format("turns.{}", i + 1), "turns", "1", {turns, fmt::format("{}", state.turns[i])}});
+        const Number turns{static_cast<double>(state.turns[i]), fmt::format("{}", state.turns[i])};
+        visitor.add(fmt::format("turns.{}", i + 1), "turns", "1", turns);
     }
-    return list.all;
+}
+
+std::vector<StateEntry> state_entries(const ReportedState& state) {
+    std::vector<StateEntry> all;
+    for_each_state_entry(state, [&](const StateEntryName& entry, const Number& number) {
+        all.push_back({std::string(entry.name), std::string(entry.family), std::string(entry.unit), number});
+    });
+    return all;
 }
 
 }  // namespace kreisel

@@ -3,74 +3,82 @@
 
 #include <algorithm>
 
-#include "records/cell/fields.hpp"
+#include "records/cell/codec.hpp"
 #include "records/cell/state_entries.hpp"
+#include "records/json/written/written.hpp"
 #include "support/csv.hpp"
 
 namespace kreisel {
 
 namespace {
 
-/// Titles and texts of one row.
-using RowCells = std::vector<std::pair<std::string, std::string>>;
-
-/// The cells of one field of a record.
+/// Puts the value of one field into its columns. Titles are made in one place, since there are many and most are known.
 class FieldCells {
   public:
-    FieldCells(const RecordField& field, const CellRecord& record, const TableUnits& units)
-        : field_(field), record_(record), units_(units) {}
+    FieldCells(const RecordField& field, const Units* units, ColumnGroup& columns)
+        : field_(field), units_(units), columns_(columns), title_(field.column == "*" ? "" : field.column) {}
 
-    RowCells cells() {
+    void put(std::string_view json) {
         if (field_.column == "final.") {
-            add_final_state();
-        } else if (const std::string text = field_.write(record_, LineKind::result); !text.empty()) {
-            add_field(parse_exactly(text));
+            put_final_state(json);
+        } else if (json.starts_with('{')) {
+            for (const WrittenMember& member : members_of(json)) {
+                with_title(member.name, [&] { put_value(member.json, unit_of(std::string(member.name))); });
+            }
+        } else {
+            put_text("", text_of(json));
         }
-        return std::move(cells_);
     }
 
   private:
-    void add_final_state() {
-        const auto& final = record_.outcome.final;
-        if (!final || final->bodies.size() > most_bodies_in_table) { return; }
-        for (const StateEntry& entry : state_entries(*final)) {
-            add("final." + entry.name, entry.unit, entry.number.text);
-        }
-    }
-
-    void add_field(const JsonValue& value) {
-        if (!value.is_object()) { return add(field_.column, "", value.text); }
-        const std::string prefix = field_.column == "*" ? "" : field_.column;
-        for (const JsonMember& member : value.members) {
-            add_value(prefix + member.name, unit_of(member.name), member.value);
-        }
+    void put_final_state(std::string_view json) {
+        ReportedState final;
+        decode(parse_exactly(json), final);
+        if (final.bodies.size() > most_bodies_in_table) { return; }
+        for_each_state_entry(final, [&](const StateEntryName& entry, const Number& number) {
+            with_title(entry.name, [&] { put_text(entry.unit, number.text); });
+        });
     }
 
     /// A scalar, or the numbers of a vector or matrix; lists of bodies, joints and forces are in JSON lines only.
-    void add_value(const std::string& name, const std::string& unit, const JsonValue& value) {
-        if (value.is_scalar()) { add(name, unit, value.text); }
-        for (std::size_t i = 0; i < value.elements.size(); ++i) {
-            add_value(name + "." + std::to_string(i + 1), unit, value.elements[i]);
+    void put_value(std::string_view json, std::string_view unit) {
+        if (json.starts_with('[')) {
+            std::size_t index = 0;
+            for (const std::string_view element : elements_of(json)) {
+                with_title("." + std::to_string(++index), [&] { put_value(element, unit); });
+            }
+        } else if (!json.starts_with('{') && json != "null") {
+            put_text(unit, text_of(json));
         }
     }
 
     std::string unit_of(const std::string& name) const {
-        if (field_.column == "*") { return metric_unit(name, units_.metrics); }
-        if (field_.column != "parameter.") { return ""; }
-        const auto problem = units_.parameters.find(record_.identity.problem);
-        if (problem == units_.parameters.end()) { return ""; }
-        const auto unit = problem->second.find(name);
-        return unit == problem->second.end() ? "" : unit->second;
+        if (units_ == nullptr) { return ""; }
+        if (field_.column == "*") { return metric_unit(name, *units_); }
+        const auto unit = units_->find(name);
+        return unit == units_->end() ? "" : unit->second;
     }
 
-    void add(const std::string& name, const std::string& unit, const std::string& text) {
-        cells_.emplace_back(unit.empty() ? name : name + " [" + unit + "]", text);
+    template <class Put>
+    void with_title(std::string_view more, const Put& put) {
+        const std::size_t size = title_.size();
+        title_ += more;
+        put();
+        title_.resize(size);
+    }
+
+    void put_text(std::string_view unit, std::string_view text) {
+        if (unit.empty()) { return columns_.put(title_, text); }
+        const std::size_t size = title_.size();
+        title_.append(" [").append(unit).append("]");
+        columns_.put(title_, text);
+        title_.resize(size);
     }
 
     const RecordField& field_;
-    const CellRecord& record_;
-    const TableUnits& units_;
-    RowCells cells_;
+    const Units* units_;  // of its columns, where it has any
+    ColumnGroup& columns_;
+    std::string title_;
 };
 
 /// The fields that have columns, in the order of these.
@@ -83,7 +91,17 @@ std::vector<const RecordField*> column_fields() {
     return fields;
 }
 
-void append_field(std::string& line, const std::string& text) { line += (line.empty() ? "" : ",") + csv_field(text); }
+void append_field(std::string& line, std::string_view text) {
+    if (!line.empty()) { line += ','; }
+    append_csv_field(line, text);
+}
+
+/// Null where the columns of a field have none.
+const Units* units_of(const RecordField& field, const std::string& problem, const TableUnits& units) {
+    if (field.column == "*") { return &units.metrics; }
+    const auto found = field.column == "parameter." ? units.parameters.find(problem) : units.parameters.end();
+    return found == units.parameters.end() ? nullptr : &found->second;
+}
 
 }  // namespace
 
@@ -91,37 +109,33 @@ ResultsTable::ResultsTable(TableUnits units) : units_(std::move(units)) {
     for (const RecordField* field : column_fields()) { groups_.push_back({field}); }
 }
 
-std::size_t ResultsTable::place_of(Group& group, const std::string& title, std::size_t expected) {
-    if (expected < group.titles.size() && group.titles[expected] == title) { return expected; }
-    const auto known = group.places.find(title);
-    if (known != group.places.end()) { return known->second; }
-    group.titles.push_back(title);
-    ++columns_;
-    return group.places[title] = group.titles.size() - 1;
+std::size_t ResultsTable::columns() const {
+    std::size_t count = 0;
+    for (const Group& group : groups_) { count += group.columns.titles().size(); }
+    return count;
 }
 
 std::string ResultsTable::header() const {
     std::string line;
     for (const Group& group : groups_) {
-        for (const std::string& title : group.titles) { append_field(line, title); }
+        for (const std::string& title : group.columns.titles()) { append_field(line, title); }
     }
     return line + "\n";
 }
 
-std::string ResultsTable::row(const CellRecord& record) {
-    std::string line;
+std::string ResultsTable::row(std::string_view line) {
+    const std::vector<WrittenMember> members = members_of(line);
+    const std::string problem = text_of(value_of(members, "problem"));
+    std::string row;
     for (Group& group : groups_) {
-        std::vector<std::string> texts(group.titles.size());
-        std::size_t expected = 0;
-        for (auto& [title, text] : FieldCells(*group.field, record, units_).cells()) {
-            const std::size_t place = place_of(group, title, expected);
-            texts.resize(group.titles.size());
-            texts[place] = std::move(text);
-            expected = place + 1;
+        group.columns.begin_row();
+        const std::string_view json = value_of(members, group.field->name);
+        if (!json.empty()) {
+            FieldCells(*group.field, units_of(*group.field, problem, units_), group.columns).put(json);
         }
-        for (const std::string& text : texts) { append_field(line, text); }
+        for (const std::string& text : group.columns.texts()) { append_field(row, text); }
     }
-    return line + "\n";
+    return row + "\n";
 }
 
 }  // namespace kreisel

@@ -5,10 +5,11 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "records/cell/columns/column_group.hpp"
 #include "records/cell/fields.hpp"
-#include "records/cell/record.hpp"
 #include "records/metrics/units.hpp"
 
 namespace kreisel {
@@ -23,29 +24,26 @@ struct TableUnits {
 
 /// Columns by record_fields, the final state last; those of one group ("parameter.mass [kg]", "option.coordinates",
 /// "error.position [m]", "final.rod.x.1 [m]") in the order of first appearance. Each number has the digits of the line.
-/// Records are not kept: a row has the columns that there are when it is made, and once all records have been rows there
+/// Lines are not kept: a row has the columns that there are when it is made, and once all lines have been rows there
 /// are all columns.
 class ResultsTable {
   public:
     explicit ResultsTable(TableUnits units);
-    /// The line of a record, with its end; adds the columns that it has and the table has not.
-    std::string row(const CellRecord& record);
+    /// The row of a line of results.jsonl, with its end; adds the columns that it has and the table has not. Throws
+    /// std::invalid_argument on a line that is not one.
+    std::string row(std::string_view line);
     /// The line of titles, with its end.
     std::string header() const;
-    std::size_t columns() const { return columns_; }
+    std::size_t columns() const;
 
   private:
     struct Group {
         const RecordField* field;
-        std::map<std::string, std::size_t> places = {};  // of the titles
-        std::vector<std::string> titles = {};
+        ColumnGroup columns = {};
     };
-    /// `expected`: where it is if the record has the columns of the one before.
-    std::size_t place_of(Group& group, const std::string& title, std::size_t expected);
 
     TableUnits units_;
     std::vector<Group> groups_;
-    std::size_t columns_ = 0;
 };
 
 }  // namespace kreisel

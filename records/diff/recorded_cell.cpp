@@ -83,7 +83,8 @@ std::map<std::string, std::string> identity_of_record(const CellIdentity& cell) 
     }
     if (cell.t_begin != 0) { identity["t_begin"] = exact_text(cell.t_begin); }
     if (cell.t_end != 0) { identity["t_end"] = exact_text(cell.t_end); }
-    for (const JsonMember& parameter : cell.parameters.members) {
+    const JsonValue parameters = parse_exactly(cell.parameters);
+    for (const JsonMember& parameter : parameters.members) {
         identity["parameters." + parameter.name] = canonical(parameter.value);
     }
     add_options(identity, "options.", cell.options);

@@ -18,9 +18,9 @@ namespace {
 /// Deeper nesting is damage, and would exhaust the stack.
 constexpr int deepest = 100;
 
-constexpr std::size_t usual_members = 8;  // of an object
+constexpr std::size_t usual_members = 8, usual_elements = 3;  // of an object, a list
 
-std::size_t skip_digits(std::string_view word, std::size_t at) {
+constexpr std::size_t skip_digits(std::string_view word, std::size_t at) {
     while (at < word.size() && word[at] >= '0' && word[at] <= '9') { ++at; }
     return at;
 }
@@ -46,9 +46,9 @@ bool is_json_number(std::string_view word) {
     return digits > 0 && at == word.size();
 }
 
-bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+constexpr bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
-bool ends_word(char c) { return c == ',' || c == ']' || c == '}' || is_space(c); }
+constexpr bool ends_word(char c) { return c == ',' || c == ']' || c == '}' || is_space(c); }
 
 class ExactReader {
   public:
@@ -90,6 +90,7 @@ class ExactReader {
 
     JsonValue read_list() {
         JsonValue list{JsonValue::Kind::list, "", {}, {}};
+        list.elements.reserve(usual_elements);
         read_entries(']', [&] { list.elements.push_back(read()); });
         return list;
     }

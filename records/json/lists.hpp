@@ -10,19 +10,24 @@ namespace kreisel {
 
 template <class Range, class Write>
 std::string json_list(const Range& values, const Write& write) {
-    std::string text;
-    for (const auto& value : values) { text += (text.empty() ? "" : ",") + write(value); }
-    return "[" + text + "]";
+    std::string text = "[";
+    for (const auto& value : values) {
+        if (text.size() > 1) { text += ','; }
+        text += write(value);
+    }
+    text += ']';
+    return text;
 }
 
 template <class Value, class Write>
 std::string json_rows(const std::array<Value, 9>& m, const Write& write) {
-    std::string text;
-    for (std::size_t row = 0; row < 3; ++row) {
-        const std::array<Value, 3> values = {m[3 * row], m[3 * row + 1], m[3 * row + 2]};
-        text += (row == 0 ? "" : ",") + json_list(values, write);
+    std::string text = "[";
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        text += i % 3 != 0 ? "," : i == 0 ? "[" : "],[";
+        text += write(m[i]);
     }
-    return "[" + text + "]";
+    text += "]]";
+    return text;
 }
 
 }  // namespace kreisel

@@ -28,11 +28,30 @@ bool is_plain(std::string_view text) {
     return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
 }
 
+void append_text(std::string& json, std::string_view text) {
+    if (!is_plain(text)) {
+        json += nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+        return;
+    }
+    json += '"';
+    json += text;
+    json += '"';
+}
+
 }  // namespace
 
 std::string json_text(std::string_view text) {
-    if (is_plain(text)) { return '"' + std::string(text) + '"'; }
-    return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    std::string quoted;
+    append_text(quoted, text);
+    return quoted;
+}
+
+ObjectWriter& ObjectWriter::member(std::string_view key, std::string_view json) {
+    if (text_.size() > 1) { text_ += ','; }
+    append_text(text_, key);
+    text_ += ':';
+    text_ += json;
+    return *this;
 }
 
 std::string json_number(double value) {

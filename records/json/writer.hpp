@@ -27,16 +27,13 @@ std::string json_value(const ReportedState& state, bool quad);
 /// "{" member "," member "}".
 class ObjectWriter {
   public:
-    ObjectWriter& member(std::string_view key, const std::string& json) {
-        text_ += (text_.empty() ? "" : ",") + json_text(key) + ":" + json;
-        return *this;
-    }
-    std::string text() const { return "{" + text_ + "}"; }
+    ObjectWriter& member(std::string_view key, std::string_view json);
+    std::string text() const { return text_ + "}"; }
     /// Without the closing brace.
-    std::string open_text() const { return "{" + text_; }
+    const std::string& open_text() const { return text_; }
 
   private:
-    std::string text_;
+    std::string text_ = "{";
 };
 
 }  // namespace kreisel

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "records/sums/summed_text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -10,15 +8,27 @@
 
 namespace kreisel {
 
+namespace {
+
+constexpr std::size_t digits_of_sum = 16;
+
+}  // namespace
+
 std::string with_sum(std::string_view open, const SumStyle& style) {
-    return fmt::format("{}{}{}{}", open, style.before, hash_text(open), style.after);
+    std::string text;
+    text.reserve(open.size() + style.before.size() + digits_of_sum + style.after.size());
+    text.append(open).append(style.before).append(hash_text(open)).append(style.after);
+    return text;
 }
 
 SumState sum_state(std::string_view object, const SumStyle& style) {
     // Unescaped quotes do not occur inside a JSON string, so this can only be a member.
     const auto at = object.rfind(style.before);
     if (at == std::string_view::npos) { return SumState::absent; }
-    return with_sum(object.substr(0, at), style) == object ? SumState::holds : SumState::wrong;
+    const std::string_view rest = object.substr(at + style.before.size());
+    const bool holds = rest.size() == digits_of_sum + style.after.size() && rest.ends_with(style.after) &&
+                       rest.substr(0, digits_of_sum) == hash_text(object.substr(0, at));
+    return holds ? SumState::holds : SumState::wrong;
 }
 
 std::string_view before_sum(std::string_view object, const SumStyle& style) {

@@ -12,7 +12,9 @@
 #include "records/cell/table.hpp"
 #include "records/journal.hpp"
 #include "records/json/strict.hpp"
+#include "records/json/written/written.hpp"
 #include "records/reference_store.hpp"
+#include "records/sums/summed_text.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
 #include "support/hash.hpp"
@@ -37,9 +39,9 @@ CellRecord finished(const PlannedCell& planned) {
 
 std::string written_table(const std::vector<CellRecord>& records, const TableUnits& units) {
     ResultsTable table(units);
-    for (const CellRecord& record : records) { table.row(record); }
+    for (const CellRecord& record : records) { table.row(result_text(record)); }
     std::string text = table.header();
-    for (const CellRecord& record : records) { text += table.row(record); }
+    for (const CellRecord& record : records) { text += table.row(result_text(record)); }
     return text;
 }
 
@@ -111,11 +113,57 @@ TEST_CASE("every member of a line comes back with its bytes") {
         R"("cost":{"evaluations":1,"projection_iterations":2,"output_evaluations":3}})";
     const CellRecord record = read_record(line);
     CHECK(result_text(record) == line);
-    CHECK(record.identity.parameters.find("lever")->elements[0].text == "-0");
+    CHECK(parse_exactly(record.identity.parameters).find("lever")->elements[0].text == "-0");
     CHECK(record.outcome.final->turns == std::vector<long>{-2});
     for (const std::string& damaged : {line.substr(0, line.size() - 1), line + "}", std::string("{}"),
                                        std::string(R"({"cell":"1","problem":"p","status":7})")}) {
         CHECK_THROWS_AS(read_record(damaged), std::invalid_argument);
+    }
+}
+
+TEST_CASE("a line of the journal is passed on as what the record says, with the identity that it is given") {
+    for (const char* precision : {"double", "quad"}) {
+        const Plan plan = small_plan(precision);
+        CellRecord failed = finished(plan.cells[1]), timed = finished(plan.cells[0]);
+        failed.outcome.status = "left_chart";
+        failed.outcome.detail = "a \"b\", {c}";
+        timed.times = {0.5, 1e-3, 1024, 2.5};
+        CellRecord skipped =
+            record_of(plan.cells[0], Outcome{.status = "skipped", .detail = "it does not apply"}, nullptr);
+        for (CellRecord* record : {&failed, &timed, &skipped}) {
+            const std::string journalled = journal_line(*record, "b");
+            record->identity.label = "another, \"label\"";
+            const std::string line = result_line(record->identity, journalled);
+            CHECK(std::string(before_sum(line)) + "}" == result_text(*record));
+            CHECK(sum_state(line) == SumState::holds);
+            CHECK(line.find("cpu_s") == std::string::npos);
+            CHECK(is_line_of(journalled, record->identity.cell));
+            CHECK_FALSE(is_line_of(journalled, std::string(16, '0')));
+            CHECK_THROWS_AS(result_line(record->identity, journalled.substr(0, 200)), std::invalid_argument);
+        }
+    }
+}
+
+TEST_CASE("JSON is taken apart where it is passed on, and refused where it does not fit together") {
+    const std::string object = R"({"a":1,"b \"c\"":"x,}\\","d":{"e":[1,{}]},"f":[]})";
+    const auto members = members_of(object);
+    REQUIRE(members.size() == 4);
+    CHECK(text_of(members[1].json) == "x,}\\");
+    CHECK(value_of(members, "d") == R"({"e":[1,{}]})");
+    CHECK(value_of(members, "e").empty());
+    CHECK(elements_of(value_of(members_of(value_of(members, "d")), "e")) == std::vector<std::string_view>{"1", "{}"});
+    CHECK(elements_of("[]").empty());
+    CHECK(members_of("{}").empty());
+    CHECK(text_of("-0.5") == "-0.5");
+    CHECK(text_of("\"\"").empty());
+    CHECK(text_of("null").empty());
+    for (std::size_t i = 0; i < object.size(); ++i) {
+        CHECK_THROWS_AS(members_of(object.substr(0, i)), std::invalid_argument);
+    }
+    for (const char* text :
+         {"[1]", R"({"a"1})", R"({"a":})", R"({"a":1,})", R"({a:1})", R"({"a":1}})", R"({"a":[}]})"}) {
+        INFO(text);
+        CHECK_THROWS_AS(members_of(text), std::invalid_argument);
     }
 }
 

@@ -30,7 +30,7 @@ void Dispatcher::take_cell_answer(Slot& slot, Answered kind, const std::string& 
     const std::size_t index = slot.job->cells[slot.answered];
     switch (kind) {
         case Answered::record:
-            ledger_.record(index, text);
+            ledger_.record(index, ending_in(text), std::string(line_in(text)));
             break;
         case Answered::part:
             ledger_.record_part(text);

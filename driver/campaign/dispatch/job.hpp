@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "driver/campaign/finished.hpp"
+
 namespace kreisel {
 
 /// A reference solution, a batch of cells, or a further round of a cell's CPU time.
@@ -24,7 +26,7 @@ struct Job {
 
 /// A worker answers a batch cell by cell. Answers are the letter and a text.
 enum class Answered : char {
-    record = 'c',        ///< the line of the journal
+    record = 'c',        ///< how the cell ended, and its line of the journal (record_text)
     no_memory = 'm',     ///< memory was refused; the text: what else there is to say
     part = 'p',          ///< the cell was interrupted and has left samples: a line of the journal
     interrupted = 'i',   ///< the same without samples, or a reference
@@ -35,5 +37,11 @@ enum class Answered : char {
 };
 
 std::string answer_text(Answered kind, std::string_view text = "");
+
+/// What a worker says of a cell that has ended: apart from the line, which is passed on unread, how.
+std::string record_text(const CellEnding& ending, std::string_view line);
+/// The same read; a text that is none says that the cell is missing.
+CellEnding ending_in(std::string_view text);
+std::string_view line_in(std::string_view text);
 
 }  // namespace kreisel

@@ -36,7 +36,7 @@ bool Ledger::trajectory_is_whole(const CellRecord& cell) const {
 
 bool Ledger::take_over(std::size_t index, const CellRecord& cell, const JournalPlace& place) {
     if (status::is_tried_again(cell.outcome.status) || !trajectory_is_whole(cell)) { return false; }
-    finished_.set(index, cell.outcome, place);
+    finished_.set(index, ending_of(cell.outcome), place);
     progress.failed += cell.outcome.failed() ? 1U : 0U;
     return true;
 }
@@ -60,30 +60,29 @@ std::size_t Ledger::reuse(const JournalContents& earlier, const RunSettings& set
     return finished_.size();
 }
 
-void Ledger::record(std::size_t index, const std::string& line) {
-    const auto cell = read_journal_line(line);
-    if (!cell || cell->record.identity.cell != plan_.cells[index].hash()) {
+void Ledger::record(std::size_t index, const CellEnding& ending, const std::string& line) {
+    if (ending.end == CellEnd::missing || !is_line_of(line, plan_.cells[index].hash())) {
         throw std::logic_error("a worker answered with a line that is not of its cell");
     }
-    keep(index, cell->record.outcome, line);
+    keep(index, ending, line);
 }
 
 void Ledger::record(std::size_t index, const Outcome& outcome) {
     const PlannedCell& planned = plan_.cells[index];
     TrajectoryFile(folder_ / trajectory_file(planned.hash())).discard();
     const CellRecord cell = record_of(planned, outcome, nullptr);
-    keep(index, cell.outcome, journal_line(cell, build_));
+    keep(index, ending_of(cell.outcome), journal_line(cell, build_));
 }
 
-void Ledger::append(std::size_t index, const CellOutcome& outcome, const std::string& line) {
+void Ledger::append(std::size_t index, const CellEnding& ending, const std::string& line) {
     const std::uint64_t begin = journal_.append(line);
-    finished_.set(index, outcome, {number_, static_cast<std::uint32_t>(line.size()), begin});
+    finished_.set(index, ending, {number_, static_cast<std::uint32_t>(line.size()), begin});
 }
 
-void Ledger::keep(std::size_t index, const CellOutcome& outcome, const std::string& line) {
-    append(index, outcome, line);
+void Ledger::keep(std::size_t index, const CellEnding& ending, const std::string& line) {
+    append(index, ending, line);
     progress.weight_done += plan_.cells[index].weight;
-    progress.failed += outcome.failed() ? 1U : 0U;
+    progress.failed += ending.end == CellEnd::failed ? 1U : 0U;
     progress.done = finished_.size();
 }
 
@@ -109,7 +108,7 @@ void Ledger::record_times(const std::vector<std::size_t>& cells) {
     for (const std::size_t index : cells) {
         CellRecord cell = finished_.record(index);
         keep_fastest(cell.times, run_s_.at(index));
-        append(index, cell.outcome, journal_line(cell, build_));
+        append(index, ending_of(cell.outcome), journal_line(cell, build_));
     }
 }
 

@@ -25,8 +25,9 @@ class Ledger {
     /// The cells of this shard that are to be computed, by index.
     const std::vector<std::size_t>& mine() const { return mine_; }
 
-    /// Writes down a cell that a worker has run: a line of the journal.
-    void record(std::size_t index, const std::string& line);
+    /// Writes down a cell that a worker has run: how it ended, and its line of the journal. Throws std::logic_error if
+    /// that is of another cell.
+    void record(std::size_t index, const CellEnding& ending, const std::string& line);
     /// The same of one that no worker can tell of; its samples, if there are any, are removed.
     void record(std::size_t index, const Outcome& outcome);
     /// Writes down that an interrupted cell has left samples, so that they stay until it is done.
@@ -44,8 +45,8 @@ class Ledger {
 
   private:
     bool take_over(std::size_t index, const CellRecord& cell, const JournalPlace& place);
-    void append(std::size_t index, const CellOutcome& outcome, const std::string& line);
-    void keep(std::size_t index, const CellOutcome& outcome, const std::string& line);
+    void append(std::size_t index, const CellEnding& ending, const std::string& line);
+    void keep(std::size_t index, const CellEnding& ending, const std::string& line);
     bool trajectory_is_whole(const CellRecord& cell) const;
 
     const Plan& plan_;

@@ -86,7 +86,8 @@ const Reference* Work::reference_of(const PlannedCell& planned) {
 std::string Work::answer_cell(const PlannedCell& planned, const Printed& printed, const std::stop_token& stop) {
     if (stop.stop_requested()) { return answer_text(Answered::interrupted); }
     const Reference* reference = reference_of(planned);
-    TrajectoryFile samples(folder_ / trajectory_file(planned.hash()));
+    const bool sampled = planned.run->cell.samples > 0;
+    TrajectoryFile samples(sampled ? folder_ / trajectory_file(planned.hash()) : std::filesystem::path());
     Outcome outcome;
     {
         const CpuLimit limit(timeout_);
@@ -112,7 +113,7 @@ std::string Work::answer_outcome(const PlannedCell& planned, const Outcome& outc
         line = journal_line(cell, build_);
     }
     cell.outcome.trajectory_sum.empty() ? samples.discard() : samples.keep();
-    return answer_text(Answered::record, line);
+    return answer_text(Answered::record, record_text(ending_of(cell.outcome), line));
 }
 
 std::string Work::answer_part(const PlannedCell& planned, TrajectoryFile& samples) const {

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "driver/campaign/dispatch/job.hpp"
 #include "driver/campaign/finished.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
@@ -41,7 +42,8 @@ TEST_CASE("a finished cell takes at most forty bytes, and says all from its jour
     for (std::size_t i = 0; i < count; ++i) {
         const CellRecord record = record_with(i % 2 == 0 ? "ok" : "left_chart", fmt::format("{} {}", i, long_label));
         const std::string line = journal_line(record, "b");
-        finished.set(i, record.outcome, {number, static_cast<std::uint32_t>(line.size()), journal.append(line)});
+        finished.set(i, ending_of(record.outcome),
+                     {number, static_cast<std::uint32_t>(line.size()), journal.append(line)});
     }
     CHECK(bytes_in_use() - before < 40 * count);
     CHECK(finished.size() == count);
@@ -59,16 +61,34 @@ TEST_CASE("of several lines of a cell the last counts, and what was changed behi
     FinishedCells finished(2);
     const std::uint32_t number = finished.add_journal(file);
     CHECK_FALSE(finished.has(1));
-    finished.set(1, record_with("ok", "first").outcome, {number, size(first), 0});
-    finished.set(1, record_with("skipped", "second").outcome, {number, size(second), first.size() + 1});
+    finished.set(1, ending_of(record_with("ok", "first").outcome), {number, size(first), 0});
+    finished.set(1, ending_of(record_with("skipped", "second").outcome), {number, size(second), first.size() + 1});
     CHECK(finished.size() == 1);
     CHECK(finished.end(0) == CellEnd::missing);
     CHECK(finished.end(1) == CellEnd::skipped);
     CHECK(finished.record(1).identity.label == "second");
-    finished.set(1, record_with("ok", "first").outcome, {number, size(first) - 1, 0});
+    finished.set(1, ending_of(record_with("ok", "first").outcome), {number, size(first) - 1, 0});
     CHECK_THROWS_WITH(finished.record(1), Catch::Contains(file + ": has changed"));
-    finished.set(1, record_with("ok", "first").outcome, {number, size(first), first.size() + second.size()});
+    CHECK_THROWS_WITH(finished.line(1), Catch::Contains(file + ": has changed"));
+    finished.set(1, ending_of(record_with("ok", "first").outcome), {number, size(first), first.size() + second.size()});
     CHECK_THROWS_AS(finished.record(1), FileError);
+}
+
+TEST_CASE("what a worker says of a cell is read back, and what is none says nothing", "[finished]") {
+    CellOutcome ok, lost, late, failed;
+    ok.status = lost.status = late.status = "ok";
+    failed.status = "left_chart";
+    lost.lost = LostIntegral{"energy", 0.5};
+    late.reference = ReferenceNote{{}, 1, true};
+    for (const CellOutcome& outcome : {ok, lost, late, failed}) {
+        const CellEnding ending = ending_of(outcome), again = ending_in(record_text(ending, "line"));
+        CHECK(again.end == (outcome.status == "ok" ? CellEnd::ok : CellEnd::failed));
+        CHECK(again.end == ending.end);
+        CHECK(again.remarkable == (outcome.lost || outcome.reference));
+        CHECK(line_in(record_text(ending, "line")) == "line");
+    }
+    for (const char* text : {"", "o", "x.line", "{}"}) { CHECK(ending_in(text).end == CellEnd::missing); }
+    CHECK(line_in("o").empty());
 }
 
 TEST_CASE("lines are visited with their places, and a torn one is told", "[finished]") {
