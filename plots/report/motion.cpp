@@ -20,9 +20,9 @@ constexpr std::size_t fewest_instants = 120, bytes_of_pose = 43, bytes_of_time =
 
 std::string point_json(const Vector3& point) { return json_list(point, json_number); }
 
-std::string shape_json(const BodyGeometry& body) {
+std::string shape_json(const BodyGeometry& body, const Shapes& shapes) {
     static const char* const kinds[] = {"point", "sphere", "cylinder", "box"};
-    const BodyShape shape = shape_of(body);
+    const BodyShape shape = shape_of(body, shapes);
     return ObjectWriter()
         .member("name", json_text(body.name))
         .member("shape", json_text(kinds[static_cast<std::size_t>(shape.kind)]))
@@ -43,8 +43,9 @@ std::string drawn_link_json(const LinkGeometry& link) {
 }
 
 std::string drawn_mechanism_json(const CellGeometry& mechanism) {
+    const auto draw_body = [&](const BodyGeometry& body) { return shape_json(body, mechanism.shapes); };
     return ObjectWriter()
-        .member("bodies", json_list(mechanism.geometry.bodies, shape_json))
+        .member("bodies", json_list(mechanism.geometry.bodies, draw_body))
         .member("links", json_list(mechanism.geometry.links, drawn_link_json))
         .text();
 }

@@ -99,6 +99,28 @@ TEST_CASE("a homogeneous solid is found again from its mass and inertia, however
     CHECK(shape_of({"none", 0, identity3}).kind == BodyShape::Kind::point);
 }
 
+TEST_CASE("a body has the shape that it is given, whatever its inertia") {
+    const BodyGeometry body{"b", 1, identity3};
+    const auto drawn = [&](const ShapeData& shape) { return shape_of(body, {{"b", shape}}); };
+    const BodyShape rod = drawn({.type = "rod", .length = 3, .axis = Vector3{0, 3, 4}});
+    CHECK(rod.kind == BodyShape::Kind::cylinder);
+    CHECK(rod.sizes == Vector3{0.12, 0.12, 3});
+    CHECK(std::abs(dot_product(rod.axes[2], {0, 0.6, 0.8}) - 1) < 1e-15);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(std::abs(dot_product(rod.axes[i], rod.axes[i]) - 1) < 1e-15);
+        CHECK(std::abs(dot_product(rod.axes[i], rod.axes[(i + 1) % 3])) < 1e-15);
+    }
+    const BodyShape cylinder = drawn({.type = "cylinder", .radius = 0.5, .length = 2});
+    CHECK(cylinder.sizes == Vector3{1, 1, 2});
+    CHECK(cylinder.axes[2] == Vector3{0, 0, 1});
+    CHECK(drawn({.type = "sphere", .radius = 2}).kind == BodyShape::Kind::sphere);
+    const BodyShape box = drawn({.type = "box", .size = Vector3{1, 2, 0.001}});
+    CHECK(box.kind == BodyShape::Kind::box);
+    CHECK(box.sizes == Vector3{1, 2, 0.001});  // not made thicker
+    CHECK(shape_of(body, {{"other", {.type = "box", .size = Vector3{1, 2, 3}}}}).kind == BodyShape::Kind::sphere);
+    CHECK(outline_of(body, {{body}, {}}, {{"b", {.type = "box", .size = Vector3{1, 2, 3}}}}).size() == 12);
+}
+
 TEST_CASE("quaternions turn as their rotations, and follow the one before") {
     std::mt19937 random(2);
     for (int i = 0; i < 200; ++i) {
@@ -131,6 +153,12 @@ TEST_CASE("a motion is on the page with the poses of its samples and the shapes 
     folder.write("trajectories/a1.csv", trajectory_text(50));
     const Geometry top{{{"top", 2, {0.2, 0, 0, 0, 0.1, 0, 0, 0, 0.2}}},
                        {{"pin", "spherical", {"ground", "top"}, {Vector3{0, 0, 0}, Vector3{0, -1, 0}}}}};
+    const Shapes boxes = {{"top", {.type = "box", .size = Vector3{0.1, 0.2, 0.3}}}};
+    write_geometry(folder.path(), {{{"a1"}, top, boxes}});
+    CHECK(read_geometry(folder.path()) == std::vector<CellGeometry>{{{"a1"}, top, boxes}});
+    const auto given = nlohmann::json::parse(report_motion(read_results(folder.path()), folder.path()));
+    CHECK(given.at("mechanisms").at(0).at("bodies").at(0).at("shape") == "box");
+    CHECK(given.at("mechanisms").at(0).at("bodies").at(0).at("sizes") == nlohmann::json({0.1, 0.2, 0.3}));
     write_geometry(folder.path(), {{{"a1"}, top}});
     CHECK(read_geometry(folder.path()) == std::vector<CellGeometry>{{{"a1"}, top}});
     const auto motion = nlohmann::json::parse(report_motion(read_results(folder.path()), folder.path()));

@@ -201,5 +201,6 @@ function motionView() {
   }
   return make('div', {}, new Player(shown, canvas, scene).root, data.motions.remarks.map(small),
       small('Drag turns the view, shift-drag moves it, the wheel comes nearer once the picture is clicked. ' +
-            'Bodies are drawn as homogeneous solids of their mass and inertia; rods lead from mass centres to joints.'));
+            'Bodies without a shape of their own are drawn as homogeneous solids of their mass and inertia; rods ' +
+            'lead from mass centres to joints.'));
 }
