@@ -174,6 +174,32 @@ def check_motion(browser):
     assert pixels(browser)[1] != later, "the view does not turn"
 
 
+def check_forces(browser):
+    """Forces are drawn on request, by the keyboard too, each kind in its colour; what they mean and their scale are
+    said."""
+    from selenium.webdriver.common.keys import Keys
+    boxes = {label.text.strip(): label.find_element("css selector", "input")
+             for label in browser.driver.find_elements("css selector", "#motion .bar label")
+             if label.text.strip() in ("forces of joints", "applied forces")}
+    assert len(boxes) == 2, boxes
+    assert not any(box.is_selected() for box in boxes.values()), "forces are shown unasked"
+    put(browser, "#motion input[type=range]", "0.5")
+    said = "return document.querySelector('#motion .forces:not([hidden])')?.textContent || ''"
+    assert browser.run(said) == ""
+    seen = [pixels(browser)[1]]
+    for name, meaning in (("forces of joints", "reaction of a joint"), ("applied forces", "weight or load")):
+        boxes[name].send_keys(Keys.SPACE)
+        assert boxes[name].is_selected(), f"the space bar does not switch {name}"
+        seen.append(pixels(browser)[1])
+        text = browser.run(said)
+        assert meaning in text and "An arrow of " in text and " N" in text, text
+    assert len(set(seen)) == 3, "switching forces does not change the picture"
+    for box in boxes.values():
+        box.send_keys(Keys.SPACE)
+    assert pixels(browser)[1] == seen[0], "forces stay when they are switched off"
+    assert browser.run(said) == ""
+
+
 def check_stopped(browser):
     """A cell that failed says when and why."""
     browser.run("""const left = document.querySelector('#motion select');
@@ -255,7 +281,7 @@ def check_own(program):
             assert '"output": {"samples": 500}' in said, said
             check_quiet(browser, "orders")
             ready(browser, motion)
-            for check in (check_motion, check_stopped, check_access):
+            for check in (check_motion, check_forces, check_stopped, check_access):
                 check(browser)
             check_quiet(browser, "motion")
             check_control(browser, orders)
