@@ -20,7 +20,8 @@ add_custom_command(OUTPUT ${bibliography_source} DEPENDS ${bibliography} ${CMAKE
 target_sources(kreisel_driver PRIVATE ${bibliography_source})
 set_source_files_properties(${bibliography_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 # Style and script of the page that `kreisel report` writes.
-set(page_parts page.css text.js table.js plot.js figures.js matrix.js scene.js motion.js stage.js camera.js player.js page.js)
+set(page_parts page.css text.js table.js plot.js heat.js space.js figures.js matrix.js scene.js motion.js forces.js
+               stage.js camera.js player.js page.js)
 list(TRANSFORM page_parts PREPEND ${CMAKE_SOURCE_DIR}/plots/report/web/)
 set(page_source ${CMAKE_BINARY_DIR}/generated/kreisel_page.cpp)
 add_custom_command(OUTPUT ${page_source} DEPENDS ${page_parts} ${CMAKE_SOURCE_DIR}/cmake/page.cmake

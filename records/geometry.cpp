@@ -17,12 +17,14 @@ namespace {
 
 std::string vector_json(const Vector3& v) { return json_list(v, json_number); }
 
-std::string body_json(const BodyGeometry& body) {
-    return ObjectWriter()
-        .member("name", json_text(body.name))
-        .member("mass", json_number(body.mass))
-        .member("inertia", json_rows(body.inertia, json_number))
-        .text();
+std::string body_json(const BodyGeometry& body, const Shapes& shapes) {
+    ObjectWriter object;
+    object.member("name", json_text(body.name)).member("mass", json_number(body.mass));
+    object.member("inertia", json_rows(body.inertia, json_number));
+    if (const auto shape = shapes.find(body.name); shape != shapes.end()) {
+        object.member(shape_key, json_shape(shape->second));
+    }
+    return object.text();
 }
 
 std::string link_json(const LinkGeometry& link) {
@@ -37,9 +39,10 @@ std::string link_json(const LinkGeometry& link) {
 }
 
 std::string mechanism_json(const CellGeometry& mechanism) {
+    const auto write_body = [&](const BodyGeometry& body) { return body_json(body, mechanism.shapes); };
     return ObjectWriter()
         .member("cells", json_value(mechanism.cells))
-        .member("bodies", json_list(mechanism.geometry.bodies, body_json))
+        .member("bodies", json_list(mechanism.geometry.bodies, write_body))
         .member("links", json_list(mechanism.geometry.links, link_json))
         .text();
 }
@@ -81,6 +84,9 @@ CellGeometry mechanism_of_json(const JsonValue& json) {
     for (const JsonValue& cell : json.at("cells").elements) { mechanism.cells.push_back(cell.string()); }
     for (const JsonValue& body : json.at("bodies").elements) {
         mechanism.geometry.bodies.push_back(body_of_json(body));
+        if (const JsonValue* shape = body.find(shape_key)) {
+            mechanism.shapes.emplace(mechanism.geometry.bodies.back().name, shape_of_json(*shape));
+        }
     }
     for (const JsonValue& link : json.at("links").elements) { mechanism.geometry.links.push_back(link_of_json(link)); }
     return mechanism;
@@ -120,10 +126,10 @@ std::vector<CellGeometry> read_geometry(const std::filesystem::path& folder) {
     return mechanisms;
 }
 
-const Geometry* geometry_of(const std::vector<CellGeometry>& mechanisms, const std::string& cell) {
+const CellGeometry* geometry_of(const std::vector<CellGeometry>& mechanisms, const std::string& cell) {
     for (const CellGeometry& mechanism : mechanisms) {
         const auto& cells = mechanism.cells;
-        if (std::find(cells.begin(), cells.end(), cell) != cells.end()) { return &mechanism.geometry; }
+        if (std::find(cells.begin(), cells.end(), cell) != cells.end()) { return &mechanism; }
     }
     return nullptr;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/geometry.hpp"
+#include "records/json/model.hpp"
 
 namespace kreisel {
 
@@ -17,11 +18,12 @@ inline constexpr const char* geometry_file = "geometry.json";
 struct CellGeometry {
     std::vector<std::string> cells;  ///< hashes
     Geometry geometry;
+    Shapes shapes = {};  ///< that the config gives
     bool operator==(const CellGeometry&) const = default;
 };
 
-/// {"mechanisms": [{"cells", "bodies": [{"name", "mass", "inertia"}], "links": [{"name", "type", "between", "points",
-/// "axes", "length"}]}, ...]}, in SI units; see engine/geometry.hpp.
+/// {"mechanisms": [{"cells", "bodies": [{"name", "mass", "inertia", "shape"}], "links": [{"name", "type", "between",
+/// "points", "axes", "length"}]}, ...]}, in SI units; see engine/geometry.hpp and records/json/model.hpp.
 std::string geometry_text(const std::vector<CellGeometry>& mechanisms);
 
 /// Writes the file and its sum. Throws FileError.
@@ -31,6 +33,6 @@ void write_geometry(const std::filesystem::path& folder, const std::vector<CellG
 std::vector<CellGeometry> read_geometry(const std::filesystem::path& folder);
 
 /// The mechanism of a cell; null where it is not known.
-const Geometry* geometry_of(const std::vector<CellGeometry>& mechanisms, const std::string& cell);
+const CellGeometry* geometry_of(const std::vector<CellGeometry>& mechanisms, const std::string& cell);
 
 }  // namespace kreisel

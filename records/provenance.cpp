@@ -4,6 +4,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
+#include <sys/auxv.h>
 
 #include <ctime>
 #include <fstream>
@@ -15,9 +16,30 @@
 
 namespace kreisel {
 
+namespace {
+
+constexpr const char* own_file = "/proc/self/exe";
+
+}  // namespace
+
+bool has_proc() {
+    std::error_code none;
+    return std::filesystem::is_symlink(own_file, none);
+}
+
+std::filesystem::path program_file() {
+    std::error_code none;
+    const std::filesystem::path file = std::filesystem::read_symlink(own_file, none);
+    if (!none) { return file; }
+    const auto name = getauxval(AT_EXECFN);
+    if (name == 0) { return {}; }
+    return std::filesystem::absolute(reinterpret_cast<const char*>(name), none);  // NOLINT: an address, says the system
+}
+
 std::string build_id() {
     static const std::string id = [] {
-        std::uint64_t hash = hash64(read_text("/proc/self/exe"));
+        // As it was loaded, even where its file has been replaced since; without /proc the file is all there is.
+        std::uint64_t hash = hash64(read_text(has_proc() ? own_file : program_file()));
         for (const auto& [name, library] : numerical_libraries()) { hash = hash64(name + " " + library + "\n", hash); }
         return hash_text(hash64(instruction_level(), hash));
     }();

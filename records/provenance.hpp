@@ -3,6 +3,7 @@
 // Which program on which machine produced a result.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,11 @@ namespace kreisel {
 /// statically linked library gives another one, also from an uncommitted tree; of the build ids of the numerical
 /// libraries it has loaded; and of the instruction level they run at.
 std::string build_id();
+
+/// Whether the system tells about its processes, which is /proc: an empty root has none.
+bool has_proc();
+/// The file of this program; without /proc the one by which it was started.
+std::filesystem::path program_file();
 
 /// Library names and versions the program was compiled with, and the C library it runs on.
 std::vector<std::pair<std::string, std::string>> library_versions();

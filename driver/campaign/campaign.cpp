@@ -7,6 +7,7 @@
 #include <chrono>
 #include <ostream>
 #include <set>
+#include <thread>
 
 #include "driver/campaign/dispatch/dispatcher.hpp"
 #include "driver/campaign/dispatch/work.hpp"
@@ -48,6 +49,12 @@ Resources resources_of(const Plan& plan, const RunSettings& settings) {
             settings.timeout, settings.grace};
 }
 
+std::string without_proc(unsigned workers) {
+    return fmt::format("/proc is not mounted: {}; neither limits of a cgroup nor the memory of a worker are known",
+                       workers == 1 ? "cells were computed one after the other (-j N: N at the same time)"
+                                    : fmt::format("{} cells were computed at the same time", workers));
+}
+
 void say_of_references(const Plan& plan, const ProgressState& progress, const FailedReferences& failed,
                        CampaignReport& report) {
     report.references = progress.references_done - failed.size();
@@ -71,6 +78,7 @@ void run_workers(const Plan& plan, const Forker& forker, Ledger& ledger, const R
     progress.clear();
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     report.notes = dispatcher.notes();
+    if (!has_proc()) { report.notes.push_back(without_proc(settings.workers)); }
     say_of_references(plan, ledger.progress, dispatcher.failed_references(), report);
     report.interrupted = dispatcher.interrupted() && dispatcher.has_left_something();
 }
@@ -156,6 +164,8 @@ ManifestState begun(const Plan& plan, const RunSettings& settings, const Earlier
 }
 
 }  // namespace
+
+unsigned usual_workers() { return has_proc() ? std::max(1U, std::thread::hardware_concurrency()) : 1; }
 
 std::string shard_name(const RunSettings& settings) {
     return settings.shards == 1 ? "" : fmt::format("{}-of-{}", settings.shard, settings.shards);

@@ -43,6 +43,10 @@ struct CampaignReport {
     std::vector<std::string> notes;            ///< on the run, and on cells that are ok, one line each
 };
 
+/// How many cells are computed at the same time where nobody says: one on each processor. One where /proc is not
+/// mounted: what a cgroup allows and what a worker takes is not known then.
+unsigned usual_workers();
+
 /// "", or "I-of-N".
 std::string shard_name(const RunSettings& settings);
 

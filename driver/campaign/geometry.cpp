@@ -13,7 +13,10 @@ std::vector<CellGeometry> geometries_of(const Plan& plan, const Engine& engine) 
         if (planned.run->cell.samples == 0 || !planned.skip_reason().empty()) { continue; }
         const ProblemPoint problem = planned.problem();
         const auto [place, is_new] = known.emplace(problem.name() + " " + problem.parameters_text(), geometries.size());
-        if (is_new) { geometries.push_back({{}, engine.geometry(problem.name(), problem.parameters())}); }
+        if (is_new) {
+            Geometry geometry = engine.geometry(problem.name(), problem.parameters());
+            geometries.push_back({{}, std::move(geometry), problem.series()->shapes()});
+        }
         geometries[place->second].cells.push_back(planned.hash());
     }
     return geometries;

@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <sstream>
-#include <thread>
 
+#include "driver/campaign/campaign.hpp"
 #include "driver/cli/command_line.hpp"
 #include "records/provenance.hpp"
 
@@ -64,7 +64,7 @@ void CommandLine::add_run() {
 
 void CommandLine::add_limits(CLI::App& run) {
     RunSettings& settings = arguments_.settings;
-    settings.workers = std::max(1U, std::thread::hardware_concurrency());
+    settings.workers = usual_workers();
     run.add_option("-j,--jobs", settings.workers, "Cells computed at the same time (default: all processors)")
         ->check(CLI::Range(1U, 4096U));
     run.add_option("--timeout", settings.timeout,

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "records/begin.hpp"
+#include "records/json/model.hpp"
 #include "records/json/writer.hpp"
 
 namespace kreisel {
@@ -29,11 +30,15 @@ bool are_crossed_numbers(const ProblemSeries& problems) {
     return count == problems.size();
 }
 
+std::string written_text(const ProblemSeries& problems, const VaryingParameter& varying, std::size_t place) {
+    return json_with_shapes(varying.value(place), problems.shapes());
+}
+
 // The values that a parameter takes, each once; or those of all problems in their order.
 std::vector<std::string> distinct_texts(const ProblemSeries& problems, const VaryingParameter& varying) {
     std::vector<std::string> texts;
     for (std::size_t place = 0; place < problems.places(varying.axis()); ++place) {
-        if (varying.rank(place) == texts.size() + 1) { texts.push_back(varying.text(place)); }
+        if (varying.rank(place) == texts.size() + 1) { texts.push_back(written_text(problems, varying, place)); }
     }
     return texts;
 }
@@ -41,7 +46,7 @@ std::vector<std::string> distinct_texts(const ProblemSeries& problems, const Var
 std::vector<std::string> all_texts(const ProblemSeries& problems, const VaryingParameter& varying) {
     std::vector<std::string> texts;
     for (std::size_t point = 0; point < problems.size(); ++point) {
-        texts.push_back(varying.text(problems.place(point, varying.axis())));
+        texts.push_back(written_text(problems, varying, problems.place(point, varying.axis())));
     }
     return texts;
 }
@@ -49,7 +54,7 @@ std::vector<std::string> all_texts(const ProblemSeries& problems, const VaryingP
 // A list of numbers, or an axis that varies with all others.
 std::string varying_text(const ProblemSeries& problems, const VaryingParameter& varying, bool crossed) {
     const auto as_it_is = [](const std::string& text) { return text; };
-    if (varying.distinct() == 1) { return varying.text(0); }
+    if (varying.distinct() == 1) { return written_text(problems, varying, 0); }
     if (crossed) { return list_text(distinct_texts(problems, varying), as_it_is); }
     return ObjectWriter()
         .member("axis", list_text(all_texts(problems, varying), as_it_is))
@@ -61,7 +66,9 @@ std::string varying_text(const ProblemSeries& problems, const VaryingParameter& 
 std::string problem_text(const ProblemSeries& problems) {
     const bool crossed = are_crossed_numbers(problems);
     std::map<std::string, std::string> texts;
-    for (const auto& [name, value] : problems.common_parameters()) { texts[name] = json_value(value); }
+    for (const auto& [name, value] : problems.common_parameters()) {
+        texts[name] = json_with_shapes(value, problems.shapes());
+    }
     for (const VaryingParameter& one : problems.varying()) { texts[one.name()] = varying_text(problems, one, crossed); }
     ObjectWriter parameters;
     for (const auto& [name, text] : texts) { parameters.member(name, text); }

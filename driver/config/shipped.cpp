@@ -8,6 +8,7 @@
 
 #include "kreisel_build.hpp"
 #include "records/json/diagnostics.hpp"
+#include "records/provenance.hpp"
 #include "support/errors.hpp"
 #include "support/nearest.hpp"
 
@@ -38,8 +39,7 @@ bool is_path(const fs::path& written) { return written.has_parent_path() || writ
 fs::path shipped_folder() {
     if (const char* chosen = std::getenv("KREISEL_EXPERIMENTS")) { return chosen; }  // NOLINT(concurrency-mt-unsafe)
     std::error_code none;
-    const auto program = fs::read_symlink("/proc/self/exe", none);
-    const auto installed = program.parent_path().parent_path() / "share" / "kreisel" / "experiments";
+    const auto installed = program_file().parent_path().parent_path() / "share" / "kreisel" / "experiments";
     if (fs::is_directory(installed, none)) { return installed; }
     const fs::path sources = fs::path(build::source_dir) / "experiments";
     return fs::is_directory(sources, none) ? sources : fs::path();

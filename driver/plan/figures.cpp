@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "driver/plan/curve_names.hpp"
 #include "plots/figures/cells/cell_value.hpp"
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
@@ -226,6 +227,15 @@ bool check_cell_values(const Figure& figure, const Plan& plan, Diagnostics& sink
     return all;
 }
 
+// The cells that a figure may draw.
+std::vector<ResultRow> drawn_rows(const Figure& figure, const Plan& plan) {
+    std::vector<ResultRow> rows;
+    for (const PlannedCell& cell : plan.cells) {
+        if (cell.skip_reason().empty() && fits(figure, cell)) { rows.push_back(planned_row(cell)); }
+    }
+    return rows;
+}
+
 }  // namespace
 
 void check_figures(const Document& document, const Plan& plan, const std::vector<std::string>& metrics,
@@ -237,6 +247,7 @@ void check_figures(const Document& document, const Plan& plan, const std::vector
 void check_selections(const Document& document, const Plan& plan, Diagnostics& sink) {
     if (plan.skipped() == plan.cells.size()) { return; }
     for (const auto& figure : figures_in(document, plan)) {
+        if (names_curves(*figure)) { check_curve_names(*figure, drawn_rows(*figure, plan), sink); }
         const bool some = std::any_of(plan.cells.begin(), plan.cells.end(), [&](const PlannedCell& cell) {
             return cell.skip_reason().empty() && fits(*figure, cell);
         });

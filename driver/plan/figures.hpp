@@ -13,7 +13,8 @@ namespace kreisel {
 void check_figures(const Document& document, const Plan& plan, const std::vector<std::string>& metrics,
                    const Engine& engine, Diagnostics& sink);
 
-/// Reports each figure whose selection fits no cell that is run. The plan has its cells.
+/// Reports each figure whose selection fits no cell that is run, and each name of a curve in "legend" or "order" that
+/// no cell that it fits can give. The plan has its cells.
 void check_selections(const Document& document, const Plan& plan, Diagnostics& sink);
 
 }  // namespace kreisel

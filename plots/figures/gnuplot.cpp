@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kreisel_build.hpp"
+#include "records/provenance.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
 
@@ -60,9 +61,7 @@ std::filesystem::path plot_scripts() {
     if (const char* chosen = std::getenv("KREISEL_PLOTS")) {
         candidates.emplace_back(chosen);
     } else {
-        std::error_code none;
-        const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
-        candidates.push_back(program.parent_path().parent_path() / "share" / "kreisel" / "plots");
+        candidates.push_back(program_file().parent_path().parent_path() / "share" / "kreisel" / "plots");
         candidates.emplace_back(std::string(build::source_dir) + "/plots/gnuplot");
     }
     for (const auto& folder : candidates) {

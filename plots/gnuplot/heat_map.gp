@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# A value as the colour of a place between two axes of names or numbers; the values stand in the places while they fit.
+# Values as the colours of places between two axes of names or numbers; the values stand in the places while they fit. A
+# map for each metric, one below the other.
 # Called with the settings file, the figure's path without extension and the folder of these scripts.
 settings = ARG1
 target = ARG2
@@ -16,22 +17,26 @@ place_height = 0.62 * |y_value| < least_height ? least_height / |y_value| : 0.62
 left_cm = 1.0 + character_cm * widest_y
 slanted = character_cm * widest_x > place_width
 bottom_cm = slanted ? 1.0 + 0.75 * character_cm * widest_x : 1.1
-top_cm = 0.35 + (strlen(figure_title) ? 0.5 : 0) + (strlen(figure_note) ? 0.5 : 0)
+title_cm = (strlen(figure_title) ? 0.5 : 0) + (strlen(figure_note) ? 0.5 : 0)
+top_cm = 0.35
+maps = |value_label|
 page_width = left_cm + place_width * |x_value| + right_cm
-page_height = bottom_cm + place_height * |y_value| + top_cm
+map_height = bottom_cm + place_height * |y_value| + top_cm
+page_height = maps * map_height + title_cm
 full_title = figure_title
 if (strlen(figure_note)) { full_title = figure_title . (strlen(figure_title) ? "\n" : '') . '{/*0.85 ' . figure_note . '}' }
 # White letters on dark places, black ones on bright.
-stats data using (log_scale ? log10($3) : $3) nooutput
-middle = (STATS_min + 2 * STATS_max) / 3.0
-letter(v) = (log_scale ? log10(v) : v) < middle ? 0xffffff : 0x000000
+array middle[maps]
+do for [m = 1:maps] {
+    stats data index m - 1 using (log_scale ? log10($3) : $3) nooutput
+    middle[m] = (STATS_min + 2 * STATS_max) / 3.0
+}
+letter(v, m) = (log_scale ? log10(v) : v) < middle[m] ? 0xffffff : 0x000000
+below(m) = (maps - m) * map_height  # cm
 do for [format in 'pdf svg png'] {
     load scripts . '/terminal.gp'
     set lmargin at screen left_cm / page_width
     set rmargin at screen 1 - right_cm / page_width
-    set bmargin at screen bottom_cm / page_height
-    set tmargin at screen 1 - top_cm / page_height
-    if (strlen(full_title)) { set title full_title }
     set border 3 lw 0.7
     set tics nomirror out scale 0
     unset xtics
@@ -41,19 +46,30 @@ do for [format in 'pdf svg png'] {
     do for [i = 1:|x_value|] { set xtics add (x_value[i] i) }
     set ytics ()
     do for [j = 1:|y_value|] { set ytics add (y_value[j] j) }
+    set xtics nomirror scale 0
+    set ytics nomirror scale 0
     set xrange [0.5:|x_value| + 0.5]
     set yrange [0.5:|y_value| + 0.5]
-    set label 1 x_label at screen (left_cm / page_width + 1 - right_cm / page_width) / 2, screen 0.3 / page_height center
-    set label 2 y_label at screen 0.35 / page_width, screen (bottom_cm / page_height + 1 - top_cm / page_height) / 2 center rotate by 90
     set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b')
-    set cblabel value_label offset 2, 0
     if (log_scale) {
         set logscale cb
         set format cb '10^{%L}'
     }
     set style fill solid 1 noborder
     unset key
-    plot data using 1:2:(0.5):(0.5):3 with boxxyerror lc palette, \
-         data using 1:2:(strcol(4)):(letter($3)) with labels font ',5.5' tc rgb variable
+    if (maps > 1) { set multiplot }
+    do for [m = 1:maps] {
+        set bmargin at screen (below(m) + bottom_cm) / page_height
+        set tmargin at screen (below(m) + map_height - top_cm) / page_height
+        if (m == 1 && strlen(full_title)) { set title full_title } else { unset title }
+        set label 1 x_label at screen (left_cm / page_width + 1 - right_cm / page_width) / 2, \
+            screen (below(m) + 0.3) / page_height center
+        set label 2 y_label at screen 0.35 / page_width, \
+            screen (below(m) + (bottom_cm + map_height - top_cm) / 2) / page_height center rotate by 90
+        set cblabel value_label[m] offset 2, 0
+        plot data index m - 1 using 1:2:(0.5):(0.5):3 with boxxyerror lc palette, \
+             data index m - 1 using 1:2:(strcol(4)):(letter($3, m)) with labels font ',5.5' tc rgb variable
+    }
+    if (maps > 1) { unset multiplot }
     unset output
 }

@@ -71,8 +71,8 @@ std::vector<Polyline> edges_of(const BodyShape& shape) {
 
 }  // namespace
 
-std::vector<Polyline> outline_of(const BodyGeometry& body, const Geometry& mechanism) {
-    std::vector<Polyline> lines = edges_of(shape_of(body));
+std::vector<Polyline> outline_of(const BodyGeometry& body, const Geometry& mechanism, const Shapes& shapes) {
+    std::vector<Polyline> lines = edges_of(shape_of(body, shapes));
     for (const LinkGeometry& link : mechanism.links) {
         for (std::size_t side = 0; side < 2; ++side) {
             if (link.between[side] == body.name) { lines.push_back({{0, 0, 0}, link.points[side]}); }

@@ -54,6 +54,29 @@ BodyShape solid(const PrincipalMoments& principal, double mass) {
     return {BodyShape::Kind::box, edges, principal.axes};
 }
 
+// Right-handed axes with this direction as the last; the first is across the body axis that is least along it.
+std::array<Vector3, 3> ending_with_direction(const Vector3& direction) {
+    const double length = std::hypot(direction[0], direction[1], direction[2]);
+    Vector3 last{}, least{};
+    for (std::size_t i = 0; i < 3; ++i) { last[i] = direction[i] / length; }
+    const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    least[static_cast<std::size_t>(std::min_element(last.begin(), last.end(), smaller) - last.begin())] = 1;
+    Vector3 first = cross_product(least, last);
+    const double across = std::hypot(first[0], first[1], first[2]);
+    for (double& part : first) { part /= across; }
+    return {first, cross_product(last, first), last};
+}
+
+BodyShape given_shape(const ShapeData& given) {
+    const Vector3 third = {0, 0, 1};
+    if (given.size) { return {BodyShape::Kind::box, *given.size, {Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
+    constexpr double slenderness = 50;  // of a rod, length over radius
+    const double length = given.length.value_or(0), diameter = 2 * given.radius.value_or(length / slenderness);
+    const auto axes = ending_with_direction(given.axis.value_or(third));
+    if (!given.length) { return {BodyShape::Kind::sphere, {diameter, diameter, diameter}, axes}; }
+    return {BodyShape::Kind::cylinder, {diameter, diameter, length}, axes};
+}
+
 }  // namespace
 
 PrincipalMoments principal_moments(const Matrix3& symmetric) {
@@ -72,6 +95,11 @@ PrincipalMoments principal_moments(const Matrix3& symmetric) {
     }
     principal.axes[2] = cross_product(principal.axes[0], principal.axes[1]);
     return principal;
+}
+
+BodyShape shape_of(const BodyGeometry& body, const Shapes& shapes) {
+    const auto shape = shapes.find(body.name);
+    return shape == shapes.end() ? shape_of(body) : given_shape(shape->second);
 }
 
 BodyShape shape_of(const BodyGeometry& body) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How a rigid body of known inertia may look: a homogeneous solid of the same mass and inertia.
+// How a body looks: the shape that its config gives, else a homogeneous solid of the same mass and inertia.
 #pragma once
 
 #include <array>
 
 #include "engine/geometry.hpp"
+#include "records/json/model.hpp"
 
 namespace kreisel {
 
@@ -29,5 +30,8 @@ struct BodyShape {
 /// moments are equal up to 1e-6, a cylinder has r^2 = 2 C / m and h^2 = 12 A / m - 3 r^2; where all are, a sphere has
 /// r^2 = 5 A / (2 m). No edge is drawn below 1/25 of the longest.
 BodyShape shape_of(const BodyGeometry& body);
+/// The shape of these that has its name, as large as it is given, a rod without a radius with 1/50 of its length as
+/// radius; else that.
+BodyShape shape_of(const BodyGeometry& body, const Shapes& shapes);
 
 }  // namespace kreisel

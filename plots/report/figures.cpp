@@ -10,6 +10,7 @@
 #include "plots/figures/kind.hpp"
 #include "plots/figures/kinds/panel_kind.hpp"
 #include "plots/figures/spec.hpp"
+#include "plots/report/places.hpp"
 #include "records/json/lists.hpp"
 #include "records/json/writer.hpp"
 
@@ -99,10 +100,17 @@ ObjectWriter panels_json(const Figure& figure, const PanelFigure& drawn) {
 }
 
 std::string drawn_json(const Figure& figure, const Results& results, std::vector<std::string>& not_drawn) {
-    const auto* kind = dynamic_cast<const PanelKind*>(&figure);
-    if (kind == nullptr) { return figure_json(figure, ObjectWriter().member("space", "true")); }
+    const auto* heat = dynamic_cast<const HeatMapKind*>(&figure);
+    const auto* space = dynamic_cast<const SpaceKind*>(&figure);
     try {
-        return figure_json(figure, panels_json(figure, kind->panels(results)));
+        if (heat != nullptr) {
+            return figure_json(figure, ObjectWriter().member("heat", heat_json(heat->data(results))));
+        }
+        if (space != nullptr) {
+            return figure_json(figure, ObjectWriter().member("space", space_json(space->data(results))));
+        }
+        const auto& kind = dynamic_cast<const PanelKind&>(figure);
+        return figure_json(figure, panels_json(figure, kind.panels(results)));
     } catch (const FigureError& error) {
         not_drawn.emplace_back(error.what());
         return figure_json(figure, ObjectWriter().member("not_drawn", json_text(error.what())));

@@ -17,9 +17,9 @@ struct ReportFigures {
     std::vector<std::string> not_drawn;  ///< why, a text for each figure that could not be drawn
 };
 
-/// A list of {"name", "kind", "title", "columns", "marks", "panels"}, or with "not_drawn", why, in place of the last;
-/// one in space has "space": true. Labels are enhanced text of gnuplot. A curve has "x" (or the index of an
-/// earlier curve with the same), "y" (null: a gap), "style", "fitted" (indices).
+/// A list of {"name", "kind", "title"} with "columns", "marks" and "panels", of a heat map with "heat", of a figure in
+/// space with "space" (plots/report/places.hpp), or with "not_drawn", why. Labels are enhanced text of gnuplot. A curve
+/// has "x" (or the index of an earlier curve with the same), "y" (null: a gap), "style", "fitted" (indices).
 ReportFigures report_figures(const Results& results);
 
 /// A panel as JSON, for tests.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "plots/mechanism/shape.hpp"
+#include "plots/report/forces.hpp"
 #include "plots/report/poses.hpp"
 #include "records/geometry.hpp"
 #include "records/json/lists.hpp"
@@ -20,14 +21,15 @@ constexpr std::size_t fewest_instants = 120, bytes_of_pose = 43, bytes_of_time =
 
 std::string point_json(const Vector3& point) { return json_list(point, json_number); }
 
-std::string shape_json(const BodyGeometry& body) {
+std::string shape_json(const BodyGeometry& body, const Shapes& shapes) {
     static const char* const kinds[] = {"point", "sphere", "cylinder", "box"};
-    const BodyShape shape = shape_of(body);
+    const BodyShape shape = shape_of(body, shapes);
     return ObjectWriter()
         .member("name", json_text(body.name))
         .member("shape", json_text(kinds[static_cast<std::size_t>(shape.kind)]))
         .member("sizes", point_json(shape.sizes))
         .member("axes", json_list(shape.axes, point_json))
+        .member("mass", json_number(body.mass))
         .text();
 }
 
@@ -43,8 +45,9 @@ std::string drawn_link_json(const LinkGeometry& link) {
 }
 
 std::string drawn_mechanism_json(const CellGeometry& mechanism) {
+    const auto draw_body = [&](const BodyGeometry& body) { return shape_json(body, mechanism.shapes); };
     return ObjectWriter()
-        .member("bodies", json_list(mechanism.geometry.bodies, shape_json))
+        .member("bodies", json_list(mechanism.geometry.bodies, draw_body))
         .member("links", json_list(mechanism.geometry.links, drawn_link_json))
         .text();
 }
@@ -62,8 +65,9 @@ struct MotionSelection {
 };
 
 // Fewer instants of all cells, and where these become too few the first cells only.
-MotionSelection selection_of(std::vector<ShownCell> cells, std::size_t bodies) {
-    const std::size_t bytes = bytes_of_pose * std::min(bodies, most_bodies) + bytes_of_time;
+MotionSelection selection_of(std::vector<ShownCell> cells, const TrajectoryTable& one) {
+    const std::size_t bodies = std::max<std::size_t>(bodies_in(one).size(), 1), shown = std::min(bodies, most_bodies);
+    const std::size_t bytes = bytes_of_pose * shown + bytes_of_time + bytes_of_forces(one) * shown / bodies;
     const std::size_t most_cells = std::max<std::size_t>(room_for_motion / (bytes * fewest_instants), 1);
     if (cells.size() > most_cells) { cells.resize(most_cells); }
     const std::size_t instants = room_for_motion / (bytes * std::max<std::size_t>(cells.size(), 1));
@@ -77,8 +81,7 @@ class MotionWriter {
     std::string json(const std::vector<ShownCell>& all) {
         std::string list;
         if (!all.empty()) {
-            const std::size_t bodies = bodies_in(read_trajectory(*all.front().result)).size();
-            const MotionSelection selection = selection_of(all, bodies);
+            const MotionSelection selection = selection_of(all, read_trajectory(*all.front().result));
             for (const ShownCell& cell : selection.cells) {
                 list += (list.empty() ? "" : ",") + cell_json(cell, selection.instants);
             }
@@ -102,6 +105,7 @@ class MotionWriter {
         most_samples_ = std::max(most_samples_, samples);
         most_shown_ = std::max(most_shown_, instants.size());
         const PackedPoses poses = packed_poses(trajectory, bodies, instants);
+        const CellGeometry* known = geometry_of(mechanisms_, cell.result->cell);
         return ObjectWriter()
             .member("row", std::to_string(cell.row))
             .member("mechanism", mechanism_json(cell.result->cell))
@@ -109,6 +113,8 @@ class MotionWriter {
             .member("t", json_text(poses.t))
             .member("x", json_text(poses.x))
             .member("q", poses.q.empty() ? "null" : json_text(poses.q))
+            .member("forces", known == nullptr ? "[]" : forces_json(trajectory, known->geometry, bodies, instants))
+            .member("applied", applied_json(cell.result->parameters, trajectory))
             .text();
     }
 

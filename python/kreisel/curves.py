@@ -8,12 +8,13 @@ from __future__ import annotations
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Union
 
 import numpy as np
 
 from .errors import KreiselError
 from .numbers import parse_json
+from .places import HeatFigure, SpaceFigure, read_heat, read_space
 from .program import call_program
 from .results import Results
 
@@ -21,7 +22,7 @@ _BEFORE, _AFTER = '<script type="application/json" id="data">', "</script>"
 
 
 class NotDrawn(KreiselError):
-    """A figure that has no curves, with the program's reason where it gives one."""
+    """A figure that the program does not draw, with its reason."""
 
 
 @dataclass(frozen=True)
@@ -107,16 +108,22 @@ def _report_of(results: Results) -> dict[str, Any]:
     return parse_json(text[begin:text.index(_AFTER, begin)])
 
 
-def read_figures(results: Results) -> dict[str, FigureData | NotDrawn]:
-    """The figures that the config asks for, by name; of one without curves, the reason."""
+Drawn = Union[FigureData, HeatFigure, SpaceFigure]
+
+
+def read_figures(results: Results) -> dict[str, Drawn | NotDrawn]:
+    """The figures that the config asks for, by name; of one that the program does not draw, the reason."""
     report = _report_of(results)
-    figures: dict[str, FigureData | NotDrawn] = {}
+    figures: dict[str, Drawn | NotDrawn] = {}
     for one in report["figures"]:
         if "panels" in one:
             figures[one["name"]] = FigureData(one["name"], one["title"], report["wanting"], one["columns"],
                                               one["marks"], tuple(map(_panel, one["panels"])), one.get("width"),
                                               one["axes_height"], one["font_size"], one["lines"])
+        elif "heat" in one:
+            figures[one["name"]] = read_heat(one, report["wanting"])
+        elif "space" in one:
+            figures[one["name"]] = read_space(one, report["wanting"])
         else:
-            reason = one.get("not_drawn", f"{one['name']}: a figure in space, which only kreisel plot draws")
-            figures[one["name"]] = NotDrawn(reason)
+            figures[one["name"]] = NotDrawn(one["not_drawn"])
     return figures

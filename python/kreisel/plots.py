@@ -8,10 +8,11 @@ import numpy as np
 import pandas as pd
 
 from . import style
-from .curves import FigureData, NotDrawn, Panel, read_figures
+from .curves import Drawn, NotDrawn, Panel, read_figures
 from .labels import matplotlib_text
 from .layout import Page, legend_below, new_axes
 from .legends import Legends, identity_columns
+from .places import HeatFigure, SpaceFigure, draw_heat, draw_space
 from .results import Cell, Results
 
 if TYPE_CHECKING:
@@ -57,8 +58,12 @@ def draw_panel(ax: Axes, panel: Panel, with_marks: bool, page: Page = Page(), wi
     legend_below(ax, page)
 
 
-def draw_figure(data: FigureData) -> Figure:
-    """Draws the panels of a figure, beside and below each other."""
+def draw_figure(data: Drawn) -> Figure:
+    """Draws the panels of a figure, beside and below each other, its heat maps, or what it shows in space."""
+    if isinstance(data, HeatFigure):
+        return draw_heat(data)
+    if isinstance(data, SpaceFigure):
+        return draw_space(data)
     title = "\n".join(filter(None, map(matplotlib_text, (data.title, data.note))))
     page = Page(data.width, data.axes_height, data.font_size)
     axes = new_axes([[curve.label for curve in panel.curves] for panel in data.panels], data.columns, title, page)

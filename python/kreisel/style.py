@@ -15,6 +15,9 @@ GUIDE = {"color": "#777777", "linewidth": 0.6}
 GRID = {"color": "#bbbbbb", "linewidth": 0.4}
 NOTE = {"color": "#555555", "fontsize": 6.5}
 
+# viridis without its brightest end: even in lightness.
+PALETTE = ("#440154", "#482878", "#3e4989", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b")
+
 FONT_SIZE = 7.5  # points on the page
 _LETTERS = ("font.size", "axes.titlesize", "axes.labelsize", "legend.fontsize", "xtick.labelsize", "ytick.labelsize",
             "figure.titlesize")

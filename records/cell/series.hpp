@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/engine.hpp"
+#include "records/json/model.hpp"
 
 namespace kreisel {
 
@@ -50,6 +51,7 @@ class ProblemSeries {
         std::string pointer;         ///< position in the config
         ParameterValues parameters;  ///< complete; those that vary have any value
         std::vector<std::size_t> axes = {};
+        Shapes shapes = {};
     };
     /// `varying` in the order of the problem's description. Axes are crossed, the last varies fastest.
     explicit ProblemSeries(Common common, std::vector<VaryingParameter> varying = {});
@@ -58,6 +60,8 @@ class ProblemSeries {
     const std::string& label() const { return common_.label; }
     const std::string& pointer() const { return common_.pointer; }
     const ParameterValues& common_parameters() const { return common_.parameters; }
+    /// Those of bodies, which drawings need; no part of the parameters.
+    const Shapes& shapes() const { return common_.shapes; }
     const std::vector<VaryingParameter>& varying() const { return varying_; }
     /// How many there are, and how many places an axis has.
     std::size_t size() const { return size_; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "records/json/model.hpp"
 
+#include <stdexcept>
+
 #include "mechanics/parts/force_type.hpp"
 #include "mechanics/parts/joint_type.hpp"
 #include "records/json/lists.hpp"
@@ -23,6 +25,19 @@ std::string json_motion(const MotionData& motion) {
     if (!motion.polynomial.empty()) { object.member("polynomial", json_list(motion.polynomial, json_number)); }
     if (!motion.sinusoids.empty()) { object.member("sinusoids", json_list(motion.sinusoids, json_sinusoid)); }
     return object.text();
+}
+
+std::string body_with_shape(const BodyData& body, const Shapes& shapes) {
+    std::string text = json_element(body);
+    const auto shape = shapes.find(body.name);
+    if (body.point || shape == shapes.end()) { return text; }
+    text.pop_back();
+    return text + "," + json_text(shape_key) + ":" + json_shape(shape->second) + "}";
+}
+
+Vector3 three_numbers(const JsonValue& json) {
+    if (json.elements.size() != 3) { throw std::invalid_argument("expected three numbers"); }
+    return {json.elements[0].number(), json.elements[1].number(), json.elements[2].number()};
 }
 
 }  // namespace
@@ -95,6 +110,50 @@ std::string json_element(const ForceData& force) {
     write("amplitude", json_number(force.amplitude));
     write("frequency", json_number(force.frequency));
     return object.text();
+}
+
+const char* const shape_meaning =
+    R"(how it is drawn, about the mass centre, m: {"type": "box", "size": [a, b, c]} along the body axes, )"
+    R"({"type": "cylinder", "radius": r, "length": l}, {"type": "rod", "length": l}, which may have a radius, both )"
+    R"(with an "axis" if it is not the third, or {"type": "sphere", "radius": r} (default: the homogeneous solid of )"
+    R"(its mass and inertia))";
+
+bool may_have_shape(const ElementType& body) { return body.has("inertia"); }
+
+const std::vector<ElementType>& shape_types() {
+    const ElementKey radius = {"radius", ValueKind::positive, true}, length = {"length", ValueKind::positive, true},
+                     axis = {"axis", ValueKind::vector, false}, own_radius = {"radius", ValueKind::positive, false};
+    static const std::vector<ElementType> types = {{"cylinder", "", {radius, length, axis}},
+                                                   {"box", "", {{"size", ValueKind::vector, true}}},
+                                                   {"sphere", "", {radius}},
+                                                   {"rod", "", {length, own_radius, axis}}};
+    return types;
+}
+
+std::string json_shape(const ShapeData& shape) {
+    ObjectWriter object;
+    object.member("type", json_text(shape.type));
+    if (shape.radius) { object.member("radius", json_number(*shape.radius)); }
+    if (shape.length) { object.member("length", json_number(*shape.length)); }
+    if (shape.size) { object.member("size", json_list(*shape.size, json_number)); }
+    if (shape.axis) { object.member("axis", json_list(*shape.axis, json_number)); }
+    return object.text();
+}
+
+ShapeData shape_of_json(const JsonValue& json) {
+    ShapeData shape{json.at("type").string()};
+    if (const JsonValue* radius = json.find("radius")) { shape.radius = radius->number(); }
+    if (const JsonValue* length = json.find("length")) { shape.length = length->number(); }
+    if (const JsonValue* size = json.find("size")) { shape.size = three_numbers(*size); }
+    if (const JsonValue* axis = json.find("axis")) { shape.axis = three_numbers(*axis); }
+    if (!shape.radius && !shape.length && !shape.size) { throw std::invalid_argument("a shape has no size"); }
+    return shape;
+}
+
+std::string json_with_shapes(const ParameterValue& value, const Shapes& shapes) {
+    const auto* bodies = std::get_if<std::vector<BodyData>>(&value);
+    if (bodies == nullptr) { return json_value(value); }
+    return json_list(*bodies, [&](const BodyData& body) { return body_with_shape(body, shapes); });
 }
 
 }  // namespace kreisel

@@ -6,6 +6,7 @@
 
 #include "mechanics/parts/force_type.hpp"
 #include "mechanics/parts/joint_type.hpp"
+#include "records/json/model.hpp"
 
 namespace kreisel {
 
@@ -151,6 +152,7 @@ std::string expectation(ValueKind kind) {
 std::vector<std::string> keys_of(const ElementType& type) {
     std::vector<std::string> keys = {"type"};
     for (const ElementKey& key : type.keys) { keys.push_back(key.name); }
+    if (may_have_shape(type)) { keys.emplace_back(shape_key); }
     return keys;
 }
 

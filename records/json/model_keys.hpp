@@ -32,7 +32,7 @@ std::string meaning_of_key(const std::string& key);
 /// A value of this kind, in words.
 std::string expectation(ValueKind kind);
 
-/// "type" and the keys of a type.
+/// "type" and the keys of a type, that of its shape (records/json/model.hpp) too.
 std::vector<std::string> keys_of(const ElementType& type);
 
 }  // namespace kreisel

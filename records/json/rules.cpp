@@ -28,6 +28,7 @@ const std::vector<RuleDescription>& rules_of_meaning() {
         {Rule::metric, "metric", "a metric is one of these problems"},
         {Rule::figure_metric, "figure-metric", "a figure draws a metric that the experiment measures"},
         {Rule::figure_selection, "figure-selection", "`select` names what the experiment has, and fits some cell"},
+        {Rule::figure_curve, "figure-curve", "`legend` and `order` name curves that the experiment can have"},
         {Rule::figure_body, "figure-body", "a figure draws a body of the problem"},
         {Rule::figure_until, "figure-until", "a figure ends within the run"},
         {Rule::figure_range, "figure-range", "the range of an axis goes from a lower to a higher number"},

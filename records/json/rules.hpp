@@ -28,6 +28,7 @@ enum class Rule {
     metric,
     figure_metric,
     figure_selection,
+    figure_curve,
     figure_body,
     figure_until,
     figure_range,

@@ -116,7 +116,7 @@ const std::vector<Room>& rooms() {
          {"fmt/"},
          talks},
         {"plots/figures", {names_of_cells, "records", "support"}, {"fmt/", "nlohmann/", "boost/tokenizer.hpp"}, talks},
-        {"plots/mechanism", {geometry, "support"}, {}},
+        {"plots/mechanism", {geometry, "records/json/model.hpp", "support"}, {}},
         {"plots/report",
          {"plots/figures", "plots/mechanism", "plots/tables", "plots/wanting.hpp", "records", "support"},
          {"fmt/", "nlohmann/"},

@@ -29,6 +29,11 @@ MOTION = {
     "problems": ["double_pendulum", "four_bar"],
     "methods": ["rkmk/rk4", "rkmk/euler"], "projections": ["none", "position_velocity"],
     "time": {"end": 4, "steps": 800}, "output": {"samples": 200},
+    "figure": [
+        {"kind": "heat_map", "name": "map", "metric": ["defect.position", "defect.velocity"], "x": "projection",
+         "select": {"problem": "double_pendulum"}},
+        {"kind": "motion", "name": "path", "instants": 3, "lever": [0, 0.3, 0],
+         "select": {"problem": "double_pendulum", "method": "rkmk/rk4", "projection": "none"}}],
 }
 
 
@@ -174,6 +179,51 @@ def check_motion(browser):
     assert pixels(browser)[1] != later, "the view does not turn"
 
 
+def check_forces(browser):
+    """Forces are drawn on request, by the keyboard too, each kind in its colour; what they mean and their scale are
+    said."""
+    from selenium.webdriver.common.keys import Keys
+    boxes = {label.text.strip(): label.find_element("css selector", "input")
+             for label in browser.driver.find_elements("css selector", "#motion .bar label")
+             if label.text.strip() in ("forces of joints", "applied forces")}
+    assert len(boxes) == 2, boxes
+    assert not any(box.is_selected() for box in boxes.values()), "forces are shown unasked"
+    put(browser, "#motion input[type=range]", "0.5")
+    said = "return document.querySelector('#motion .forces:not([hidden])')?.textContent || ''"
+    assert browser.run(said) == ""
+    seen = [pixels(browser)[1]]
+    for name, meaning in (("forces of joints", "reaction of a joint"), ("applied forces", "weight or load")):
+        boxes[name].send_keys(Keys.SPACE)
+        assert boxes[name].is_selected(), f"the space bar does not switch {name}"
+        seen.append(pixels(browser)[1])
+        text = browser.run(said)
+        assert meaning in text and "An arrow of " in text and " N" in text, text
+    assert len(set(seen)) == 3, "switching forces does not change the picture"
+    for box in boxes.values():
+        box.send_keys(Keys.SPACE)
+    assert pixels(browser)[1] == seen[0], "forces stay when they are switched off"
+    assert browser.run(said) == ""
+
+
+def check_places(browser):
+    """Heat maps are tables with a colour for each value, figures in space turn by the arrow keys."""
+    maps = browser.run("""
+        return [...document.querySelectorAll('table.heat')].map((table) => [
+            table.caption.textContent, [...table.querySelectorAll('tbody th')].map((head) => head.textContent),
+            [...table.querySelectorAll('td')].map((place) => [place.title, place.style.backgroundColor])]);""")
+    assert len(maps) == 2, maps
+    for caption, methods, places in maps:
+        assert caption and sorted(methods) == ["rkmk/euler", "rkmk/rk4"], (caption, methods)
+        values = [float(value) for value, _ in places]
+        assert len(values) == 4 and len({colour for _, colour in places}) == len(set(values)), places
+    outline = "return document.querySelector('.space svg').innerHTML"
+    before = browser.run(outline)
+    assert before.count('class="track"') == 200 and before.count('class="outline"') > 3, len(before)
+    browser.run("""document.querySelector('.space svg').dispatchEvent(
+        new KeyboardEvent('keydown', {key: 'ArrowLeft', cancelable: true}))""")
+    assert browser.run(outline) != before, "the arrow keys do not turn the picture"
+
+
 def check_stopped(browser):
     """A cell that failed says when and why."""
     browser.run("""const left = document.querySelector('#motion select');
@@ -255,7 +305,7 @@ def check_own(program):
             assert '"output": {"samples": 500}' in said, said
             check_quiet(browser, "orders")
             ready(browser, motion)
-            for check in (check_motion, check_stopped, check_access):
+            for check in (check_motion, check_places, check_forces, check_stopped, check_access):
                 check(browser)
             check_quiet(browser, "motion")
             check_control(browser, orders)

@@ -123,7 +123,7 @@ TEST_CASE("info tells parameters, options, integrals and why a formulation is im
     CHECK(tells(mechanism, "An entry of \"joints\" has a \"type\", and its keys"));
     CHECK(tells(mechanism, "An entry of \"bodies\" has a \"type\", by default \"rigid\""));
     CHECK(tells(mechanism, "revolute     between, point|points, axis|axes, [turn], [name]; turns about the axis"));
-    CHECK(tells(mechanism, "rigid  name, mass, inertia, x, [R|quaternion], [v], [omega]; rigid body"));
+    CHECK(tells(mechanism, "rigid  name, mass, inertia, x, [R|quaternion], [v], [omega], [shape]; rigid body"));
     CHECK(tells(mechanism, "stiffness            N/m, of a torsion spring N m/rad"));
     CHECK(tells(mechanism, "the bodies: a list of bodies, at least one (required)"));
     CHECK(tells(mechanism, "the joints: a list of joints (default [])"));

@@ -203,6 +203,29 @@ TEST_CASE("a warning of the engine is said once for all formulations and precisi
     CHECK(plan.warnings == std::vector<std::string>{"anvil: a very heavy top"});
 }
 
+TEST_CASE("a figure may name the curves that its cells can have, and no others") {
+    const auto refusal = [](const std::string& keys) {
+        try {
+            plan_from(R"({"name": "n", "kind": "convergence",
+                "problems": [{"name": "heavy_top", "label": "fast, heavy"}, "free_top"],
+                "methods": ["rkmk/rk4", {"name": "rkmk/midpoint", "coordinates": ["exp", "cayley"]}],
+                "projections": ["none", "terze"], "time": {"end": 1, "steps": [4, 8]},
+                "figure": {"kind": "convergence", )" +
+                      keys + "}}");
+        } catch (const UsageError& error) { return std::string(error.what()); }
+        return std::string();
+    };
+    CHECK(refusal(R"("order": ["rkmk/midpoint cayley", "no projection", "fast, heavy, rkmk/rk4, terze",
+                               "free_top, rkmk/midpoint coordinates=exp"])") == "");
+    CHECK(refusal(R"("overlay": {"label": "by hand", "points": [[1, 2]]}, "legend": {"by hand": "ours"})") == "");
+    CHECK_THAT(refusal(R"("order": ["rkmk/rk4", "rkmk/rk5"])"), Catch::Contains(": /figure/order/1: expected a name"));
+    CHECK_THAT(refusal(R"("legend": {"free_top, rkmk/rk4, tereze": "ours"})"),
+               Catch::Contains(": /figure/legend/free_top, rkmk~1rk4, tereze: expected a name that a curve") &&
+                   Catch::Contains("did you mean \"free_top, rkmk/rk4, terze\"?"));
+    CHECK_THAT(refusal(R"("select": {"problem": "free_top"}, "order": ["fast, heavy"])"),
+               Catch::Contains("got \"fast, heavy\""));
+}
+
 TEST_CASE("a trajectory without samples gives a warning") {
     const std::string text = R"({"name": "n", "kind": "trajectory", "problems": ["heavy_top"], "methods": ["rkmk/rk4"],
         "time": {"end": 2, "steps": 4})";

@@ -2,6 +2,7 @@
 //
 // Shapes of bodies, poses and motions as the page of a report holds them.
 #include <algorithm>
+#include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
@@ -9,9 +10,11 @@
 
 #include "plots/mechanism/outline.hpp"
 #include "plots/mechanism/shape.hpp"
+#include "plots/report/forces.hpp"
 #include "plots/report/motion.hpp"
 #include "plots/report/poses.hpp"
 #include "records/geometry.hpp"
+#include "records/json/exact.hpp"
 #include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"
 
@@ -99,6 +102,28 @@ TEST_CASE("a homogeneous solid is found again from its mass and inertia, however
     CHECK(shape_of({"none", 0, identity3}).kind == BodyShape::Kind::point);
 }
 
+TEST_CASE("a body has the shape that it is given, whatever its inertia") {
+    const BodyGeometry body{"b", 1, identity3};
+    const auto drawn = [&](const ShapeData& shape) { return shape_of(body, {{"b", shape}}); };
+    const BodyShape rod = drawn({.type = "rod", .length = 3, .axis = Vector3{0, 3, 4}});
+    CHECK(rod.kind == BodyShape::Kind::cylinder);
+    CHECK(rod.sizes == Vector3{0.12, 0.12, 3});
+    CHECK(std::abs(dot_product(rod.axes[2], {0, 0.6, 0.8}) - 1) < 1e-15);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(std::abs(dot_product(rod.axes[i], rod.axes[i]) - 1) < 1e-15);
+        CHECK(std::abs(dot_product(rod.axes[i], rod.axes[(i + 1) % 3])) < 1e-15);
+    }
+    const BodyShape cylinder = drawn({.type = "cylinder", .radius = 0.5, .length = 2});
+    CHECK(cylinder.sizes == Vector3{1, 1, 2});
+    CHECK(cylinder.axes[2] == Vector3{0, 0, 1});
+    CHECK(drawn({.type = "sphere", .radius = 2}).kind == BodyShape::Kind::sphere);
+    const BodyShape box = drawn({.type = "box", .size = Vector3{1, 2, 0.001}});
+    CHECK(box.kind == BodyShape::Kind::box);
+    CHECK(box.sizes == Vector3{1, 2, 0.001});  // not made thicker
+    CHECK(shape_of(body, {{"other", {.type = "box", .size = Vector3{1, 2, 3}}}}).kind == BodyShape::Kind::sphere);
+    CHECK(outline_of(body, {{body}, {}}, {{"b", {.type = "box", .size = Vector3{1, 2, 3}}}}).size() == 12);
+}
+
 TEST_CASE("quaternions turn as their rotations, and follow the one before") {
     std::mt19937 random(2);
     for (int i = 0; i < 200; ++i) {
@@ -131,6 +156,12 @@ TEST_CASE("a motion is on the page with the poses of its samples and the shapes 
     folder.write("trajectories/a1.csv", trajectory_text(50));
     const Geometry top{{{"top", 2, {0.2, 0, 0, 0, 0.1, 0, 0, 0, 0.2}}},
                        {{"pin", "spherical", {"ground", "top"}, {Vector3{0, 0, 0}, Vector3{0, -1, 0}}}}};
+    const Shapes boxes = {{"top", {.type = "box", .size = Vector3{0.1, 0.2, 0.3}}}};
+    write_geometry(folder.path(), {{{"a1"}, top, boxes}});
+    CHECK(read_geometry(folder.path()) == std::vector<CellGeometry>{{{"a1"}, top, boxes}});
+    const auto given = nlohmann::json::parse(report_motion(read_results(folder.path()), folder.path()));
+    CHECK(given.at("mechanisms").at(0).at("bodies").at(0).at("shape") == "box");
+    CHECK(given.at("mechanisms").at(0).at("bodies").at(0).at("sizes") == nlohmann::json({0.1, 0.2, 0.3}));
     write_geometry(folder.path(), {{{"a1"}, top}});
     CHECK(read_geometry(folder.path()) == std::vector<CellGeometry>{{{"a1"}, top}});
     const auto motion = nlohmann::json::parse(report_motion(read_results(folder.path()), folder.path()));
@@ -148,6 +179,62 @@ TEST_CASE("a motion is on the page with the poses of its samples and the shapes 
     }
     CHECK(motion.at("mechanisms").at(0).at("bodies").at(0).at("shape") == "cylinder");
     CHECK(motion.at("remarks").empty());
+}
+
+TEST_CASE("forces of joints are packed for the page, with what drives them, and weights and loads told") {
+    TrajectoryTable samples;
+    const auto add = [&](const std::string& name, std::vector<double> values) {
+        samples.names.push_back(name);
+        samples.units.emplace_back("1");
+        samples.columns.push_back(std::move(values));
+    };
+    add("t", {0, 1, 2});
+    for (int k = 1; k <= 3; ++k) { add("crank.x" + std::to_string(k), {1.0 * k, 0, 0}); }
+    // A quarter turn about the third axis.
+    for (const auto& [name, value] : {std::pair("R12", -1.0), std::pair("R21", 1.0), std::pair("R33", 1.0)}) {
+        add(std::string("crank.") + name, {value, value, value});
+    }
+    for (int k = 1; k <= 3; ++k) {
+        add("reaction.pin.force." + std::to_string(k), {1.0 * k, -300, std::nan("")});
+        add("reaction.pin.torque." + std::to_string(k), {0, 1e-3, 1e300});
+    }
+    add("drive.pin.torque", {2, 3, 4});
+    const Geometry mechanism{{{"crank", 1, identity3}},
+                             {{"loose", "spring", {"ground", "crank"}}, {"pin", "revolute", {"ground", "crank"}}}};
+    const auto forces = nlohmann::json::parse(forces_json(samples, mechanism, {"crank"}, {0, 1, 2}));
+    REQUIRE(forces.size() == 1);
+    CHECK(forces.at(0).at("link") == 1);
+    CHECK_FALSE(forces.at(0).contains("force"));
+    const auto number = [](std::uint16_t half) {
+        return std::bit_cast<float>(static_cast<std::uint32_t>(half) << 16U);
+    };
+    const auto F = unpacked<std::uint16_t>(forces.at(0).at("F")), tau = unpacked<std::uint16_t>(forces.at(0).at("tau"));
+    REQUIRE((F.size() == 9 && tau.size() == 9));
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(number(F[k]) == static_cast<float>(k + 1));
+        CHECK(number(F[3 + k]) == Approx(-300).epsilon(1.0 / 256).margin(0));
+        CHECK(number(tau[3 + k]) == Approx(1e-3).epsilon(1.0 / 256).margin(0));
+        CHECK(std::isnan(number(F[6 + k])));
+        CHECK(std::isnan(number(tau[6 + k])));
+    }
+    CHECK(number(unpacked<std::uint16_t>(forces.at(0).at("torque")).at(2)) == 4);
+    CHECK(bytes_of_forces(samples) == 7 * 2 * 4 / 3);
+    CHECK(forces_json(samples, mechanism, {"another"}, {0}) == "[]");
+    for (std::size_t i = 0; i < samples.names.size(); ++i) {
+        if (samples.names[i].find(".torque.") != std::string::npos) { samples.columns[i] = {0, 0, 0}; }
+    }
+    CHECK_FALSE(nlohmann::json::parse(forces_json(samples, mechanism, {"crank"}, {0, 1, 2})).at(0).contains("tau"));
+    CHECK(bytes_of_forces(samples) == 4 * 2 * 4 / 3);
+    const JsonValue parameters = parse_exactly(R"({"gravity": [0, 0, -9.81], "gravity_amplitude": 0.5, "forces": [
+        {"type": "force", "body": "crank", "value": [1, 2, 3], "frame": "space", "point": [1, 3, 3], "amplitude": 2,
+         "frequency": 7},
+        {"type": "spring", "between": ["ground", "crank"]}]})");
+    const auto applied = nlohmann::json::parse(applied_json(parameters, samples));
+    CHECK(applied.at("gravity") == nlohmann::json({{"g", {0, 0, -9.81}}, {"amplitude", 0.5}, {"frequency", 0}}));
+    REQUIRE(applied.at("loads").size() == 1);
+    CHECK(applied.at("loads").at(0).at("point") == nlohmann::json({1, 0, 0}));  // one metre along the second axis
+    CHECK(applied.at("loads").at(0).at("force") == nlohmann::json({1, 2, 3}));
+    CHECK(applied.at("loads").at(0).at("frequency") == 7);
 }
 
 TEST_CASE("a damaged geometry is not read, and bodies are then points") {

@@ -21,7 +21,13 @@ ORDERS = {
     "figure": [{"kind": "convergence", "name": "errors", "title": "of_x $", "facet": "precision",
                 "metric": "error.position"},
                {"kind": "drift", "name": "defects", "metric": "defect.position"},
-               {"kind": "path3d", "name": "path", "select": {"steps": 64}}],
+               {"kind": "path3d", "name": "path", "select": {"steps": 64}},
+               {"kind": "path3d", "name": "one_path", "view": [70, 20], "select": {
+                   "steps": 64, "precision": "double", "problem": "slow", "formulation": "SO3xR3",
+                   "method": "rkmk/dopri5"}},
+               {"kind": "heat_map", "name": "map", "metric": ["error.position", "error.omega"], "x": "steps",
+                "select": {"precision": "double", "problem": "slow", "formulation": "SO3xR3",
+                           "steps": [64, 128, 256, 512]}}],
 }
 
 _ROD = {"name": "rod", "mass": 1, "inertia": [0.01, 0.05, 0.05], "x": [0.5, 0, 0]}

@@ -45,6 +45,15 @@ class Style(unittest.TestCase):
                              (style.COLOURS[(i - 1) % 7], style.MARKS[(i - 1) % 9], (0, dashes) if dashes else "-"))
         self.assertNotIn("marker", style.line_style(1, False))
 
+    def test_colours_of_places_and_times_are_those_of_gnuplot_and_of_the_page(self):
+        for script in ("heat_map.gp", "space.gp"):
+            text = (ROOT / "plots/gnuplot" / script).read_text()
+            palette = re.search(r"^ *set palette defined \((.*)\)$", text, re.MULTILINE)[1]
+            self.assertEqual(style.PALETTE, tuple(re.findall(r"#\w{6}", palette)))
+        page = re.search(r"const viridis = \[(.*?)\];", (ROOT / "plots/report/web/heat.js").read_text(), re.DOTALL)[1]
+        colours = ["#%02x%02x%02x" % tuple(map(int, one.split(","))) for one in re.findall(r"\[([\d, ]+)\]", page)]
+        self.assertEqual(style.PALETTE, tuple(colours))
+
     def test_guides_are_those_of_gnuplot(self):
         for number, ours in ((100, style.GUIDE), (101, style.GRID)):
             self.assertIn(f"set style line {number} lc rgb '{ours['color']}'", STYLE)
@@ -125,8 +134,40 @@ class Curves(unittest.TestCase):
                     drawn = drawn[(drawn > 0).all(axis=1)] if len(drawn) else np.full((1, 2), np.nan)
                     np.testing.assert_array_equal(points, drawn if len(drawn) else np.full((1, 2), np.nan))
 
-    def test_a_figure_in_space_says_that_it_is_not_drawn(self):
-        with self.assertRaisesRegex(kreisel.NotDrawn, "which only kreisel plot draws"):
+    def test_a_heat_map_has_the_metrics_of_the_cells_in_its_places(self):
+        data = self.figures["map"]
+        cells = self.results.cells_as("double")
+        cells = cells[(cells["precision"] == "double") & (cells["label"] == "slow")
+                      & (cells["formulation"] == "SO3xR3")]
+        self.assertEqual(data.x_values, ("64", "128", "256", "512"))
+        self.assertEqual(len(data.maps), 2)
+        for one, metric in zip(data.maps, ("error.position", "error.omega")):
+            for steps, column in zip(data.x_values, one.values.T):
+                known = set(cells.loc[(cells["steps"] == int(steps)) & cells[metric].notna(), metric])
+                self.assertEqual(set(column[np.isfinite(column)]), known)
+        drawn = draw_figure(data)
+        drawn.canvas.draw()
+        self.assertEqual(len(drawn.axes), 4)  # each with its scale
+        np.testing.assert_array_equal(drawn.axes[0].get_images()[0].get_array().filled(np.nan), data.maps[0].values)
+        shown = [text.get_text() for text in drawn.axes[0].texts]
+        self.assertEqual(shown, [f"{value:.1e}" for value in data.maps[0].values.flat if np.isfinite(value)])
+
+    def test_a_path_in_space_is_that_of_the_samples(self):
+        data = self.figures["one_path"]
+        cells = self.results.cells
+        cell = cells.index[(cells["steps"] == 64) & (cells["precision"] == "double") & (cells["label"] == "slow")
+                           & (cells["formulation"] == "SO3xR3") & (cells["method"] == "rkmk/dopri5")]
+        samples = self.results.trajectory(cell[0])
+        x = samples[[f"top.x{k}" for k in (1, 2, 3)]].to_numpy()
+        np.testing.assert_allclose(data.path, x, rtol=1e-5, atol=1e-8)
+        np.testing.assert_allclose(data.t, samples.index)
+        drawn = draw_figure(data)
+        drawn.canvas.draw()
+        self.assertEqual((drawn.axes[0].elev, drawn.axes[0].azim), (20, -70))
+        self.assertEqual(len(drawn.axes[0].collections[0].get_array()), len(data.t) - 1)
+
+    def test_a_figure_that_is_not_drawn_says_why(self):
+        with self.assertRaisesRegex(kreisel.NotDrawn, "path: .*select"):
             kreisel.plot_figure(self.results, "path")
         with self.assertRaisesRegex(KeyError, "expected a figure of the experiment .*, got 'none'"):
             kreisel.plot_figure(self.results, "none")

@@ -10,6 +10,7 @@
 
 #include "driver/cli/catalogue/rows.hpp"
 #include "driver/config/values.hpp"
+#include "records/json/model.hpp"
 #include "records/json/model_keys.hpp"
 #include "records/json/writer.hpp"
 #include "support/nearest.hpp"
@@ -48,6 +49,7 @@ std::string keys_text(const ElementType& type) {
         }
         text += (text.empty() ? "" : ", ") + (required ? shown : "[" + shown + "]");
     }
+    if (may_have_shape(type)) { text += fmt::format(", [{}]", shape_key); }
     return text;
 }
 
@@ -64,6 +66,7 @@ void print_elements(std::ostream& out, const ProblemDescription& problem) {
             for (const ElementKey& key : type.keys) {
                 if (told.insert(key.name).second) { meanings.emplace_back(key.name, meaning_of_key(key.name)); }
             }
+            if (may_have_shape(type)) { meanings.emplace_back(shape_key, shape_meaning); }
         }
         const std::string standard = list.standard.empty() ? "" : ", by default " + in_quotes(list.standard);
         print_rows(out,

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "driver/campaign/campaign.hpp"
 #include "driver/config/composition/composed.hpp"
@@ -43,7 +42,7 @@ Document config_of_trial(const std::string& name, const MethodDescription& metho
 
 RunSettings trial_settings() {
     RunSettings settings;
-    settings.workers = std::max(1U, std::thread::hardware_concurrency());
+    settings.workers = usual_workers();
     settings.build = build_id();
     settings.cache = default_cache_folder();
     settings.terminal = isatty(STDERR_FILENO) != 0;

@@ -15,6 +15,7 @@
 #include "driver/plan/estimate/amounts.hpp"
 #include "driver/plan/shards.hpp"
 #include "driver/plan/text.hpp"
+#include "records/provenance.hpp"
 #include "support/files.hpp"
 #include "support/in_shell.hpp"
 
@@ -123,7 +124,7 @@ Exit slurm_command(const fs::path& written, const ConfigChanges& changes, const 
     require_no_backslash(fs::absolute(given));
     require_ours(given);
     ClusterJob job{plan.config.name,
-                   fs::read_symlink("/proc/self/exe"),
+                   program_file(),
                    fs::absolute(given).lexically_normal(),
                    parts,
                    plan.references.size(),

@@ -9,6 +9,7 @@
 #include "driver/config/keys/keys.hpp"
 #include "driver/config/parameters.hpp"
 #include "driver/config/reading/entries.hpp"
+#include "driver/config/reading/shapes.hpp"
 #include "records/json/writer.hpp"
 
 namespace kreisel {
@@ -64,21 +65,23 @@ class ProblemList {
 void add_problems(const Node& entry, const ProblemDescription& description, ProblemList& list) {
     const std::string label = read_label(entry, description.name);
     ReadParameters read{default_parameters(description)};
+    Shapes shapes;
     if (entry.is_object()) { entry.only_keys({"name", "label", "parameters", "exact"}); }
     const auto exact = entry.is_object() ? entry.find("exact") : std::nullopt;
     const auto parameters = entry.is_object() ? entry.find("parameters") : std::nullopt;
     const std::vector<std::string> required = required_parameters(description);
     if (parameters) {
         read = read_parameters(*parameters, description, PrintedNumbers(exact && exact->flag().value_or(false)));
+        shapes = read_shapes(*parameters, description);
     } else if (!required.empty()) {
         entry.error(fmt::format("the parameters of {}, at least {} (see kreisel info {})", in_quotes(description.name),
                                 listed(required), description.name),
                     "none");
         return;
     }
-    list.add(entry,
-             ProblemSeries({description.name, label, entry.pointer(), std::move(read.values), std::move(read.axes)},
-                           std::move(read.varying)));
+    list.add(entry, ProblemSeries({description.name, label, entry.pointer(), std::move(read.values),
+                                   std::move(read.axes), std::move(shapes)},
+                                  std::move(read.varying)));
 }
 
 }  // namespace

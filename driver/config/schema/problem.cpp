@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "driver/config/parameters.hpp"
+#include "records/json/model.hpp"
 #include "records/json/model_keys.hpp"
 #include "records/json/node.hpp"
 
@@ -76,6 +77,29 @@ Schema value(ValueKind kind) {
     return {};
 }
 
+Schema direction() {
+    Schema axis = list_of_three(number());
+    axis["not"] = {{"const", {0, 0, 0}}};
+    return axis;
+}
+
+// Its description tells what the keys mean: of joints they mean other things.
+Schema shape() {
+    Schema alternatives = Schema::array();
+    for (const ElementType& type : shape_types()) {
+        Schema properties = {{"type", {{"const", type.name}}}};
+        std::vector<std::string> required = {"type"};
+        for (const ElementKey& key : type.keys) {
+            properties[key.name] = key.name == "axis"   ? direction()
+                                   : key.name == "size" ? list_of_three(positive())
+                                                        : positive();
+            if (key.required) { required.push_back(key.name); }
+        }
+        alternatives.push_back(object(properties, required));
+    }
+    return {{"anyOf", alternatives}, {"description", shape_meaning}};
+}
+
 // {"required": ["one"]}
 Schema has_all(const std::vector<std::string>& keys) { return {{"required", keys}}; }
 
@@ -88,6 +112,7 @@ Schema element(const ElementType& type, bool must_say_type, bool names_bodies) {
         properties[key.name]["description"] = meaning_of_key(key.name);
         if (key.required) { required.push_back(key.name); }
     }
+    if (may_have_shape(type)) { properties[shape_key] = shape(); }
     Schema schema = object(properties, required);
     schema["description"] = type.summary;
     for (const auto& [one, other, needed] : type.alternatives) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// A metric of each cell as the colour of a place between two axes.
+#include "plots/figures/kinds/heat_map.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,26 +81,48 @@ figure_value::Type<std::string> map_axis() {
             }};
 }
 
-class HeatMap final : public Figure {
+class HeatMap final : public HeatMapKind {
   public:
     std::vector<std::string> metrics = {"error.position"};
     std::string x = "h", y = "method", scale = "log";
 
     std::vector<std::string> drawn_metrics() const override { return metrics; }
 
-    void write(const Results& results, const std::filesystem::path& folder) const override {
-        if (metrics.size() != 1) { throw FigureError(name + ": a heat map shows one metric"); }
-        const std::vector<Place> places = places_of(results);
+    HeatMapData data(const Results& results) const override {
+        const std::vector<ResultRow> rows = selected_rows(*this, results);
+        std::vector<std::vector<Place>> all;
         Places xs, ys;
-        for (const Place& place : places) { xs.add(place.x), ys.add(place.y); }
+        for (const std::string& metric : metrics) {
+            all.push_back(places_of(metric, rows));
+            for (const Place& place : all.back()) { xs.add(place.x), ys.add(place.y); }
+        }
         xs.sort(), ys.sort();
-        std::string lines;
-        for (const Place& place : places) {
-            lines += fmt::format("{} {} {} {:.1e}\n", xs.of(place.x) + 1, ys.of(place.y) + 1, place.value, place.value);
+        HeatMapData drawn{axis_label(x), axis_label(y), xs.values(), ys.values(), scale == "log", {}};
+        for (std::size_t k = 0; k < metrics.size(); ++k) {
+            if (all[k].empty()) { continue; }
+            HeatMapData::Map map{metric_label(metrics[k], results.units), {}};
+            for (const Place& place : all[k]) { map.places.push_back({xs.of(place.x), ys.of(place.y), place.value}); }
+            drawn.maps.push_back(std::move(map));
+        }
+        if (drawn.maps.empty()) {
+            throw FigureError(
+                fmt::format("{}: no selected cell has {} on these axes", name, fmt::join(metrics, " or ")));
+        }
+        return drawn;
+    }
+
+    void write(const Results& results, const std::filesystem::path& folder) const override {
+        const HeatMapData drawn = data(results);
+        std::string lines;  // a block for each metric
+        for (const HeatMapData::Map& map : drawn.maps) {
+            for (const auto& [x_place, y_place, value] : map.places) {
+                lines += fmt::format("{} {} {} {:.1e}\n", x_place + 1, y_place + 1, value, value);
+            }
+            lines += "\n\n";
         }
         make_folder(folder / "plotdata");
         write_atomically(folder / "plotdata" / (name + ".dat"), lines);
-        write_settings(xs, ys, results, folder);
+        write_settings(drawn, folder);
     }
 
   private:
@@ -110,12 +132,11 @@ class HeatMap final : public Figure {
         return is_size ? size_text(row, axis) : names.axis(row, axis);
     }
     // Of the cells that have the metric, and a value on both axes.
-    std::vector<Place> places_of(const Results& results) const {
-        const std::vector<ResultRow> rows = selected_rows(*this, results);
+    std::vector<Place> places_of(const std::string& metric, const std::vector<ResultRow>& rows) const {
         const CellNames names(rows);
         std::vector<Place> places;
         for (const ResultRow& row : rows) {
-            const auto value = row.metrics.find(metrics.front());
+            const auto value = row.metrics.find(metric);
             Place place{axis_value(row, names, x), axis_value(row, names, y)};
             if (value == row.metrics.end() || place.x.empty() || place.y.empty()) { continue; }
             const bool taken = std::any_of(places.begin(), places.end(), [&](const Place& other) {
@@ -128,35 +149,32 @@ class HeatMap final : public Figure {
             place.value = value->second;
             if (std::isfinite(place.value) && (scale == "linear" || place.value > 0)) { places.push_back(place); }
         }
-        if (places.empty()) {
-            throw FigureError(fmt::format("{}: no selected cell has {} on these axes", name, metrics.front()));
-        }
         return places;
     }
-    void write_settings(const Places& xs, const Places& ys, const Results& results,
-                        const std::filesystem::path& folder) const {
+    void write_settings(const HeatMapData& drawn, const std::filesystem::path& folder) const {
         Settings settings;
         settings.string("figure_name", name);
         settings.string("figure_title", enhanced_escape(title));
         settings.string("figure_note", enhanced_escape(note));
-        settings.string("x_label", axis_label(x));
-        settings.string("y_label", axis_label(y));
-        settings.string("value_label", metric_label(metrics.front(), results.units));
-        settings.number("log_scale", scale == "log" ? 1 : 0);
+        settings.string("x_label", drawn.x_label);
+        settings.string("y_label", drawn.y_label);
+        settings.array("value_label", drawn.maps,
+                       [](const HeatMapData::Map& map) { return gnuplot_quoted(map.label); });
+        settings.number("log_scale", drawn.log ? 1 : 0);
         const auto escaped = [](const std::string& text) { return gnuplot_quoted(enhanced_escape(text)); };
-        settings.array("x_value", xs.values(), escaped);
-        settings.array("y_value", ys.values(), escaped);
-        settings.number("widest_x", static_cast<double>(widest(xs)));
-        settings.number("widest_y", static_cast<double>(widest(ys)));
+        settings.array("x_value", drawn.x_values, escaped);
+        settings.array("y_value", drawn.y_values, escaped);
+        settings.number("widest_x", static_cast<double>(widest(drawn.x_values)));
+        settings.number("widest_y", static_cast<double>(widest(drawn.y_values)));
         write_atomically(folder / "plotdata" / (name + ".gp"), settings.text());
     }
     static std::string axis_label(const std::string& axis) {
         if (axis == "h") { return "h [s]"; }
         return enhanced_escape(is_cell_value(axis) ? axis.substr(axis.find('.') + 1) : axis);
     }
-    static std::size_t widest(const Places& places) {
+    static std::size_t widest(const std::vector<std::string>& values) {
         std::size_t width = 0;
-        for (const std::string& value : places.values()) { width = std::max(width, value.size()); }
+        for (const std::string& value : values) { width = std::max(width, value.size()); }
         return width;
     }
 };
@@ -164,11 +182,11 @@ class HeatMap final : public Figure {
 }  // namespace
 
 KREISEL_FIGURE(HeatMap, {.name = "heat_map",
-                         .summary = "a metric as the colour of a place between two axes",
+                         .summary = "metrics as colours of the places between two axes",
                          .script = "heat_map",
                          .keys = {figure_key("metric", &HeatMap::metrics,
                                              figure_value::metrics({"error.", "defect.", "invariant.", "structure."}),
-                                             "what the colour shows: one"),
+                                             "what the colours show, a map each"),
                                   figure_key("x", &HeatMap::x, map_axis(), "the axis to the right"),
                                   figure_key("y", &HeatMap::y, map_axis(), "the axis upwards"),
                                   figure_key("scale", &HeatMap::scale, figure_value::choice("scale", {"log", "linear"}),

@@ -52,17 +52,17 @@ class MotionFigure final : public SpaceKind {
 
     std::vector<TimedLine> drawn_mechanism(const ResultRow& row, const TrajectoryTable& samples) const {
         const auto mechanisms = read_geometry(row.folder);
-        const Geometry* geometry = geometry_of(mechanisms, row.cell);
-        if (geometry == nullptr) {
+        const CellGeometry* known = geometry_of(mechanisms, row.cell);
+        if (known == nullptr) {
             throw FigureError(
                 fmt::format("{}: problem {} has no lever; give \"lever\" in the figure, or let kreisel run "
                             "--resume write geometry.json, which tells all bodies",
                             name, row.problem));
         }
         std::vector<TimedLine> lines;
-        for (const BodyGeometry& part : geometry->bodies) {
+        for (const BodyGeometry& part : known->geometry.bodies) {
             const BodyPath path = path_of_body(samples, part.name);
-            const auto outline = outline_of(part, *geometry);
+            const auto outline = outline_of(part, known->geometry, known->shapes);
             for (const std::size_t k : sampled_instants(path.t.size(), instants)) {
                 for (const auto& line : outline) { lines.push_back({path.t[k], moved(line, path.x[k], path.R[k])}); }
             }

@@ -44,15 +44,15 @@ std::string polyline_text(const std::vector<Point3>& points, const std::vector<d
     return text + "\n";
 }
 
-std::string settings_text(const SpaceKind& figure, const SpaceBox& box, const BodyPath& path) {
+std::string settings_text(const SpaceKind& figure, const SpaceData& data) {
     std::string text =
         fmt::format("figure_name = {}\nfigure_title = {}\nfigure_note = {}\n", gnuplot_quoted(figure.name),
                     gnuplot_quoted(enhanced_escape(figure.title)), gnuplot_quoted(enhanced_escape(figure.note)));
     for (std::size_t i = 0; i < 3; ++i) {
-        text += fmt::format("low_{0} = {1}\nhigh_{0} = {2}\n", i + 1, box.low[i], box.high[i]);
+        text += fmt::format("low_{0} = {1}\nhigh_{0} = {2}\n", i + 1, data.low[i], data.high[i]);
     }
-    text += fmt::format("t_first = {}\nt_last = {}\n", path.t.front(), path.t.back());
-    return text + fmt::format("elevation = {}\nazimuth = {}\n", figure.view[0], figure.view[1]);
+    text += fmt::format("t_first = {}\nt_last = {}\n", data.path.t.front(), data.path.t.back());
+    return text + fmt::format("elevation = {}\nazimuth = {}\n", data.view[0], data.view[1]);
 }
 
 }  // namespace
@@ -76,20 +76,29 @@ BodyPath path_of_body(const TrajectoryTable& samples, const std::string& body) {
     return path;
 }
 
-void SpaceKind::write(const Results& results, const std::filesystem::path& folder) const {
+SpaceData SpaceKind::data(const Results& results) const {
     const ResultRow row = selected_trajectory(*this, results);
     const TrajectoryTable table = samples_until(until, row);
-    const BodyPath path = path_of_body(table, body_of(*this, body, table));
+    SpaceData drawn{.view = view, .path = path_of_body(table, body_of(*this, body, table))};
+    drawn.lines = drawn_bodies(drawn.path, row, table);
     SpaceBox box;
-    for (const Point3& x : path.x) { box.add(x); }
-    std::string lines;
-    for (const TimedLine& line : drawn_bodies(path, row, table)) {
+    for (const Point3& x : drawn.path.x) { box.add(x); }
+    for (const TimedLine& line : drawn.lines) {
         for (const Point3& point : line.points) { box.add(point); }
-        lines += polyline_text(line.points, {line.t});
     }
     box = box.cube();
+    drawn.low = box.low;
+    drawn.high = box.high;
+    return drawn;
+}
+
+void SpaceKind::write(const Results& results, const std::filesystem::path& folder) const {
+    const SpaceData drawn = data(results);
+    const BodyPath& path = drawn.path;
+    std::string lines;
+    for (const TimedLine& line : drawn.lines) { lines += polyline_text(line.points, {line.t}); }
     std::vector<Point3> shadow = path.x;
-    for (Point3& point : shadow) { point[2] = box.low[2]; }
+    for (Point3& point : shadow) { point[2] = drawn.low[2]; }
     const auto file = [&](const char* ending) { return folder / "plotdata" / (name + ending); };
     make_folder(folder / "plotdata");
     write_atomically(file(".path.dat"), polyline_text(path.x, path.t));
@@ -97,7 +106,7 @@ void SpaceKind::write(const Results& results, const std::filesystem::path& folde
     write_atomically(file(".ends.dat"), polyline_text({path.x.front()}, {path.t.front()}) + "\n" +
                                             polyline_text({path.x.back()}, {path.t.back()}));
     if (!lines.empty()) { write_atomically(file(".tops.dat"), lines); }
-    write_atomically(file(".gp"), settings_text(*this, box, path));
+    write_atomically(file(".gp"), settings_text(*this, drawn));
 }
 
 std::vector<FigureKey> space_keys() {

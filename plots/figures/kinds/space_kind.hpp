@@ -24,6 +24,14 @@ struct TimedLine {
     std::vector<Point3> points;
 };
 
+/// What such a figure shows, in a cube.
+struct SpaceData {
+    Point3 low{}, high{};  ///< m
+    std::array<double, 2> view{};
+    BodyPath path;
+    std::vector<TimedLine> lines;
+};
+
 class SpaceKind : public Figure {
   public:
     std::string body;
@@ -33,6 +41,8 @@ class SpaceKind : public Figure {
     std::string drawn_body() const override { return body; }
     std::optional<double> drawn_until() const override { return until; }
 
+    /// Throws FigureError, FileError.
+    SpaceData data(const Results& results) const;
     void write(const Results& results, const std::filesystem::path& folder) const final;
 
   protected:

@@ -96,11 +96,6 @@ function panelsView(figure) {
 function figureView(figure) {
   const heading = make('h3', {}, figure.title || figure.name);
   if (figure.not_drawn) return make('div', {}, heading, make('p', {class: 'alert'}, `Not drawn: ${figure.not_drawn}`));
-  if (figure.space)
-    return make(
-        'div', {}, heading,
-        make(
-            'p', {class: 'faint'},
-            `A picture in space (${figure.kind}): kreisel plot draws it; here the motion is shown alive, above.`));
-  return make('section', {class: 'figure', 'aria-label': figure.title || figure.name}, heading, panelsView(figure));
+  const view = figure.heat ? heatView : figure.space ? spaceView : panelsView;
+  return make('section', {class: 'figure', 'aria-label': figure.title || figure.name}, heading, view(figure));
 }

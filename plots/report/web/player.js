@@ -85,6 +85,7 @@ class Player {
     this.clock = make('output', {class: 'clock'});
     this.speed = make('select', {'aria-label': 'Speed'}, speeds.map((value) => make('option', {value}, `${value}×`)));
     this.trails = make('input', {type: 'checkbox', checked: true, onchange: () => this.paint()});
+    this.forces = new ForceControls(() => this.paint());
     this.distance = make('div', {class: 'distance'});
     this.coarse = make('p', {class: 'faint small', hidden: true}, coarseText);
   }
@@ -96,9 +97,9 @@ class Player {
         make('div', {class: 'bar'}, make('label', {}, 'left ', this.left), make('label', {}, 'right ', this.right)),
         this.panes,
         make('div', {class: 'bar'}, this.play, this.scrub, this.clock, make('label', {}, 'speed ', this.speed),
-             make('label', {}, this.trails, 'trails'),
+             make('label', {}, this.trails, 'trails'), this.forces.labels,
              make('span', {class: 'group', role: 'group', 'aria-label': 'View'}, Object.entries(views).map(view))),
-        this.coarse, this.distance);
+        this.forces.legend, this.coarse, this.distance);
   }
   listen() {
     this.camera.listen(this.canvas);
@@ -111,7 +112,8 @@ class Player {
     new ResizeObserver(() => this.paint()).observe(this.canvas);  // it has no size before it stands in the page
   }
   readColours() {
-    const names = {page: '--page', grid: '--line', ground: '--guide', joint: '--faint', spring: '--guide'};
+    const names = {page: '--page', grid: '--line', ground: '--guide', joint: '--faint', spring: '--guide',
+      reaction: '--reaction', drive: '--drive', applied: '--applied'};
     this.colours = {bodies: [1, 2, 3, 4, 5, 6, 7].map((k) => colourOfPage(`--c${k}`))};
     for (const [name, variable] of Object.entries(names)) this.colours[name] = colourOfPage(variable);
   }
@@ -130,6 +132,7 @@ class Player {
     this.scrub.max = this.end;
     if (first) this.speed.value = fittingSpeed(this.end);
     this.coarse.hidden = !this.stages.some((stage) => stage.motion.isCoarse());
+    this.forces.measure(this.stages);
     this.showDistance();
     this.frame();
     this.seek(this.time);
@@ -150,7 +153,7 @@ class Player {
     const part = Math.floor(width / stages.length), view = this.camera.matrix(part / height);
     stages.forEach((stage, k) => {
       scene.pane(k * part, part, height, colours.page, view);
-      stage.paint(Math.min(this.time, stage.motion.end), this.trails.checked, colours);
+      stage.paint(Math.min(this.time, stage.motion.end), this.trails.checked, this.forces, colours);
     });
   }
   seek(time) {
@@ -201,5 +204,6 @@ function motionView() {
   }
   return make('div', {}, new Player(shown, canvas, scene).root, data.motions.remarks.map(small),
       small('Drag turns the view, shift-drag moves it, the wheel comes nearer once the picture is clicked. ' +
-            'Bodies are drawn as homogeneous solids of their mass and inertia; rods lead from mass centres to joints.'));
+            'Bodies without a shape of their own are drawn as homogeneous solids of their mass and inertia; rods ' +
+            'lead from mass centres to joints.'));
 }

@@ -46,6 +46,18 @@ function cylinderMesh(parts = 48) {
   }
   return data;
 }
+// Its tip is on the positive z axis.
+function coneMesh(parts = 24) {
+  const data = [], angle = (i) => (2 * Math.PI * i) / parts;
+  const rim = (i) => [Math.cos(angle(i)) / 2, Math.sin(angle(i)) / 2, -0.5];
+  const slope = ([x, y]) => unit3([2 * x, 2 * y, 0.5]);
+  for (let i = 0; i < parts; i++) {
+    const a = rim(i), b = rim(i + 1);
+    data.push(...a, ...slope(a), ...b, ...slope(b), 0, 0, 0.5, ...slope(rim(i + 0.5)));
+    for (const p of [[0, 0, -0.5], a, b]) data.push(...p, 0, 0, -1);
+  }
+  return data;
+}
 function sphereMesh(rows = 16, columns = 32) {
   const data = [];
   const corner = (i, j) => {
@@ -104,7 +116,9 @@ function openScene(canvas) {
   }
   gl.enable(gl.DEPTH_TEST);
   gl.enable(gl.SCISSOR_TEST);
-  const solids = {box: mesh(boxMesh(), 6), cylinder: mesh(cylinderMesh(), 6), sphere: mesh(sphereMesh(), 6)};
+  const solids = Object.fromEntries(
+      Object.entries({box: boxMesh(), cylinder: cylinderMesh(), cone: coneMesh(), sphere: sphereMesh()})
+          .map(([kind, data]) => [kind, mesh(data, 6)]));
   return {
     lines: (points) => mesh(points, 3),
     remove: (lines) => gl.deleteBuffer(lines.buffer),
@@ -112,6 +126,8 @@ function openScene(canvas) {
         show(solids[kind], model, colour, gl.TRIANGLES, solids[kind].count, pattern),
     segments: (lines, model, colour) => show(lines, model, colour, gl.LINES, lines.count),
     strip: (lines, colour, count) => show(lines, identity4, colour, gl.LINE_STRIP, Math.min(count, lines.count)),
+    // What is drawn from here on is seen through what is there.
+    over: () => gl.clear(gl.DEPTH_BUFFER_BIT),
     // A part of the canvas, cleared, seen through a matrix.
     pane(left, width, height, background, view) {
       gl.viewport(left, 0, width, height);

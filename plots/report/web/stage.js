@@ -10,6 +10,7 @@ class Stage {
     this.bounds = boundsOf(motion, mechanism);
     const extent = add3(this.bounds.high, this.bounds.low, -1);
     this.size = Math.max(...extent);
+    this.forces = new Forces(mechanism, cell, motion);
     Object.assign(this, partsOf(mechanism, motion.names, this.size * 0.6));
     const few = motion.names.length <= 6;
     this.trails = motion.names.map(
@@ -30,7 +31,7 @@ class Stage {
     }
     return lines;
   }
-  paint(time, withTrails, colours) {
+  paint(time, withTrails, forces, colours) {
     const {scene, motion} = this, poses = motion.names.map((name, body) => motion.pose(body, time));
     const at = (home) => (home === 'ground' ? identity4 : poses[home]);
     scene.segments(this.grid, identity4, colours.grid);
@@ -50,6 +51,8 @@ class Stage {
               scene.strip(
                   trail, colours.bodies[body % 7],
                   drawn + 1 >= motion.t.length && time >= motion.end ? drawn + 1 : drawn));
+    scene.over();
+    forces.paint(this, time, poses, colours);
   }
   remove() {
     for (const lines of [this.grid, ...this.trails])

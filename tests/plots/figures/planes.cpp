@@ -114,6 +114,13 @@ TEST_CASE("a heat map shows a metric over two axes, and refuses two cells in one
     CHECK_THAT(data, Catch::Contains("1 1 0.000244140625 2.4e-04\n"));  // spin 5, of order 2, h = 1/64
     CHECK(folder.has("figures/map.pdf"));
     CHECK(folder.has("figures/map.svg"));
+    CHECK(drawn_with({{"x", "steps"}, {"y", "parameter.spin"}, {"metric", {"error.position", "error.omega"}}}) ==
+          Exit::ok);
+    CHECK_THAT(folder.read("plotdata/map.gp"), Catch::Contains("array value_label[1]"));  // no cell has the second
+    CHECK(drawn_with({{"x", "steps"}, {"y", "parameter.spin"}, {"metric", {"error.position", "invariant.energy"}}}) ==
+          Exit::ok);
+    CHECK_THAT(folder.read("plotdata/map.gp"), Catch::Contains("array value_label[2]"));
+    CHECK_THAT(folder.read("plotdata/map.dat"), Catch::Contains("\n\n\n1 2 0.001 1.0e-03\n"));
     CHECK(drawn_with({{"x", "formulation"}, {"y", "method"}}) == Exit::cells_failed);
     CHECK(drawn_with({{"x", "parameter.spin"}, {"y", "h"}, {"scale", "linear"}}) == Exit::ok);
 }
