@@ -1,4 +1,4 @@
-# kreisel_build.hpp and kreisel_commit.cpp: what results record about the program that made them. The commit is looked
+# kreisel_build.hpp, kreisel_flags.cpp and kreisel_commit.cpp: what results record about the program that made them. The commit is looked
 # up by every build, not when it is configured.
 set(commit_script ${CMAKE_COMMAND} -D SOURCE=${CMAKE_SOURCE_DIR} -D TO=${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp
                   -P ${CMAKE_SOURCE_DIR}/cmake/commit.cmake)
@@ -27,7 +27,7 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${KREISEL_REFEREN
 # SOURCES-BUILD: programs of the same sources may give each other references.
 string(SHA256 sources "${KREISEL_DIGESTS}")
 string(SHA256 build
-       "${KREISEL_DIGESTS}${CMAKE_CXX_COMPILER_ID}${CMAKE_CXX_COMPILER_VERSION}${CMAKE_CXX_FLAGS}${CMAKE_BUILD_TYPE}${KREISEL_ARCH}${KREISEL_HAS_X86_64_V3}${Boost_VERSION_STRING}${Eigen3_VERSION}")
+       "${KREISEL_DIGESTS}${CMAKE_CXX_COMPILER_ID}${CMAKE_CXX_COMPILER_VERSION}${CMAKE_CXX_FLAGS}${KREISEL_OPTIMISE}${CMAKE_BUILD_TYPE}${KREISEL_ARCH}${KREISEL_HAS_X86_64_V3}${Boost_VERSION_STRING}${Eigen3_VERSION}")
 string(SUBSTRING ${sources} 0 16 sources)
 string(SUBSTRING ${build} 0 16 build)
 set(KREISEL_REFERENCE_DIGEST ${sources}-${build})
@@ -40,5 +40,7 @@ set(KREISEL_HAS_BINARY128 false)
 if(KREISEL_BINARY128)
   set(KREISEL_HAS_BINARY128 true)
 endif()
-string(JOIN " " KREISEL_FLAGS ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} ${KREISEL_COMPILE_OPTIONS})
+string(JOIN " " KREISEL_FLAGS ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} ${KREISEL_COMPILE_OPTIONS}
+       ${KREISEL_OPTIMISE})
 configure_file(${CMAKE_SOURCE_DIR}/cmake/kreisel_build.hpp.in ${CMAKE_BINARY_DIR}/generated/kreisel_build.hpp @ONLY)
+configure_file(${CMAKE_SOURCE_DIR}/cmake/kreisel_flags.cpp.in ${CMAKE_BINARY_DIR}/generated/kreisel_flags.cpp @ONLY)

@@ -8,9 +8,9 @@ kreisel_precompile(kreisel_driver driver)
 kreisel_compile_quickly(kreisel_driver)
 target_sources(kreisel_driver INTERFACE $<TARGET_OBJECTS:kreisel_parts>)
 add_dependencies(kreisel_driver kreisel_commit)
-target_sources(kreisel_driver PRIVATE ${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp)
-set_source_files_properties(${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON
-                                                                                        SKIP_PRECOMPILE_HEADERS ON)
+set(build_sources ${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp ${CMAKE_BINARY_DIR}/generated/kreisel_flags.cpp)
+target_sources(kreisel_driver PRIVATE ${build_sources})
+set_source_files_properties(${build_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 # The bibliography, which `kreisel cite` prints from.
 set(bibliography ${CMAKE_SOURCE_DIR}/paper/references.bib)
 set(bibliography_source ${CMAKE_BINARY_DIR}/generated/kreisel_bibliography.cpp)

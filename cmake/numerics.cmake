@@ -23,6 +23,7 @@ function(kreisel_flags precision)
   # Long loops are still vectorised. Both settings reach the tests too: the first changes Eigen's alignment.
   target_compile_definitions(${target} INTERFACE KREISEL_PRECISION=${precision} EIGEN_DONT_VECTORIZE)
   target_compile_options(${target} INTERFACE -fno-tree-slp-vectorize)
+  target_compile_options(${target} INTERFACE ${KREISEL_OPTIMISE})
   if(precision STREQUAL "binary128")
     target_compile_definitions(${target} INTERFACE KREISEL_QUAD=1)
     target_link_libraries(${target} INTERFACE quadmath)
