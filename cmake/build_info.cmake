@@ -1,5 +1,5 @@
-# kreisel_build.hpp, kreisel_flags.cpp and kreisel_commit.cpp: what results record about the program that made them. The commit is looked
-# up by every build, not when it is configured.
+# kreisel_build.hpp, kreisel_flags.cpp and kreisel_commit.cpp: what results record about the program that made them. The
+# commit is looked up by every build, not when it is configured.
 set(commit_script ${CMAKE_COMMAND} -D SOURCE=${CMAKE_SOURCE_DIR} -D TO=${CMAKE_BINARY_DIR}/generated/kreisel_commit.cpp
                   -P ${CMAKE_SOURCE_DIR}/cmake/commit.cmake)
 execute_process(COMMAND ${commit_script} COMMAND_ERROR_IS_FATAL ANY)
