@@ -186,6 +186,7 @@ class Answers(Scratch):
         log = self.scratch / "log"
         ready = self.scratch / "ready"
         text = (f"trap 'echo interrupted >> {log}; exit 130' INT\n"
+                "sleep 0.5  # until the call has returned that starts this program\n"
                 f"cut -d' ' -f5 /proc/$$/stat > {ready}.new; echo $$ >> {ready}.new; mv {ready}.new {ready}\n"
                 "for i in $(seq 200); do sleep 0.05; done\n")
         # A test that is run in the background may have been told to ignore interrupts.
