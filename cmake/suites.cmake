@@ -258,9 +258,9 @@ if(KREISEL_VALGRIND AND KREISEL_HAS_X86_64_V3 AND KREISEL_BINARY128 AND CMAKE_BU
   set_tests_properties(instructions.rkmk.rk4.1 PROPERTIES WILL_FAIL ON)
 endif()
 
-# A few mutants of each kind, so that the tools that make them stay alive. They reuse the objects of this build.
+# Mutants of each kind, so that the tools that make them stay alive. They reuse the objects of this build.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_GENERATOR STREQUAL "Ninja")
-  foreach(sample "series:lie/small_angle.hpp:40" "tableaus:methods/:2")
+  foreach(sample "series:lie/small_angle.hpp:40" "tableaus:methods/:1")
     string(REPLACE ":" ";" sample ${sample})
     list(GET sample 0 name)
     list(GET sample 1 files)
@@ -273,7 +273,7 @@ endif()
 
 # The longest first, so that none is left alone at the end: seconds, as ctest remembers them of earlier runs.
 foreach(long methods.binary128:380 campaign.plain:200 metamorphic.binary128:130 reference.binary128:100
-        mutation.tableaus:35 reliability.attacks:60 metamorphic.binary64:60)
+        mutation.tableaus:35 reliability.attacks:60 metamorphic.binary64:60 cluster.slurm:90)
   string(REPLACE ":" ";" long ${long})
   list(GET long 0 name)
   list(GET long 1 cost)

@@ -130,11 +130,11 @@ TEST_CASE("a linkage moves the same in every place", "[methods]") {
 }
 
 TEST_CASE("implicit methods handle stiff springs and dampers", "[methods]") {
+    if (KREISEL_QUAD) return;  // slow, and the same code
     const Real h = Real(1) / 100;
     for_each_implicit([&](const Method& entry) {
         for (const Real& stiffness : {Real(100), Real(10000)})
             for (const Real& damping : {Real(0), Real(stiffness / 100)}) {
-                if (KREISEL_QUAD && stiffness * damping == 0) continue;  // slow, and the same code
                 INFO("stiffness " << stiffness << ", damping " << damping);
                 for (const Model& model : {standard("double_pendulum"), linked(12, {{ground, 0},
                                                                                     {0, 1},
@@ -152,8 +152,7 @@ TEST_CASE("implicit methods handle stiff springs and dampers", "[methods]") {
                     if (!runs_on(entry, sprung, "SO3xR3")) continue;
                     Trip trip(sprung, "SO3xR3", entry);
                     REQUIRE(trip.integrator->start(0, trip.y.data()) == Status::ok);
-                    for (int i = 0; i < (KREISEL_QUAD ? 5 : 20); ++i)
-                        REQUIRE(trip.integrator->step(i * h, h, trip.y.data()) == Status::ok);
+                    for (int i = 0; i < 20; ++i) REQUIRE(trip.integrator->step(i * h, h, trip.y.data()) == Status::ok);
                 }
             }
     });
