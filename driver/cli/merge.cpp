@@ -62,6 +62,17 @@ MergedManifests read_manifests(const Paths& folders, const std::string& build) {
     return merged;
 }
 
+// Results of another config would be lost.
+void require_no_others(const std::filesystem::path& target, const Document& config) {
+    for (const auto& file : shard_files(target, "manifest", ".json")) {
+        if (read_manifest(file).config.value == config.value) { continue; }
+        throw UsageError(
+            fmt::format("{}: expected a new folder or results of the config that is merged, got those of "
+                        "another one ({})",
+                        target.string(), file.string()));
+    }
+}
+
 // Puts the cells of several folders together, in one journal. What is damaged is left out, and named.
 class Merger {
   public:
@@ -168,6 +179,7 @@ Exit merge_command(const Paths& folders, const std::filesystem::path& output, co
     const std::filesystem::path target = output.empty() ? folders.front() : output;
     make_folder(target);
     const FolderLock lock(target, "");
+    require_no_others(target, *manifests.config);
     OwnedFiles(target).require(files_of_run("", false, false));
     ManifestState state{.build = build,
                         .started = utc_now(),

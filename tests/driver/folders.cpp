@@ -121,6 +121,19 @@ TEST_CASE("merge takes only folders of one config and this build") {
     CHECK_FALSE(std::filesystem::exists(shards.scratch / "ab"));
 }
 
+TEST_CASE("a merge replaces results of its own config, and leaves those of another alone") {
+    const Shards shards;
+    const auto merged = shards.scratch / "ab";
+    REQUIRE(shards.merge().code == 0);
+    CHECK(shards.merge().code == 0);
+    change(merged / "manifest.json", "/config/time/end", 2);
+    std::ofstream(merged / "results.jsonl") << "those of the other config\n";
+    const auto result = shards.merge();
+    CHECK(result.code == 2);
+    CHECK_THAT(result.messages, Catch::Contains("expected a new folder or results of the config that is merged"));
+    CHECK(contents(merged / "results.jsonl") == "those of the other config\n");
+}
+
 TEST_CASE("cells of another build, and damaged lines, are left out of a merge, which is said") {
     const Shards shards;
     make_foreign(shards.b / "journal.2-of-2.jsonl");
