@@ -9,21 +9,23 @@
 
 namespace kreisel {
 
-void Dispatcher::take_answer(Slots::iterator slot, Answered kind, const std::string& text) {
+bool Dispatcher::take_answer(Slots::iterator slot, Answered kind, const std::string& text) {
     if (kind == Answered::file_error) { throw FileError(text); }
     if (kind == Answered::no_memory) {
         forker_.bury(slot->worker);  // what is left of its memory is in disorder
-        return end_badly(slot, status::out_of_memory, memory_detail(text));
+        end_badly(slot, status::out_of_memory, memory_detail(text));
+        return false;
     }
     if (slot->job->kind == Job::Kind::reference) {
         take_reference_answer(*slot->job, kind, text);
     } else {
         take_cell_answer(*slot, kind, text);
-        if (++slot->answered < slot->job->cells.size()) { return; }
+        if (++slot->answered < slot->job->cells.size()) { return true; }
     }
     const bool was_alone = slot->job->alone;
     slot->job.reset();
     if (was_alone) { dismiss(slot); }
+    return !was_alone;
 }
 
 void Dispatcher::take_cell_answer(Slot& slot, Answered kind, const std::string& text) {

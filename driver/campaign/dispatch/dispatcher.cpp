@@ -5,12 +5,12 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "driver/campaign/cell_run.hpp"
 #include "driver/campaign/dispatch/work.hpp"
 #include "driver/campaign/interrupt.hpp"
 #include "driver/campaign/workers/bad_end.hpp"
-#include "driver/campaign/workers/message.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {
@@ -18,6 +18,10 @@ namespace kreisel {
 namespace {
 
 constexpr int look_up = 50;  // ms after which progress and signals are looked at
+
+// While short cells of a batch end, their answers are taken a few at a time: to be woken for each costs more than some
+// cells. Short beside a batch.
+constexpr std::chrono::microseconds nap{500};
 
 double seconds_since(std::chrono::steady_clock::time_point time) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - time).count();
@@ -101,7 +105,7 @@ Dispatcher::Slot* Dispatcher::idle_slot(const Job& job) {
     std::string reason;
     Worker worker = forker_.spawn(job.alone ? resources_.memory : resources_.memory / resources_.workers, reason);
     if (worker) {
-        slots_.push_back({std::move(worker), {}, 0, {}});
+        slots_.push_back({std::move(worker), {}, {}, 0, {}});
         return &slots_.back();
     }
     if (slots_.empty()) { throw FileError("no worker process can be started: " + reason); }
@@ -140,13 +144,19 @@ void Dispatcher::wait() {
         const auto here = slot++;  // which may be removed
         if (end.revents != 0) { receive(here); }
     }
+    if (is_amid_batch()) { std::this_thread::sleep_for(nap); }
 }
 
 void Dispatcher::receive(Slots::iterator slot) {
-    const auto answer = receive_message(slot->worker.socket);
-    if (answer && !answer->empty() && slot->job) {
-        return take_answer(slot, static_cast<Answered>(answer->at(0)), answer->substr(1));
+    if (!slot->answers.read(slot->worker.socket)) { return bury(slot); }
+    while (const auto answer = slot->answers.next()) {
+        if (answer->empty() || !slot->job) { return bury(slot); }
+        if (!take_answer(slot, static_cast<Answered>(answer->at(0)), answer->substr(1))) { return; }
     }
+    if (slot->answers.is_broken()) { bury(slot); }
+}
+
+void Dispatcher::bury(Slots::iterator slot) {
     const BadEnd end = bad_end(forker_.bury(slot->worker));
     const std::string printed = slot->worker.printed.take();
     if (end.of_time) {
@@ -155,6 +165,10 @@ void Dispatcher::receive(Slots::iterator slot) {
         return end_badly(slot, status::timeout, with_printed(detail, printed));
     }
     end_badly(slot, status::with_reason(status::crashed, end.by), with_printed(end.detail, printed));
+}
+
+bool Dispatcher::is_amid_batch() const {
+    return std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.job && slot.answered > 0; });
 }
 
 void Dispatcher::note_once(const std::string& note) {

@@ -17,6 +17,7 @@
 #include "driver/campaign/dispatch/ledger.hpp"
 #include "driver/campaign/dispatch/schedule.hpp"
 #include "driver/campaign/workers/forker.hpp"
+#include "driver/campaign/workers/message.hpp"
 
 namespace kreisel {
 
@@ -70,6 +71,7 @@ class Dispatcher {
     using Clock = std::chrono::steady_clock;
     struct Slot {
         Worker worker;
+        MessageReader answers;
         std::optional<Job> job;
         std::size_t answered = 0;
         Clock::time_point since;
@@ -84,7 +86,10 @@ class Dispatcher {
     void wait();
     void watch_interrupt();
     void receive(Slots::iterator slot);
-    void take_answer(Slots::iterator slot, Answered kind, const std::string& text);
+    void bury(Slots::iterator slot);
+    bool is_amid_batch() const;
+    /// False if the slot is no more.
+    bool take_answer(Slots::iterator slot, Answered kind, const std::string& text);
     void take_cell_answer(Slot& slot, Answered kind, const std::string& text);
     void take_reference_answer(const Job& job, Answered kind, const std::string& text);
     void end_badly(Slots::iterator slot, const std::string& status, const std::string& detail);

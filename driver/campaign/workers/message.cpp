@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace kreisel {
 
@@ -49,6 +50,26 @@ std::optional<std::string> receive_message(const Descriptor& socket) {
     if (length > longest) { return std::nullopt; }
     std::string text(length, '\0');
     return receive_all(socket.number(), text.data(), text.size()) ? std::optional(std::move(text)) : std::nullopt;
+}
+
+bool MessageReader::read(const Descriptor& socket) {
+    ssize_t received = -1;
+    do { received = ::recv(socket.number(), piece_.data(), piece_.size(), 0); } while (received < 0 && errno == EINTR);
+    if (received <= 0) { return false; }
+    bytes_.erase(0, std::exchange(taken_, 0));
+    bytes_.append(piece_.data(), static_cast<std::size_t>(received));
+    return true;
+}
+
+std::optional<std::string> MessageReader::next() {
+    Length length = 0;
+    const std::size_t left = bytes_.size() - taken_;
+    if (left < sizeof length) { return std::nullopt; }
+    std::memcpy(&length, bytes_.data() + taken_, sizeof length);
+    broken_ = length > longest;
+    if (broken_ || left - sizeof length < length) { return std::nullopt; }
+    const std::size_t begin = std::exchange(taken_, taken_ + sizeof length + length) + sizeof length;
+    return bytes_.substr(begin, length);
 }
 
 }  // namespace kreisel

@@ -48,8 +48,10 @@ compute() {
     exit "$code"
 }
 
+# What the killed shell of a task or a lost node has left running writes to the folder until it is ended too.
 put_together() {
-    local code=0
+    local code=0 part
+    for ((part = 1; part <= parts; ++part)); do flock "$folder/slurm/part-$part.lock" true; done
     "$kreisel" merge "$folder" || code=$?
     [[ $code -le 1 ]] || { printf 'go on with: bash %q\n' "$folder/submit.sh" >&2; exit "$code"; }
     exit 0

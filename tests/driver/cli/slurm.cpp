@@ -78,6 +78,16 @@ TEST_CASE("the script is one that bash reads, whatever the folder is called") {
     }
 }
 
+TEST_CASE("parts are put together once what killed tasks have left running is at an end") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("c.json", good_config());
+    REQUIRE(slurm(config, scratch / "out", {"--shards", "3"}).code == 0);
+    ::setenv("KREISEL_TEST_FOLDER", (scratch / "out").c_str(), 1);
+    CHECK(std::system("cd \"$KREISEL_TEST_FOLDER\" && sed -i 's/^kreisel=.*/kreisel=true/' submit.sh && mkdir slurm &&"
+                      "exec 9>slurm/part-3.lock && flock 9 || exit 1; bash submit.sh merge 9>&- & sleep 0.3;"
+                      "kill -0 $! && exec 9>&- && wait $!") == 0);
+}
+
 TEST_CASE("jobs are as many as there are cells to run, and at most ten") {
     const ScratchFolder scratch;
     const std::string config = scratch.file("c.json", good_config());
