@@ -39,7 +39,9 @@ std::filesystem::path program_file() {
 std::string build_id() {
     static const std::string id = [] {
         // As it was loaded, even where its file has been replaced since; without /proc the file is all there is.
-        std::uint64_t hash = hash64(read_text(has_proc() ? own_file : program_file()));
+        std::uint64_t hash = hash64("");
+        for_each_piece(has_proc() ? own_file : program_file(),
+                       [&](std::string_view piece) { hash = hash64(piece, hash); });
         for (const auto& [name, library] : numerical_libraries()) { hash = hash64(name + " " + library + "\n", hash); }
         return hash_text(hash64(instruction_level(), hash));
     }();
