@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What iterations of implicit steps take, and their unknowns.
+// What iterations of implicit steps take, their unknowns, and a guess that leads nowhere.
 #include <utility>
 
+#include "mechanics/forwarding_system.hpp"
 #include "mechanics/space_axes.hpp"
 #include "tests/methods/stepping.hpp"
 
@@ -11,6 +12,32 @@ namespace implicit_iterations {
 using namespace kreisel;
 using namespace models;
 using namespace stepping;
+
+namespace {
+
+/// Where no stage of a method is, at the very start, accelerations are so large that what is guessed from them turns
+/// bodies many times within a step.
+class KickedGuess final : public ForwardingSystem {
+  public:
+    using ForwardingSystem::ForwardingSystem;
+    Status accelerations(const Real& t, const Real* q, const Real* v, Real* dv, Real* lambda) override {
+        const Status status = ForwardingSystem::accelerations(t, q, v, dv, lambda);
+        if (t == 0)
+            for (int i = 0; i < velocities(); ++i) dv[i] += 1048576;
+        return status;
+    }
+};
+
+std::vector<Real> after_steps(const Method& entry, std::unique_ptr<System> system, const Model& model) {
+    std::vector<Real> y = initial_state(*system, model);
+    const auto integrator = entry.bind(*system, default_options(entry.description.options));
+    REQUIRE(integrator->start(0, y.data()) == Status::ok);
+    const Real h = Real(1) / 64;
+    for (int i = 0; i < 2; ++i) REQUIRE(integrator->step(h * i, h, y.data()) == Status::ok);
+    return y;
+}
+
+}  // namespace
 
 TEST_CASE("velocities turn into space axes and back", "[methods]") {
     for (const Named& named : for_methods())
@@ -54,6 +81,17 @@ TEST_CASE("implicit steps of a fast top take few evaluations, in every formulati
                 REQUIRE(trip.integrator->step(h * i, h, trip.y.data()) == Status::ok);
             CHECK(trip.system->evaluations() - before <= most * steps);
         }
+}
+
+TEST_CASE("a guess outside the chart is no end of a step", "[methods]") {
+    const Model model = standard("free_top");
+    for (const char* name : {"rkmk/gauss2", "rkmk/gauss3", "rkmk/radau2a2", "rkmk/radau2a3",
+                             "symmetric_projection/gauss2", "variational/rattlie", "variational/shakelie"}) {
+        INFO(name);
+        const auto y = after_steps(method(name), make_system(model, "SO3"), model),
+                   kicked = after_steps(method(name), std::make_unique<KickedGuess>(make_system(model, "SO3")), model);
+        for (std::size_t i = 0; i < y.size(); ++i) CHECK(abs(y[i] - kicked[i]) <= 1000 * epsilon);
+    }
 }
 
 }  // namespace implicit_iterations
