@@ -84,9 +84,9 @@ class SymmetricProjection final : public Integrator, private Equations {
 
     void guess() { past_.guess(newton_.stiff() ? 0 : past_.best_degree(slopes_ * n_), turned_); }
 
-    /// From the guess; where that leads nowhere, or to poses in which rows lose rank, from the last slopes without what
-    /// is known of mu and nu, which leap beside such poses, and from an unchanged velocity: springs that are stiff make
-    /// its change swing.
+    /// From the guess; where that leads nowhere, out of the chart, or to poses in which rows lose rank, from the last
+    /// slopes without what is known of mu and nu, which leap beside such poses, and from an unchanged velocity: springs
+    /// that are stiff make its change swing.
     Status iterate() {
         guess();
         Status status = newton_.solve(*this, weights_, turned_.data());
@@ -102,7 +102,7 @@ class SymmetricProjection final : public Integrator, private Equations {
         return newton_.solve(*this, weights_, turned_.data());
     }
     static bool leads_nowhere(Status status) {
-        return status == Status::newton_failed || status == Status::singular_kkt;
+        return status == Status::newton_failed || status == Status::singular_kkt || status == Status::left_chart;
     }
 
     /// An iteration fails near poses in which rows lose rank. If the guess is such a pose, the system names the joints.

@@ -76,11 +76,11 @@ Status RattleIncrements::solve(const Real& t, const Real& h, const Real* y) {
 /// in which rows lose rank D' has more, too.
 bool RattleIncrements::is_near() const { return m_ == 0 && scale_.of_velocity(r_.data()) <= 64 * round_off() * size_; }
 
-/// From the guess, and where that leads nowhere from an unchanged velocity.
+/// From the guess, and where that leads nowhere, or out of the chart, from an unchanged velocity.
 Status RattleIncrements::iterate(const Real* y) {
     past_.guess(newton_.stiff() ? 0 : past_.best_degree(n_), turned_);
-    Status status = newton_.solve(*this, weights_, turned_.data());
-    if (status != Status::newton_failed) return status;
+    const Status status = newton_.solve(*this, weights_, turned_.data());
+    if (status != Status::newton_failed && status != Status::left_chart) return status;
     turned_.setZero();
     scale_.to_space(q_, system_.v(y), turned_.data());
     return newton_.solve(*this, weights_, turned_.data());
