@@ -104,13 +104,16 @@ class RealEngine final : public Engine {
         return checked_reference(problem(name), values, reference);
     }
 
-    Linearisation linearise(const std::string& name, const ParameterValues& values,
-                            const std::string& formulation_name) const override {
+    Linearisation linearise(const std::string& name, const ParameterValues& values, const std::string& formulation_name,
+                            const BeginState* begin) const override {
         const Model model = problem(name).build(Parameters(values));
         check_start(model);
         Linearisation none;
         none.skip_reason = formulation(formulation_name).why_not(model);
-        return none.skip_reason.empty() ? linearised(model, formulation_name) : none;
+        if (!none.skip_reason.empty()) return none;
+        if (!begin) return linearised(model, formulation_name);
+        none.refusal = checked_begin(model, formulation_name, *begin).fault;
+        return none.refusal.empty() ? linearised(model, formulation_name, moved_to(model, *begin)) : none;
     }
 
     std::string reference_digest() const override { return KREISEL_REFERENCE_DIGEST; }

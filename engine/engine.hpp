@@ -291,9 +291,9 @@ class Engine {
     }
     /// Compares a reference with a computation of its states by the second route.
     virtual ReferenceCheck check_reference(const std::string& name, const ParameterValues&, const Reference&) const = 0;
-    /// Linearises the motion at the start of a problem. Throws ParameterError.
-    virtual Linearisation linearise(const std::string& problem, const ParameterValues&,
-                                    const std::string& formulation) const = 0;
+    /// Linearises the motion at the start of a problem, or at `begin` where it is not null. Throws ParameterError.
+    virtual Linearisation linearise(const std::string& problem, const ParameterValues&, const std::string& formulation,
+                                    const BeginState* begin) const = 0;
     /// Identifies all code that affects a reference; methods are not part of it.
     virtual std::string reference_digest() const = 0;
 };

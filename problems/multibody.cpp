@@ -9,6 +9,7 @@
 #include "lie/so3.hpp"
 #include "mechanics/formulation.hpp"
 #include "mechanics/start.hpp"
+#include "mechanics/start/positions.hpp"
 #include "problems/problem.hpp"
 #include "problems/reading/bodies.hpp"
 #include "problems/reading/forces.hpp"
@@ -45,6 +46,17 @@ void project(Model& model) {
     model.warnings.push_back(report);
 }
 
+/// Velocities that are not given, with axes as they will lie: where they are at right angles, rows have no derivative.
+void complete_velocities_to_project(Model& model, const GivenVelocities& given) {
+    Model aligned = with_aligned_axes(model);
+    complete_velocities(aligned, given);
+    model.warnings = aligned.warnings;
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+        model.bodies[i].start.v = aligned.bodies[i].start.v;
+        model.bodies[i].start.omega = aligned.bodies[i].start.omega;
+    }
+}
+
 Model multibody(const Parameters& p) {
     const bool projected = p.flag("project_initial");
     Model model;
@@ -52,8 +64,13 @@ Model multibody(const Parameters& p) {
     read_joints(model, p.joints("joints"), projected);
     read_forces(model, p.forces("forces"));
     model.gravity = {p.vector("gravity"), p.scalar("gravity_amplitude"), p.scalar("gravity_frequency")};
-    complete_velocities(model, given_velocities(p.bodies("bodies")));
-    if (projected) project(model);
+    const GivenVelocities given = given_velocities(p.bodies("bodies"));
+    if (!projected) {
+        complete_velocities(model, given);
+        return model;
+    }
+    complete_velocities_to_project(model, given);
+    project(model);
     return model;
 }
 

@@ -54,8 +54,11 @@ VecX least_squares(const MatX& B, const VecX& b) {
 /// A start, its symmetries and the steady motion through it.
 class LinearisedStart {
   public:
-    LinearisedStart(const Model& model, const std::string& formulation)
-        : model_(model), motion_(model, formulation), space_(space_symmetries(model)), spins_(spin_symmetries(model)) {
+    LinearisedStart(const Model& model, const std::string& formulation, const Model& begun)
+        : model_(model),
+          motion_(model, formulation, begun),
+          space_(space_symmetries(model)),
+          spins_(spin_symmetries(model)) {
         orbit_ = MatX(motion_.size(), columns(space_) + columns(spins_));
         orbit_ << generated(space_), generated(spins_);
         find_generator();
@@ -158,11 +161,15 @@ std::string refused(const LinearisedStart& start, const Model& model) {
 }  // namespace
 
 Linearisation linearised(const Model& model, const std::string& formulation) {
+    return linearised(model, formulation, model);
+}
+
+Linearisation linearised(const Model& model, const std::string& formulation, const Model& begun) {
     Linearisation result;
     result.refusal = why_not_autonomous(model);
     if (!result.refusal.empty()) return result;
     try {
-        LinearisedStart start(model, formulation);
+        LinearisedStart start(model, formulation, begun);
         result.rate = to_number(start.rate());
         result.residual = to_number(start.residual());
         if (!start.is_steady()) {

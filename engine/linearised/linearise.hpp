@@ -19,6 +19,8 @@ inline namespace KREISEL_PRECISION {
 /// `refusal` says why there is no linearisation: F - G_c is above 1e-9 of the rate of the motion for every c, the
 /// equations depend on time, or have no value at the start.
 Linearisation linearised(const Model& model, const std::string& formulation);
+/// The same at the start of `begun`, the model with its bodies elsewhere (engine/begin.hpp).
+Linearisation linearised(const Model& model, const std::string& formulation, const Model& begun);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -15,6 +15,9 @@ namespace {
 /// Of differences in time, whose functions are sines of the unit turned by 1 rad.
 const Real part_of_turn = Real(1) / 8;
 
+/// What joints leave of the accelerations that forces would cause is below this: nothing moves by itself.
+const Real held = Real(1) / 1000000000;
+
 Real or_one(const Real& x) { return x > 0 ? x : Real(1); }
 
 /// exp(t a) y exp(t b) of one body, its place excepted, on which v does not depend.
@@ -25,7 +28,7 @@ BodyState moved(const BodyState& state, const Vec3& w, const Vec3& spin, const R
 
 }  // namespace
 
-SteadyMotion::SteadyMotion(const Model& model, const std::string& formulation)
+SteadyMotion::SteadyMotion(const Model& model, const std::string& formulation, const Model& begun)
     : model_(model),
       system_(make_system(model, formulation)),
       n_(system_->velocities()),
@@ -33,12 +36,15 @@ SteadyMotion::SteadyMotion(const Model& model, const std::string& formulation)
       length_(or_one(extent(model))),
       units_(2 * n_),
       row_units_(system_->position_constraints() + system_->constraints()),
-      start_(initial_state(*system_, model)) {
+      start_(initial_state(*system_, begun)) {
     set_units(1);
     // An equilibrium has a rate only in its neighbourhood.
-    Real rate = rate_of(start_);
-    for (int i = 0; i < n_; ++i) rate = max(rate, rate_of(state(part_of_turn * VecX::Unit(2 * n_, i))));
-    set_units(or_one(rate));
+    Real rate = rate_of(start_), of_forces = rate_of_forces(start_, begun);
+    for (int i = 0; i < n_; ++i) {
+        const std::vector<Real> near = state(part_of_turn * VecX::Unit(2 * n_, i));
+        rate = max(rate, rate_of(near)), of_forces = max(of_forces, rate_of_forces(near, begun));
+    }
+    set_units(or_one(rate * rate <= held * of_forces * of_forces ? of_forces : rate));
 }
 
 void SteadyMotion::set_units(const Real& rate) {
@@ -63,6 +69,28 @@ Real SteadyMotion::rate_of(const std::vector<Real>& y) {
         square = max(square, Real(z.segment<3>(i).squaredNorm()));
         square = max(square, Real(z.segment<3>(n_ + i).norm()));
     }
+    return sqrt(square);
+}
+
+/// sqrt(force / (mass length)) and sqrt(torque / moment of inertia): the largest that gravity or one force causes, as
+/// forces may balance each other too.
+Real SteadyMotion::rate_of_forces(const std::vector<Real>& y, const Model& begun) const {
+    std::vector<BodyState> states(model_.bodies.size());
+    system_->read(y.data(), states.data());
+    const auto motion = [&](int body) -> Motion {
+        if (body == ground) return {};
+        const BodyState& s = states[static_cast<std::size_t>(body)];
+        return {s.x, s.R, s.R.transpose() * s.v, s.omega};
+    };
+    const auto angle = [&](std::size_t i, const Turn& turn) {
+        return Real(turn.principal + 2 * pi() * Real(begun.torsion_springs[i].turns));
+    };
+    Real square = states.empty() ? Real(0) : Real(model_.gravity.at(0).norm() / length_);
+    for_each_wrench(model_, 0, motion, angle, [&](int i, const Wrench& wrench) {
+        const Body& body = model_.bodies[static_cast<std::size_t>(i)];
+        square = max(square, Real(wrench.force.norm() / (body.mass * length_)));
+        if (!body.point) square = max(square, Real(wrench.torque.norm() / (body.J.trace() / 2)));
+    });
     return sqrt(square);
 }
 

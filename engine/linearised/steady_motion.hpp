@@ -19,9 +19,12 @@ inline namespace KREISEL_PRECISION {
 /// rate of the motion (1/s) for velocities. The model outlives this.
 class SteadyMotion {
   public:
-    SteadyMotion(const Model& model, const std::string& formulation);
+    /// y_0 is the start of `begun`, the same model with its bodies elsewhere.
+    SteadyMotion(const Model& model, const std::string& formulation, const Model& begun);
 
     int size() const { return 2 * n_; }  ///< of z
+    /// Where nothing moves by itself, but for the round-off of forces that joints hold, that which these forces would
+    /// cause.
     const Real& rate() const { return rate_; }
     /// The state y_0 exp(z).
     std::vector<Real> state(const VecX& z) const;
@@ -37,6 +40,7 @@ class SteadyMotion {
   private:
     VecX in_units(const VecX& z) const { return z.cwiseQuotient(units_); }
     Real rate_of(const std::vector<Real>& y);
+    Real rate_of_forces(const std::vector<Real>& y, const Model& begun) const;
     void set_units(const Real& rate);
 
     const Model& model_;

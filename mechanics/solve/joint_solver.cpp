@@ -14,6 +14,9 @@ namespace {
 
 /// Pivots of S are squares of those of M^{-1/2} C^T. Below this, the rows to keep are chosen again.
 const Real doubtful_pivot = Real(1) / 10000000000;
+/// By how much pivots fall before other rows are tried, and by how much these must be better: below that, rows kept on
+/// a base that turns would amplify the drift along those dropped.
+const Real fallen = Real(1) / 100, better = 10;
 /// By how much accelerations may violate a dropped row, relative to the terms in its mechanism: drift violates it
 /// slightly. A kept row is satisfied to more digits, or the solve has failed.
 const Real dropped_row_rel_tol = Real(1) / 1000, kept_row_rel_tol = Real(1) / 1000000000;
@@ -87,7 +90,25 @@ Status JointSolver::choose_and_factor() {
     if (!isfinite(pivot_)) return Status::non_finite;
     least_pivot_ = min(least_pivot_, pivot_);
     doubtful_ = pivot_ <= doubtful_pivot;
-    return doubtful_ ? choose_again() : Status::ok;
+    if (doubtful_) return choose_again();
+    best_pivot_ = max(best_pivot_, pivot_);
+    if (!selection_.is_complete() && pivot_ < fallen * best_pivot_) choose_better();
+    return Status::ok;
+}
+
+void JointSolver::choose_better() {
+    best_pivot_ = pivot_;
+    const std::optional<RowChoice> fresh = selection_.best(C_, selection_.rank());
+    if (!fresh || fresh->rank < selection_.rank()) return;
+    const RowSelection before = selection_;
+    selection_.set(*fresh);
+    const Real pivot = S_.factor(C_, selection_);
+    if (pivot > better * pivot_) {
+        best_pivot_ = pivot_ = pivot;
+        return;
+    }
+    selection_ = before;
+    pivot_ = S_.factor(C_, selection_);
 }
 
 /// As many rows as before: the most independent ones at the present configuration.

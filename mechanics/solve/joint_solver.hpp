@@ -6,7 +6,8 @@
 //   joint residual   rho = C a + bias          C:  mechanics/solve/constraint_matrix.hpp
 //   complement       S lambda = rho            S = C M^{-1} C^T:  mechanics/solve/complement.hpp
 //   reaction         a -= M^{-1} C^T lambda
-// Rows that depend on others in the initial configuration are left out (mechanics/solve/row_selection.hpp). They are
+// Rows that depend on others in the initial configuration are left out (mechanics/solve/row_selection.hpp); as a
+// mechanism turns, others may be the better ones to leave out. They are
 // watched: where one is violated by the accelerations, or where the rows kept lose rank (and no other choice of as many
 // rows is better), the answer is singular_kkt. So it is where a pivot is doubtful and the rows kept are not met after
 // one step of iterative refinement. What a row is measured by is in mechanics/solve/row_terms.hpp. What is reported are
@@ -68,6 +69,8 @@ class JointSolver {
     /// Factors, choosing other rows if pivots are doubtful.
     Status choose_and_factor();
     Status choose_again();
+    /// Other rows in place of those kept, if they are far more independent.
+    void choose_better();
     /// a -= M^{-1} C^T lambda with C a + bias = 0; on entry residual_ holds the bias.
     Status react(bool watch);
     /// residual_ = bias + C a, zero in dropped rows unless they are requested.
@@ -89,6 +92,7 @@ class JointSolver {
     LeastNorm least_norm_;
     bool doubtful_ = false;  // the last factors have small pivots
     Real pivot_ = 1, least_pivot_ = 1;
+    Real best_pivot_ = 0;  // since rows were last compared
     VecX residual_, lambda_, correction_, bias_;
     std::string singularity_;
 };

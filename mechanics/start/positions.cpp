@@ -24,6 +24,10 @@ bool keeps_axes_parallel(const Joint& joint) {
     return std::find(rows.begin(), rows.end(), orthogonal(3, 1)) != rows.end();
 }
 
+bool holds_teeth_only(const Joint& joint) {
+    return joint.type->has(Primitive::mesh) || joint.type->has(Primitive::rack);
+}
+
 Tilt tilt_of(const Model& model, std::size_t j) {
     const Joint& joint = model.joints[j];
     if (!keeps_axes_parallel(joint)) return {};
@@ -39,6 +43,26 @@ Tilt tilt_of(const Model& model, std::size_t j) {
                                      ": expected axes less than 180 degrees apart, got opposite ones: which way they "
                                      "should turn is not determined");
     return {angle, angle > 0 ? Vec3(line.normalized()) : line};
+}
+
+bool has_couplings(const Model& model) {
+    return std::any_of(model.joints.begin(), model.joints.end(),
+                       [](const Joint& joint) { return joint.type->has(Primitive::helix) || holds_teeth_only(joint); });
+}
+
+/// The model with a share of all tilts left, and without the rows that couple turns: these count from where axes lie in
+/// the end, and on the way there would turn bodies about them.
+Model uncoupled(const Model& model, const std::vector<Tilt>& tilts, const Real& share) {
+    Model stage = model;
+    stage.joints.clear();
+    for (std::size_t j = 0; j < tilts.size(); ++j) {
+        Joint joint = model.joints[j];
+        if (holds_teeth_only(joint)) continue;
+        if (joint.type->has(Primitive::helix)) joint.type = "cylindrical";
+        joint.axes_first = SO3::exp(tilts[j].angle * share * tilts[j].line) * joint.axes_first;
+        stage.joints.push_back(joint);
+    }
+    return stage;
 }
 
 }  // namespace
@@ -62,13 +86,10 @@ Model with_aligned_axes(const Model& model) {
     for (std::size_t j = 0; j < model.joints.size(); ++j) tilts.push_back(tilt_of(model, j));
     Real widest = 0;
     for (const Tilt& tilt : tilts) widest = max(widest, tilt.angle);
-    const int stages = static_cast<int>(ceil(8 * widest / pi()));
+    const int stages = static_cast<int>(ceil(8 * widest / pi())), last = has_couplings(model) ? 0 : 1;
     Model aligned = model;
-    for (int left = stages - 1; left > 0; --left) {
-        Model stage = aligned;
-        for (std::size_t j = 0; j < tilts.size(); ++j)
-            stage.joints[j].axes_first =
-                SO3::exp(tilts[j].angle * Real(left) / Real(stages) * tilts[j].line) * model.joints[j].axes_first;
+    for (int left = stages - 1; left >= last; --left) {
+        const Model stage = uncoupled(aligned, tilts, Real(left) / Real(stages));
         StartState start(stage);
         project_positions(start);
         std::vector<BodyState> states(model.bodies.size());

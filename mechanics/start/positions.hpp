@@ -14,7 +14,8 @@ void project_positions(StartState& start);
 /// The model with bodies turned until axes that joints keep parallel, a_3 of the first body and b_3 of the second,
 /// point in nearly the same direction. Rows that compare directions vanish for opposite axes too, and steps onto them
 /// overshoot from 45 degrees on: the axes are therefore brought together in stages, of pi/8 at most, each of which
-/// compares b_3 with a_3 turned by the angle that is left. Throws ParameterError on axes that are opposite.
+/// compares b_3 with a_3 turned by the angle that is left. The threads and teeth of a model take part once its axes
+/// point in one direction. Throws ParameterError on axes that are opposite.
 Model with_aligned_axes(const Model& model);
 
 }  // namespace KREISEL_PRECISION

@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "lie/so3.hpp"
 #include "mechanics/parts/driven_joints.hpp"
 #include "problems/reading/parts.hpp"
 
@@ -34,6 +35,13 @@ Mat3 turned_onto(const Vec3& b, const Mat3& frame) {
     axes.col(0) = first.normalized();
     axes.col(1) = e.cross(axes.col(0));
     return axes;
+}
+
+/// `frame`, turned by the least rotation that takes its axis onto b; itself where b is the axis or its opposite.
+Mat3 carried_onto(const Vec3& b, const Mat3& frame) {
+    const Vec3 a = frame.col(2), line = a.cross(b);
+    if (line.isZero(0)) return frame;
+    return SO3::exp(atan2(line.norm(), a.dot(b)) * line.normalized()) * frame;
 }
 
 /// Reads one joint.
@@ -98,7 +106,8 @@ class JointReader {
                                                       ": expected a disk that does not lie flat on the plane, got axes "
                                                       "that are parallel: the point of contact is not determined");
         joint_.axes_first = model_.axes_of(joint_.first, first);
-        joint_.axes_second = model_.axes_of(joint_.second, turned_onto(b, first));
+        const bool common = joint_.type->axes == JointAxes::common;
+        joint_.axes_second = model_.axes_of(joint_.second, turned_onto(b, common ? carried_onto(b, first) : first));
     }
 
     void check_perpendicular(const Real& cosine) const {
@@ -142,11 +151,11 @@ class JointReader {
     /// b_3.d there.
     Real shift_back() const { return apart().dot(axis(1).normalized()); }
 
-    /// Coordinates are measured from the configuration as given: there the first axes of the bodies are the same, and
-    /// what the points are apart is no shift.
+    /// Coordinates are measured from the configuration as given: there the first axes of the bodies are the same, up to
+    /// the turn that makes the axes parallel, and what the points are apart is no shift.
     void check_directed() const {
         const Vec3 a = axis(0), b = axis(1);
-        if (a.dot(b) > 0) return;
+        if (projected_ || a.dot(b) > 0) return;
         const Real cosine = a.dot(b) / (a.norm() * b.norm());
         throw ParameterError(path_ + "/axes", who_ +
                                                   ": expected axes that point the same way, about which a turn is "
@@ -195,10 +204,11 @@ class JointReader {
                                          std::to_string(data_.teeth[k]));
             joint_.teeth[k] = static_cast<int>(data_.teeth[k]);
         }
-        const Vec3 n = axis(1).normalized();
-        check_parallel(axis(0).normalized(), n);
-        const Vec3 line = apart() - apart().dot(n) * n;
-        if (line.norm() <= apart().norm() / 1000000000)
+        const Vec3 a = axis(0).normalized(), b = axis(1).normalized(), d = apart();
+        check_parallel(a, b);
+        // Of wheels yet to be turned, the one that lies along the line of centres stands as it will.
+        const Vec3 n = projected_ && abs(a.dot(d)) < abs(b.dot(d)) ? a : b, line = d - d.dot(n) * n;
+        if (line.norm() <= d.norm() / 1000000000)
             throw ParameterError(path_ + "/points",
                                  who_ +
                                      ": expected the centres of two wheels that mesh, got two points "
@@ -206,11 +216,12 @@ class JointReader {
         const Vec3 e = line.normalized();
         Mat3 axes;
         axes << e, n.cross(e), n;
-        joint_.axes_first = model_.axes_of(joint_.first, axes),
-        joint_.axes_second = model_.axes_of(joint_.second, axes);
+        joint_.axes_first = model_.axes_of(joint_.first, carried_onto(a, axes)),
+        joint_.axes_second = model_.axes_of(joint_.second, carried_onto(b, axes));
     }
     void check_parallel(const Vec3& a, const Vec3& b) const {
-        if ((a - b).norm() <= Real(1) / 1000000000) return;
+        const Real small = Real(1) / 1000000000;
+        if ((a - b).norm() <= small || (projected_ && (a + b).norm() > small)) return;
         throw ParameterError(path_ + "/axes", who_ + ": expected wheels about one direction, got axes " +
                                                   text(180 / pi() * acos(max(Real(-1), min(Real(1), Real(a.dot(b)))))) +
                                                   " degrees apart");
@@ -219,7 +230,7 @@ class JointReader {
     /// With the rack's direction e and the pinion's axis n, the rack's point is r from the centre on the side n x e or
     /// the other; the pinion turns by what the rack moves over r, about n if it is on the former.
     void read_rack() {
-        const Vec3 e = axis(0).normalized(), n = axis(1).normalized(), side = n.cross(e), d = apart();
+        const Vec3 e = axis(0).normalized(), n = axis(1).normalized(), side = n.cross(e).normalized(), d = apart();
         const Real radius = d.dot(side);
         if (abs(radius) <= d.norm() / 1000000000)
             throw ParameterError(path_ + "/points",
@@ -229,8 +240,9 @@ class JointReader {
         joint_.lead = -2 * pi() * radius;
         const Real angle = 2 * pi() * e.dot(d) / joint_.lead, c = cos(angle), s = sin(angle);
         Mat3 rack, pinion;
-        rack << n, e.cross(n), e;
-        pinion << c * e + s * side, c * side - s * e, n;
+        const Vec3 across = side.cross(n);  // e, unless the axes are yet to be made perpendicular
+        rack << e.cross(side), -side, e;
+        pinion << c * across + s * side, c * side - s * across, n;
         joint_.axes_first = model_.axes_of(joint_.first, rack);
         joint_.axes_second = model_.axes_of(joint_.second, pinion);
     }

@@ -203,6 +203,16 @@ TEST_CASE("a state that a run cannot go on from is refused where it stands", "[c
     says(with("formulations", {"SO3xR3", "SO3"}), last, "/time/begin: ", "a state that formulation SO3 holds");
     says(with("metrics", {"error.position"}), last, "/time/begin: ", "without error.*");
     says(with("kind", "convergence"), last, "/time/begin: ", "without error.*");
+    says(after, {{"fiel", "top.csv"}}, "/time/begin/fiel: ", "did you mean \"file\"?");
+    CHECK(refusal(folder, after, {{"fiel", "top.csv"}}).find("bodies\": ") == std::string::npos);
+    says(after, state_with("/file_", "top.csv"), "/time/begin/file_: ", "did you mean \"file\"?");
+    folder.file("results.csv", "cell,problem\n1,top\n");
+    says(after, {{"file", "results.csv"}},
+         "/time/begin/file: ", "whose first column is \"t [s]\", got one whose first line begins with \"cell\"");
+    folder.file("empty.csv", "");
+    says(after, {{"file", "empty.csv"}}, "/time/begin/file: ", "got one that begins with an empty line");
+    std::filesystem::create_directory(folder.path / "trajectories");
+    says(after, {{"file", "results.csv"}}, "/time/begin/file: ", "in the folder \"trajectories\" beside it");
     says(after, 3, "/time/begin: ", "a state");
     says(after, json::object(), "/time/begin: ", "the key \"t\"");
     says(after, state_with("/t", "1,5"), "/time/begin/t: ", "the time of the sample");
@@ -231,7 +241,6 @@ TEST_CASE("damaged samples are told by file and line", "[campaign]") {
     std::string text = good;
     says(text.substr(0, text.size() - 3), "bad.csv:4: damaged: its last line is torn");
     says(text.substr(0, text.find('\n') + 1), "bad.csv:2: damaged: it has no sample");
-    says("x [m]\n1\n", "bad.csv:1: damaged: expected samples");
     says("t [s]\n0.01\n", "bad.csv:1: damaged: expected samples of bodies");
     says("t [s],top.x1 [m]\n0.01,1\n", "bad.csv:1: damaged: it has no column top.x2 [m]");
     says(text.insert(text.find("\n0.01,") + 6, "a"), "bad.csv:3: damaged: top.x1 [m] is no number");

@@ -3,6 +3,7 @@
 // Mechanisms that are well-formed but inadmissible: each is refused at its error, naming joint and bodies.
 // And admissible ones: every type of joint and force, starts that are corrected.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -432,5 +433,33 @@ TEST_CASE("the shipped mechanism has every formulation and keeps to its joints",
     for (const PlannedSystems::Shared& system : plan.systems.kinds()) {
         CHECK(system->bodies == 4);
         CHECK(system->constraints.rows == 18);
+    }
+}
+
+TEST_CASE("redundant rows on a base that turns are chosen anew as it does", "[campaign]") {
+    // A lead screw of 0.05 m in a turn moves a slide on a turntable, on which each has a joint of its own.
+    const Plan plan = plan_with(ordered_json::parse(R"({
+        "gravity": [0, 0, 0],
+        "bodies": [{"name": "table", "mass": 5, "inertia": [0.5, 0.5, 1], "x": [0, 0, 0]},
+                   {"name": "spindle", "mass": 1, "inertia": [0.002, 0.01, 0.01], "x": [0.5, 0, 0.1]},
+                   {"name": "slide", "mass": 2, "inertia": [0.02, 0.02, 0.02], "x": [0.3, 0.1, 0.1]}],
+        "joints": [{"type": "revolute", "between": ["ground", "table"], "point": [0, 0, 0], "axis": [0, 0, 1],
+                    "turn": {"polynomial": [0, 3]}},
+                   {"type": "revolute", "between": ["table", "spindle"], "point": [0.5, 0, 0.1], "axis": [1, 0, 0],
+                    "turn": {"polynomial": [0, 20]}},
+                   {"type": "prismatic", "between": ["table", "slide"], "point": [0.3, 0.1, 0.1], "axis": [1, 0, 0]},
+                   {"type": "screw", "between": ["spindle", "slide"], "point": [0.3, 0, 0.1], "axis": [1, 0, 0],
+                    "lead": 0.05}]})"));
+    REQUIRE(plan.cells.size() == 3);
+    const double place = 0.3 - 0.05 * 20 / 6.283185307179586;  // along the table after 1 s
+    for (const PlannedCell& planned : plan.cells) {
+        Cell cell = planned.cell();
+        cell.steps = 1000;
+        INFO(cell.formulation);
+        const Outcome outcome = engine_binary64().run(cell, nullptr, {});
+        REQUIRE(outcome.status == "ok");
+        const ReportedBody& slide = outcome.final->bodies.at(2);
+        CHECK(std::abs(slide.x[0].value - (std::cos(3.0) * place - std::sin(3.0) * 0.1)) < 1e-5);
+        CHECK(std::abs(slide.x[1].value - (std::sin(3.0) * place + std::cos(3.0) * 0.1)) < 1e-5);
     }
 }

@@ -276,11 +276,11 @@ RotationStability FakeEngine::stability(const std::string& method) const {
 }
 
 Linearisation FakeEngine::linearise(const std::string& problem, const ParameterValues& parameters,
-                                    const std::string& formulation) const {
+                                    const std::string& formulation, const BeginState* begin) const {
     Linearisation result;
     result.skip_reason = summary(problem, parameters, formulation).skip_reason;
     if (mass_of(parameters) > 1000) { result.refusal = "it is neither an equilibrium nor a steady motion"; }
-    result.motion = {{"spin of top about (0, 0, 1)", number(2), "rad/s"}};
+    result.motion = {{"spin of top about (0, 0, 1)", begin ? begin->t : number(2), "rad/s"}};
     result.rate = number(2);
     result.residual = number(1e-30);
     result.dimension = 6;

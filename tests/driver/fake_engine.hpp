@@ -44,9 +44,10 @@ class FakeEngine : public Engine {
     Reference reference(const std::string& problem, const ParameterValues&, double t_end, long samples,
                         const std::stop_token&) const override;
     ReferenceCheck check_reference(const std::string& problem, const ParameterValues&, const Reference&) const override;
-    /// An oscillator of frequency 1 on the first formulation, of multiplicity 2; refused where the mass is above 1000.
-    Linearisation linearise(const std::string& problem, const ParameterValues&,
-                            const std::string& formulation) const override;
+    /// An oscillator of frequency 1 on the first formulation, of multiplicity 2, which spins by 2 rad/s, or by the time
+    /// of `begin`; refused where the mass is above 1000.
+    Linearisation linearise(const std::string& problem, const ParameterValues&, const std::string& formulation,
+                            const BeginState* begin) const override;
     std::string reference_digest() const override { return digest; }
 
     mutable SharedCount runs, references;

@@ -43,9 +43,9 @@ class OtherEngine : public Engine {
                                    const Reference& reference) const override {
         return fake_.check_reference(problem, values, reference);
     }
-    Linearisation linearise(const std::string& problem, const ParameterValues& values,
-                            const std::string& formulation) const override {
-        return fake_.linearise(problem, values, formulation);
+    Linearisation linearise(const std::string& problem, const ParameterValues& values, const std::string& formulation,
+                            const BeginState* begin) const override {
+        return fake_.linearise(problem, values, formulation, begin);
     }
     BeginCheck check_begin(const std::string& problem, const ParameterValues& values, const std::string& formulation,
                            const BeginState& begin) const override {

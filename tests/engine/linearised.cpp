@@ -169,6 +169,53 @@ TEST_CASE("what moves unsteadily, or depends on time, is refused") {
     CHECK_THAT(linearised(tilted, "SO3").refusal, Catch::StartsWith("it is neither"));
 }
 
+namespace {
+
+/// A block on a joint at a point where its weight has a moment, and that of a spring too; the axis is across gravity.
+Model held_block(JointType type) {
+    Model model;
+    model.bodies = {{.name = "block", .mass = 3, .start = {.x = Vec3(1, Real(1) / 3, 2)}}};
+    model.bodies[0].J = Vec3(3, 4, 5).asDiagonal();
+    model.gravity.g = Vec3(0, 0, Real("-9.81"));
+    model.join(ground, 0, Vec3(0, Real(1) / 7, 0), type, Vec3(3, 4, 0));
+    return model;
+}
+
+}  // namespace
+
+TEST_CASE("what joints hold at rest against its weight, or against springs, is an equilibrium") {
+    for (const char* formulation : {"SO3xR3", "SE3", "S3xR3"}) {
+        const Linearisation locked = good(held_block("fixed"), formulation);
+        CHECK(locked.dimension == 0);
+        CHECK(locked.motion.empty());
+        Model sprung = held_block("fixed");
+        sprung.gravity.g.setZero();
+        for (const Real& sign : {Real(1), Real(-1)})
+            sprung.springs.push_back({.r_first = Vec3(1 + 3 * sign, Real(1) / 3, 2), .stiffness = 100, .length = 1});
+        CHECK(good(sprung, formulation).motion.empty());
+        const Linearisation slide = good(held_block("prismatic"), formulation);
+        CHECK(slide.dimension == 2);
+        CHECK(miss(slide.of_symmetries, 0, 0) + miss(slide.eigenvalues, 0, 0) <= tiny);
+    }
+}
+
+TEST_CASE("a slide that is not level is no equilibrium, however little it is off") {
+    Model model = held_block("prismatic");
+    model.gravity.g += Vec3(Real("1e-6"), 0, 0);
+    CHECK_THAT(linearised(model, "SE3").refusal, Catch::StartsWith("it is neither"));
+    CHECK_THAT(linearised(held_block("revolute"), "SE3").refusal, Catch::StartsWith("it is neither"));
+}
+
+TEST_CASE("a motion is linearised where it has got to, in place of the start") {
+    Model model = vertical_top(-1, 0);
+    Model turned = model;
+    turned.bodies[0].start = vertical_top(1, 0).bodies[0].start;
+    const Linearisation result = linearised(model, "SO3xR3", turned);
+    CHECK(result.refusal == "");
+    CHECK(miss(result.eigenvalues, sqrt(mgl / transverse_moment), 0, 2) <= tiny);  // upright it falls
+    CHECK(miss(linearised(model, "SO3xR3").eigenvalues, 0, sqrt(mgl / transverse_moment), 2) <= tiny);
+}
+
 TEST_CASE("eigenvalues are counted with their multiplicities, split ones too") {
     MatX A = MatX::Zero(5, 5), S = MatX::Random(5, 5);
     A.diagonal() << 2, 2, 2, 1, -1;

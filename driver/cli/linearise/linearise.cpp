@@ -75,15 +75,22 @@ std::vector<LinearisedEntry> entries_of(const Plan& plan, const Engine& engine) 
     for (const ProblemPoint& problem : plan.config.problems) {
         for (const std::string& formulation : plan.config.formulations) {
             entries.push_back(
-                {problem.label(), formulation, engine.linearise(problem.name(), problem.parameters(), formulation)});
+                {problem.label(), formulation,
+                 engine.linearise(problem.name(), problem.parameters(), formulation, plan.config.begin.get())});
         }
     }
     return entries;
 }
 
-void print_entry(const LinearisedEntry& entry, std::ostream& out) {
+// "heavy_top on SO3xR3", "heavy_top on SO3xR3 at t = 3 s".
+std::string title(const LinearisedEntry& entry, const Config& config) {
+    const std::string where = fmt::format("{} on {}", entry.problem, entry.formulation);
+    return config.begin ? fmt::format("{} at t = {} s", where, config.begin->t.value) : where;
+}
+
+void print_entry(const LinearisedEntry& entry, const Config& config, std::ostream& out) {
     const Linearisation& result = entry.result;
-    fmt::print(out, "{} on {}: {}\n", entry.problem, entry.formulation, motion_text(result));
+    fmt::print(out, "{}: {}\n", title(entry, config), motion_text(result));
     fmt::print(out, "  missed by {:.1e} 1/s; {} dimensions on the constraints; eigenvalues to {:.1e} 1/s\n",
                result.residual.value, result.dimension, result.uncertainty);
 }
@@ -99,12 +106,11 @@ Exit linearise_command(const std::filesystem::path& config, const std::filesyste
         const std::string& skip = entry.result.skip_reason;
         const std::string& refusal = entry.result.refusal;
         if (!skip.empty()) {
-            fmt::print(terminal.out, "{} on {}: skipped: {}\n", entry.problem, entry.formulation, skip);
+            fmt::print(terminal.out, "{}: skipped: {}\n", title(entry, plan.config), skip);
         } else if (!refusal.empty()) {
-            refusals +=
-                fmt::format("{}{} on {}: {}", refusals.empty() ? "" : "\n", entry.problem, entry.formulation, refusal);
+            refusals += fmt::format("{}{}: {}", refusals.empty() ? "" : "\n", title(entry, plan.config), refusal);
         } else {
-            print_entry(entry, terminal.out);
+            print_entry(entry, plan.config, terminal.out);
             tables.add(entry);
         }
     }

@@ -160,7 +160,8 @@ const std::vector<Linearisation>& PublishedRuns::linearised(const std::string& c
     const Config& read = plan(config).config;
     for (const ProblemPoint& problem : read.problems) {
         for (const std::string& formulation : read.formulations) {
-            all.push_back(engines_.quad().linearise(problem.name(), problem.parameters(), formulation));
+            all.push_back(
+                engines_.quad().linearise(problem.name(), problem.parameters(), formulation, read.begin.get()));
         }
     }
     return all;

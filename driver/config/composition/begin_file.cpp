@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 
 #include "driver/config/catalogue.hpp"
@@ -27,6 +28,7 @@ using nlohmann::json;
 
 constexpr const char* begin_place = "/time/begin";
 constexpr const char* expected_samples = "the path of a trajectory, relative to this file's folder";
+constexpr const char* time_title = "t [s]";
 constexpr double same_time = 1e-9;  // relative: times are sums of steps
 
 std::vector<std::string> fields_of(const std::string& line) {
@@ -63,7 +65,6 @@ class SampleSearch {
     void take(const std::string& line) {
         std::vector<std::string> fields = fields_of(line);
         if (++line_ == 1) {
-            if (fields[0] != "t [s]") { refuse_samples(file_, 1, "expected samples, whose first column is t [s]"); }
             best_.titles = std::move(fields);
             return;
         }
@@ -95,7 +96,7 @@ class StateOfSample {
 
     BeginState read() const {
         BeginState state;
-        state.t = number("t [s]");
+        state.t = number(time_title);
         for (const std::string& title : sample_.titles) {
             if (title.ends_with(".x1 [m]")) { state.bodies.push_back(body(title.substr(0, title.size() - 7))); }
             if (title.starts_with("turns.") && title.ends_with(" [1]")) {
@@ -165,6 +166,23 @@ fs::path file_named(const Document& config, const Node& begin, const Diagnostics
     return file;
 }
 
+// Other tables are not damaged: they are no samples.
+void require_samples(const fs::path& file, const Node& begin, const Diagnostics& sink) {
+    std::string first;
+    std::getline(std::ifstream(file), first);
+    const std::string column = fields_of(first).front();
+    if (column == time_title) { return; }
+    const bool has_trajectories = fs::is_directory(file.parent_path() / "trajectories");
+    begin.find("file")->violates(
+        Rule::file, fmt::format("{}: a table whose first column is \"{}\"", expected_samples, time_title),
+        column.empty() ? "one that begins with an empty line"
+                       : fmt::format("one whose first line begins with {}{}", in_quotes(column),
+                                     has_trajectories ? "; trajectories of cells are in the folder \"trajectories\" "
+                                                        "beside it"
+                                                      : ""));
+    sink.raise();
+}
+
 std::optional<double> time_wanted(const Node& begin, const Diagnostics& sink) {
     const auto node = begin.find("t");
     if (!node) { return std::nullopt; }
@@ -177,6 +195,7 @@ std::optional<double> time_wanted(const Node& begin, const Diagnostics& sink) {
 
 json state_in(const fs::path& file, const Node& begin, const Diagnostics& sink) {
     const auto wanted = time_wanted(begin, sink);
+    require_samples(file, begin, sink);
     check_sum_of_samples(file);
     const SampleSearch search(file, wanted);
     if (!search.found()) {

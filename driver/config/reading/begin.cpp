@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <regex>
 #include <set>
+#include <vector>
 
 #include "driver/config/keys/keys.hpp"
 #include "records/json/model_keys.hpp"
@@ -116,11 +118,22 @@ void read_bodies(const Node& node, StateReader& reader, BeginState& state) {
     }
 }
 
+// The keys of a state; "file", which has been replaced by one, is what another key may have been meant to be.
+bool has_keys_of_state(const Node& node) {
+    std::vector<std::string> names = names_of(begin_keys());
+    names.push_back(begin_file_keys().front().name);
+    node.only_keys(names);
+    const auto known = [&](const auto& entry) {
+        return std::find(names.begin(), names.end(), entry.key()) != names.end();
+    };
+    const auto entries = node.json().items();
+    return node.find("bodies") || std::all_of(entries.begin(), entries.end(), known);
+}
+
 }  // namespace
 
 std::shared_ptr<const BeginState> read_begin(const Node& node) {
-    if (!node.require_object(expected_state)) { return nullptr; }
-    node.only_keys(names_of(begin_keys()));
+    if (!node.require_object(expected_state) || !has_keys_of_state(node)) { return nullptr; }
     BeginState state;
     StateReader reader;
     const auto t = find_key(node, begin_keys(), "t");

@@ -46,3 +46,17 @@ TEST_CASE("a start that moves unsteadily is an error, a formulation that does no
     CHECK(skipped.code == 0);
     CHECK_THAT(skipped.out, Catch::StartsWith("double_pendulum on SO3: skipped: no body rotates"));
 }
+
+TEST_CASE("linearise takes the state that time names") {
+    const ScratchFolder scratch;
+    std::string config = config_of_top("1", R"(["SO3xR3"])");
+    config.replace(config.find("\"end\": 1.0"), 10,
+                   R"("end": 4, "begin": {"t": 3, "bodies": [{"name": "top", "x": [0, 0, 0], "v": [0, 0, 0],
+                       "R": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "omega": [0, 0, 3]}]})");
+    const auto result = run_program({"linearise", scratch.file("some.json", config)});
+    INFO(result.messages);
+    CHECK(result.code == 0);
+    CHECK_THAT(
+        result.out,
+        Catch::StartsWith("heavy_top on SO3xR3 at t = 3 s: steady motion: spin of top about (0, 0, 1), 3 rad/s\n"));
+}
