@@ -1,63 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Mechanisms that are well-formed but inadmissible: each is refused at its error, naming joint and bodies.
-// And admissible ones: every type of joint and force, starts that are corrected.
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <iterator>
 
-#include "driver/plan/plan.hpp"
-#include "kreisel_build.hpp"
-#include "records/json/strict.hpp"
-#include "support/errors.hpp"
+#include "tests/campaign/mechanisms/chain.hpp"
 
-using namespace kreisel;
-using nlohmann::ordered_json;
+namespace kreisel::mechanism_tests {
 
 namespace {
 
-const Engines engines{engine_binary64(), engine_binary64()};
-
-/// Two rods of a chain and a bob: straight along x, at rest.
-const char* const good = R"({
-    "gravity": [0, 0, -9.81], "forces": [],
-    "bodies": [{"name": "crank", "mass": 1, "inertia": [0.1, 0.1, 0.1], "x": [0.5, 0, 0]},
-               {"name": "rod", "mass": 1, "inertia": [0.1, 0.1, 0.1], "x": [1.5, 0, 0]},
-               {"type": "point", "name": "bob", "mass": 1, "x": [2, 0, 0]}],
-    "joints": [{"type": "revolute", "between": ["ground", "crank"], "point": [0, 0, 0], "axis": [0, 1, 0]},
-               {"type": "spherical", "between": ["crank", "rod"], "point": [1, 0, 0]},
-               {"type": "spherical", "between": ["rod", "bob"], "point": [2, 0, 0]}]})";
-
-Plan plan_with(const ordered_json& parameters) {
-    ordered_json config = {
-        {"name", "mechanism"}, {"kind", "trajectory"}, {"methods", {"rkmk/rk4"}}, {"metrics", ordered_json::array()}};
-    config["problems"] = {{{"name", "multibody"}, {"parameters", parameters}}};
-    config["formulations"] = {"SO3xR3", "SE3", "S3xR3"};
-    config["time"] = {{"end", 1}, {"steps", 100}};
-    return plan_of(parse_document("mechanism.json", config.dump(1)), engines);
-}
-
-ordered_json changed(const std::vector<std::pair<std::string, std::string>>& changes) {
-    ordered_json parameters = ordered_json::parse(good);
-    for (const auto& [place, value] : changes)
-        parameters[ordered_json::json_pointer(place)] = ordered_json::parse(value);
-    return parameters;
-}
-
-std::string text_of(const std::string& file) {
-    std::ifstream in(std::string(build::source_dir) + "/" + file);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string refusal(const ordered_json& parameters) {
-    try {
-        plan_with(parameters);
-        return "";
-    } catch (const UsageError& error) { return error.what(); }
-}
-
 struct Bad {
-    std::string place, value;  ///< what is put into the good mechanism
+    std::string place, value;  ///< what is put into the chain
     std::string pointer;       ///< location of the error
     std::vector<std::string> phrases;
 };
@@ -304,133 +258,4 @@ TEST_CASE("each inadmissible mechanism is refused at its error", "[campaign]") {
     }
 }
 
-TEST_CASE("every type of joint and of force makes a mechanism", "[campaign]") {
-    const std::vector<std::pair<std::string, std::string>> accepted = {
-        {"/joints/1",
-         R"({"type": "revolute", "between": ["crank", "rod"], "point": [1, 0, 0], "axes": [[0, 2, 0], [0, -1, 0]]})"},
-        {"/joints/1",
-         R"({"type": "universal", "between": ["crank", "rod"], "point": [1, 0, 0], "axes": [[0, 2, 0], [0, 0, 1]]})"},
-        {"/joints/1",
-         R"({"type": "prismatic", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], "axis": [1, 0, 0]})"},
-        {"/joints/1", R"({"type": "cylindrical", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], )"
-                      R"("axis": [1, 0, 0]})"},
-        {"/joints/1",
-         R"({"type": "planar", "between": ["crank", "rod"], "points": [[1, 0, 0], [1, 3, 2]], "axis": [1, 0, 0]})"},
-        {"/joints/1", R"({"type": "fixed", "between": ["crank", "rod"], "point": [1, 0, 0]})"},
-        {"/joints/1",
-         R"({"type": "distance", "between": ["crank", "rod"], "points": [[1, 0, 0], [1, 0, 2]], "length": 2})"},
-        {"/joints/2",
-         R"({"type": "distance", "between": ["bob", "rod"], "points": [[2, 0, 0], [1, 0, 2]], "amplitude": -0.5})"},
-        {"/joints/1", R"({"type": "rolling", "between": ["ground", "rod"], "points": [[5, 0, -1], [1.5, 0, 0]], )"
-                      R"("axes": [[0, 0, 1], [0, 1, 0]], "radius": 1})"},
-        {"/joints/1", R"({"type": "distance", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], )"
-                      R"("amplitude": 0.5, "frequency": 2})"},
-        {"/joints/0/turn", R"({"polynomial": [0, 2, 1], "sinusoids": [{"amplitude": 0.1, "frequency": 20}]})"},
-        {"/joints/1", R"({"type": "prismatic", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], )"
-                      R"("axis": [1, 0, 0], "shift": {"polynomial": [0, 0, 0.1]}})"},
-        {"/joints/1", R"({"type": "cylindrical", "between": ["crank", "rod"], "points": [[1, 0, 0], [2, 0, 0]], )"
-                      R"("axes": [[1, 0, 0], [2, 0, 0]], "turn": {"polynomial": [0, 2]}, "shift": {"sinusoids": )"
-                      R"([{"amplitude": 0.2, "frequency": 1, "phase": 0.5}, )"
-                      R"({"amplitude": -0.2, "frequency": 2, "phase": 0.5}]}})"},
-        {"/joints/1", R"({"type": "screw", "between": ["crank", "rod"], "points": [[1, 0, 0], [1.5, 0, 0]], )"
-                      R"("axis": [1, 0, 0], "lead": -0.3})"},
-        {"/joints/1", R"({"type": "gear", "between": ["crank", "rod"], "points": [[0, 0, 0], [1.5, 0, 0]], )"
-                      R"("axis": [0, 1, 0], "teeth": [20, -30]})"},
-        {"/joints/1", R"({"type": "rack", "between": ["rod", "crank"], "points": [[1.5, 0, 0.2], [0, 0, 0]], )"
-                      R"("axes": [[1, 0, 0], [0, 1, 0]]})"},
-        {"/joints", "[]"},
-        {"/bodies/0/quaternion", "[0.6, 0.8, 0, 0]"},
-        {"/forces/0",
-         R"({"type": "spring", "between": ["ground", "bob"], "points": [[0, 0, 3], [2, 0, 0]], "stiffness": 3, )"
-         R"("damping": 1, "length": 2})"},
-        {"/forces/0",
-         R"({"type": "spring", "between": ["crank", "rod"], "points": [[1, 0, 0], [1, 0, 0]], "stiffness": 3})"},
-        {"/forces/0",
-         R"({"type": "torsion_spring", "between": ["ground", "crank"], "axis": [0, 1, 0], "stiffness": 3, )"
-         R"("angle": 0.5})"},
-        {"/forces/0", R"({"type": "torque", "body": "rod", "value": [0, 0, 1], "frame": "body"})"},
-        {"/forces/0",
-         R"({"type": "force", "body": "bob", "value": [0, 0, 1], "point": [2, 0, 0], "amplitude": 1, "frequency": 2})"},
-    };
-    for (const auto& change : accepted) {
-        INFO(change.first << " = " << change.second);
-        const ordered_json parameters = changed({change});
-        CHECK(refusal(parameters) == "");
-        for (const PlannedCell& planned : plan_with(parameters).cells) {
-            INFO(planned.cell().formulation << planned.skip_reason());
-            CHECK(engine_binary64().run(planned.cell(), nullptr, {}).status == "ok");
-        }
-    }
-}
-
-TEST_CASE("a start that does not meet its joints is projected on demand, and that is said", "[campaign]") {
-    const ordered_json apart = changed(
-        {{"/joints/1", R"({"type": "spherical", "between": ["crank", "rod"], "points": [[1, 0, 0.01], [1, 0, 0]]})"},
-         {"/project_initial", "true"}});
-    const Plan plan = plan_with(apart);
-    REQUIRE(plan.warnings.size() == 2);  // the other: a trajectory without samples
-    CHECK(plan.warnings[0].find("project_initial moved bodies by up to 0.00") != std::string::npos);
-    CHECK(plan_with(changed({{"/project_initial", "true"}})).warnings.size() == 1);
-
-    const ordered_json crooked = changed(
-        {{"/joints/1", R"({"type": "universal", "between": ["crank", "rod"], "point": [1, 0, 0], "axes": [[0, 1, 0], )"
-                       R"([0, 0.1, 1]]})"},
-         {"/project_initial", "true"}});
-    CHECK(plan_with(crooked).warnings.size() == 2);
-}
-
-TEST_CASE("axes that nearly agree are brought together by turning little", "[campaign]") {
-    const ordered_json tilted = changed({{"/joints/1",
-                                          R"({"type": "prismatic", "between": ["crank", "rod"], "point": [1, 0, 0],
-                                             "axes": [[1, 0.001, 0], [1, 0, 0.001]]})"},
-                                         {"/project_initial", "true"}});
-    const Plan plan = plan_with(tilted);
-    REQUIRE(plan.warnings.size() == 2);
-    const double turned = std::stod(plan.warnings[0].substr(plan.warnings[0].find(" m and ") + 7));
-    CHECK(turned > 0.0003);
-    CHECK(turned < 0.002);
-}
-
-TEST_CASE("velocities that are not given follow from the joints", "[campaign]") {
-    const ordered_json turning = changed({{"/bodies/0/omega", "[0, 3, 0]"}});
-    const Outcome outcome = engine_binary64().run(plan_with(turning).cells.at(0).cell(), nullptr, {});
-    CHECK(outcome.status == "ok");
-    CHECK(refusal(turning) == "");
-}
-
-TEST_CASE("velocities that contradict a prescribed coordinate are refused, by what was expected", "[campaign]") {
-    const std::string message =
-        refusal(changed({{"/joints/0/turn", R"({"polynomial": [0, 2]})"}, {"/bodies/0/omega", "[0, 3, 0]"}}));
-    INFO(message);
-    CHECK(message.find("velocity level") != std::string::npos);
-    CHECK(
-        message.find("joint 0 (ground - crank, revolute with driven turn): expected a turn of 2 rad/s, got 3 rad/s") !=
-        std::string::npos);
-    CHECK(refusal(changed({{"/joints/0/turn", R"({"polynomial": [0, 3]})"}, {"/bodies/0/omega", "[0, 3, 0]"}})) == "");
-}
-
-TEST_CASE("a start away from a prescribed coordinate is projected onto it, and that is said", "[campaign]") {
-    const Plan plan =
-        plan_with(changed({{"/joints/0/turn", R"({"polynomial": [0.3]})"}, {"/project_initial", "true"}}));
-    REQUIRE(plan.warnings.size() == 2);
-    CHECK(plan.warnings[0].find("project_initial moved bodies by up to") != std::string::npos);
-}
-
-TEST_CASE("the mechanism of the README is admissible", "[campaign]") {
-    const std::string readme = text_of("README.md");
-    const auto begin = readme.find("{\"name\": \"multibody\"");
-    REQUIRE(begin != std::string::npos);
-    const auto entry = ordered_json::parse(readme.substr(begin, readme.find("```", begin) - begin));
-    CHECK(refusal(entry.at("parameters")) == "");
-}
-
-TEST_CASE("the shipped mechanism has every formulation and keeps to its joints", "[campaign]") {
-    const Plan plan =
-        plan_of(parse_document("multibody.json", text_of("experiments/mechanisms/multibody.json")), engines);
-    CHECK(plan.skipped() == 0);
-    CHECK(plan.warnings.empty());
-    for (const PlannedSystems::Shared& system : plan.systems.kinds()) {
-        CHECK(system->bodies == 4);
-        CHECK(system->constraints.rows == 18);
-    }
-}
+}  // namespace kreisel::mechanism_tests
