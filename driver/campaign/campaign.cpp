@@ -174,7 +174,7 @@ std::string shard_name(const RunSettings& settings) {
 CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std::filesystem::path& folder,
                             const RunSettings& settings, std::ostream& messages) {
     const InterruptGuard guard;
-    Work work(plan, engines, folder, settings);
+    WorkerTasks work(plan, engines, folder, settings);
     const Forker forker([&](const Descriptor& socket, const Printed& printed, const std::stop_token& stop) {
         work.serve(socket, printed, stop);
     });

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_rows = 20;
 
-void print_comparison(const DiffSettings& settings, const Comparison& comparison, std::ostream& out) {
+void print_comparison(const DiffSettings& settings, const CellComparison& comparison, std::ostream& out) {
     fmt::print(out, "A: {}\nB: {}\n", settings.a.string(), settings.b.string());
     fmt::print(out, "{}\n", comparison_summary(comparison));
     if (settings.within) {
@@ -41,7 +41,7 @@ Exit diff_command(const DiffSettings& settings, std::ostream& out, std::ostream&
         if (!folder->warning.empty()) { fmt::print(messages, "{}\n", folder->warning); }
         for (const std::string& damage : folder->damage) { fmt::print(messages, "{}\n", damage); }
     }
-    const Comparison comparison = compare_cells(a.cells, b.cells, settings.within);
+    const CellComparison comparison = compare_cells(a.cells, b.cells, settings.within);
     if (!settings.csv.empty()) { write_atomically(settings.csv, csv_text(differences_in_full(comparison))); }
     print_comparison(settings, comparison, out);
     if (!a.damage.empty() || !b.damage.empty()) { return Exit::io; }

@@ -19,14 +19,14 @@ Row joined_rows(Row first, const Row& second) {
     return first;
 }
 
-TextTable one_sided_cells(const Comparison& comparison) {
+TextTable one_sided_cells(const CellComparison& comparison) {
     TextTable table{"only", "Cells of one folder only", joined_rows({"only in"}, short_cell_columns()), {}};
     for (const RecordedCell* cell : comparison.only_a) { table.rows.push_back(joined_rows({"A"}, short_cell(*cell))); }
     for (const RecordedCell* cell : comparison.only_b) { table.rows.push_back(joined_rows({"B"}, short_cell(*cell))); }
     return table;
 }
 
-TextTable changed_statuses(const Comparison& comparison) {
+TextTable changed_statuses(const CellComparison& comparison) {
     TextTable table{"status", "Cells that changed status", joined_rows(short_cell_columns(), {"in A", "in B"}), {}};
     for (const CellDifference& cell : comparison.changed) {
         if (!cell.status_changed()) { continue; }
@@ -66,7 +66,7 @@ void count_cell(const CellDifference& cell, std::map<std::string, FamilyChange>&
     }
 }
 
-TextTable moved_quantities(const Comparison& comparison) {
+TextTable moved_quantities(const CellComparison& comparison) {
     std::map<std::string, FamilyChange> families;
     for (const CellDifference& cell : comparison.changed) { count_cell(cell, families); }
     TextTable table{"quantities",
@@ -81,7 +81,7 @@ TextTable moved_quantities(const Comparison& comparison) {
     return table;
 }
 
-TextTable moved_cells(const Comparison& comparison) {
+TextTable moved_cells(const CellComparison& comparison) {
     std::vector<const CellDifference*> cells;
     for (const CellDifference& cell : comparison.changed) {
         if (!cell.status_changed()) { cells.push_back(&cell); }
@@ -121,7 +121,7 @@ Row status_row(const CellDifference& cell) {
 
 }  // namespace
 
-std::string comparison_summary(const Comparison& comparison) {
+std::string comparison_summary(const CellComparison& comparison) {
     const auto changed =
         static_cast<std::size_t>(std::count_if(comparison.changed.begin(), comparison.changed.end(),
                                                [](const CellDifference& cell) { return cell.status_changed(); }));
@@ -131,7 +131,7 @@ std::string comparison_summary(const Comparison& comparison) {
         comparison.only_a.size(), comparison.only_b.size());
 }
 
-std::vector<TextTable> difference_tables(const Comparison& comparison, std::size_t most) {
+std::vector<TextTable> difference_tables(const CellComparison& comparison, std::size_t most) {
     std::vector<TextTable> tables;
     for (TextTable table : {one_sided_cells(comparison), changed_statuses(comparison), moved_quantities(comparison),
                             moved_cells(comparison)}) {
@@ -146,7 +146,7 @@ std::vector<TextTable> difference_tables(const Comparison& comparison, std::size
     return tables;
 }
 
-TextTable differences_in_full(const Comparison& comparison) {
+TextTable differences_in_full(const CellComparison& comparison) {
     const Row head = joined_rows({"difference", "cell in A", "cell in B"}, full_cell_columns());
     const Row numbers = {"quantity", "in A", "in B", "ulp", "relative", "of scale"};
     TextTable table{"differences", "", joined_rows(head, numbers), {}};

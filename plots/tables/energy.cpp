@@ -25,7 +25,8 @@ bool has_energy_series(const Results& results) {
     });
 }
 
-bool has_runs_for_energy(const Results& results) { return results.kind == "drift" && has_energy_series(results); }
+// Beside the table "structure", which says what becomes of the energy, it is not.
+bool tells_of_long_times(const Results& results) { return has_no_errors(results) && !has_structures(results); }
 
 // A row for each run.
 void add_energy_runs(TextTable& table, const CellNames& names, const CellGroup& group, const EnergyLaw& law) {
@@ -65,7 +66,7 @@ KREISEL_TABLE({.name = "energy",
                .summary = "whether energy errors stay bounded or grow, from two step sizes or more",
                .place = 75,
                .applies = has_energy_series,
-               .is_printed = has_runs_for_energy,
+               .is_printed = tells_of_long_times,
                .make = energy_tables});
 
 }  // namespace kreisel

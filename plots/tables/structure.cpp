@@ -27,13 +27,6 @@ const std::vector<std::string> structure_notes = {
     "kept: "
     "up to 1e4 units of round-off, or for the energy what round-off adds up to."};
 
-bool has_structures(const Results& results) {
-    return std::any_of(results.rows.begin(), results.rows.end(), [](const ResultRow& row) {
-        return std::any_of(row.metrics.begin(), row.metrics.end(),
-                           [](const auto& metric) { return metric.first.starts_with("structure."); });
-    });
-}
-
 std::vector<std::string> structure_metrics() {
     std::vector<std::string> names;
     for (const MetricDescription& metric : metric_catalogue()) {

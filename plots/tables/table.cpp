@@ -18,6 +18,13 @@ bool has_errors(const Results& results) { return !error_metrics(results.rows).em
 
 bool has_no_errors(const Results& results) { return !has_errors(results); }
 
+bool has_structures(const Results& results) {
+    return std::any_of(results.rows.begin(), results.rows.end(), [](const ResultRow& row) {
+        return std::any_of(row.metrics.begin(), row.metrics.end(),
+                           [](const auto& metric) { return metric.first.starts_with("structure."); });
+    });
+}
+
 bool has_adaptive_cells(const Results& results) {
     return std::any_of(results.rows.begin(), results.rows.end(), [](const ResultRow& row) { return row.adaptive(); });
 }

@@ -26,6 +26,7 @@ bool always(const Results& results);
 bool never(const Results& results);
 bool has_errors(const Results& results);  ///< some cell has an error.*
 bool has_no_errors(const Results& results);
+bool has_structures(const Results& results);      ///< some cell has a structure.*
 bool has_adaptive_cells(const Results& results);  ///< steps of some cell are chosen to a tolerance
 bool has_timed_cells(const Results& results);     ///< cells measure time and memory of their steps
 

@@ -118,11 +118,11 @@ const QuantityDifference* CellDifference::furthest() const {
     return result;
 }
 
-Comparison compare_cells(const std::vector<RecordedCell>& a, const std::vector<RecordedCell>& b,
-                         std::optional<double> within) {
+CellComparison compare_cells(const std::vector<RecordedCell>& a, const std::vector<RecordedCell>& b,
+                             std::optional<double> within) {
     const CellMatching matching = match_cells(a, b);
     const OneSidedFamilies one_sided(a, b);
-    Comparison result{a.size(), b.size()};
+    CellComparison result{a.size(), b.size()};
     result.notes = matching.notes;
     for (const std::size_t i : matching.only_a) { result.only_a.push_back(&a[i]); }
     for (const std::size_t j : matching.only_b) { result.only_b.push_back(&b[j]); }

@@ -31,7 +31,7 @@ struct CellDifference {
 };
 
 /// Points into the cells it was made from.
-struct Comparison {
+struct CellComparison {
     std::size_t cells_a = 0, cells_b = 0, same = 0;
     std::vector<const RecordedCell*> only_a, only_b;
     std::vector<CellDifference> changed;  ///< in the order of A
@@ -43,7 +43,7 @@ struct Comparison {
 /// it, final states and metrics only: a number counts as moved if it is further away than `within` times the scale of
 /// its quantity. Numbers that no cell of one side has, for instance because its version did not compute them, are then
 /// noted and skipped.
-Comparison compare_cells(const std::vector<RecordedCell>& a, const std::vector<RecordedCell>& b,
-                         std::optional<double> within);
+CellComparison compare_cells(const std::vector<RecordedCell>& a, const std::vector<RecordedCell>& b,
+                             std::optional<double> within);
 
 }  // namespace kreisel

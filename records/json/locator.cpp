@@ -21,7 +21,6 @@ class Scanner {
     void advance() {
         if (!ended()) ++at_;
     }
-    void go(std::size_t byte) { at_ = byte; }
 
     void skip_space() {
         while (!ended() && std::string_view(" \t\r\n").find(peek()) != std::string_view::npos) { advance(); }

@@ -13,8 +13,6 @@ namespace kreisel {
 /// All of Engine::metrics, in the order in which results hold them.
 const std::vector<MetricDescription>& metric_catalogue();
 
-/// A deviation from the constraints or the group, the largest over all steps; "NAME.final" is the one at the end.
-inline bool is_defect(const MetricDescription& metric) { return metric.kind == MetricKind::defect; }
 /// A distance from the reference at the end; "NAME.max" is the largest over the samples.
 inline bool is_error(const MetricDescription& metric) { return metric.kind == MetricKind::error; }
 

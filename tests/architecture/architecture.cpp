@@ -66,7 +66,9 @@ TEST_CASE("each rule catches the tree that breaks it", "[architecture]") {
                                                          {"cite_list", "methods/euler.cpp:2: cite: unknown"},
                                                          {"cite_comment", "lie/so3.hpp:2: cite: nobody1999"},
                                                          {"class_twice", "methods/predictor.cpp:9: class"},
+                                                         {"class_across", "records/predictor.hpp:6: class"},
                                                          {"kind_asked", "plots/plot.cpp:3: kind"},
+                                                         {"kind_of_table", "plots/tables/energy.cpp:4: kind"},
                                                          {"nothing", ""}};
     const auto bad = project_root / "tests/architecture/bad";
     std::size_t cases = 0;

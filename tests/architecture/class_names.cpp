@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Two classes of one name in one namespace are one class to the linker, which keeps the member functions of either: the
-// other file then works on memory laid out for something else. No compiler warns, since each sees one of them only.
+// other file then works on memory laid out for something else. No compiler warns, since each sees one of them only. The
+// inline namespaces of the precisions are their parents to whoever reads a name, so that they count as these.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -18,12 +19,12 @@ struct Scope {
     bool is_namespace = false;
 };
 
-/// "kreisel::KREISEL_PRECISION::", or nothing where what is defined here has no name outside of its file or function.
+/// "kreisel::", or nothing where what is defined here has no name outside of its file or function.
 std::string path_of(const std::vector<Scope>& scopes) {
     std::string path;
     for (const Scope& scope : scopes) {
         if (!scope.is_namespace || scope.name.empty()) { return ""; }
-        path += scope.name + "::";
+        if (scope.name != "KREISEL_PRECISION") { path += scope.name + "::"; }
     }
     return path;
 }
@@ -56,8 +57,9 @@ std::vector<Definition> definitions(const Source& source) {
     return found;
 }
 
-bool holds_classes_of_a_precision(const Source& source) {
-    static const std::array<std::string, 6> folders = {"lie", "mechanics", "problems", "methods", "peers", "engine"};
+bool is_linked_into_the_program(const Source& source) {
+    static const std::array<std::string, 10> folders = {"lie",    "mechanics", "problems", "methods", "peers",
+                                                        "engine", "records",   "plots",    "driver",  "support"};
     return source.is_cpp() && std::find(folders.begin(), folders.end(), source.folder()) != folders.end();
 }
 
@@ -67,7 +69,7 @@ std::vector<Finding> check_class_names(const std::vector<Source>& tree) {
     std::map<std::string, std::string> known;
     std::vector<Finding> findings;
     for (const Source& source : tree) {
-        if (!holds_classes_of_a_precision(source)) { continue; }
+        if (!is_linked_into_the_program(source)) { continue; }
         for (const Definition& definition : definitions(source)) {
             const auto [entry, is_new] = known.insert({definition.name, source.path});
             if (!is_new && entry->second != source.path) {

@@ -28,10 +28,12 @@ std::set<std::string> names_of_kinds(const std::vector<Source>& tree) {
     return names;
 }
 
-/// In the driver and in plots a literal is enough. Files of results have members called like kinds ("trajectory"), so
-/// that in records only comparisons count.
+/// In the driver and in plots a literal is enough. Files of results have members called like kinds ("trajectory"), and
+/// files that register one name it and what it draws, so that there only comparisons count.
 bool asks(const Source& source, std::size_t at, std::size_t end) {
-    if (source.folder() != "records") { return source.folder() == "driver" || source.folder() == "plots"; }
+    const std::string folder = source.folder();
+    if (folder != "records" && folder != "driver" && folder != "plots") { return false; }
+    if (folder != "records" && !registers(source)) { return true; }
     const auto compares = [](const std::string& text) {
         return text.find("==") != std::string::npos || text.find("!=") != std::string::npos;
     };
@@ -45,7 +47,7 @@ std::vector<Finding> check_kinds(const std::vector<Source>& tree) {
     const std::set<std::string> kinds = names_of_kinds(tree);
     std::vector<Finding> findings;
     for (const Source& source : tree) {
-        if (!source.is_cpp() || registers(source)) { continue; }
+        if (!source.is_cpp()) { continue; }
         each_match(source.text, literal, [&](const std::smatch& match) {
             const std::size_t at = offset(match), end = at + match.str().size();
             const bool in_code = source.code[at] == '"' && source.code[end - 1] == '"';

@@ -61,3 +61,18 @@ TEST_CASE("tables have names and places of their own") {
         CHECK_FALSE(table.summary.empty());
     }
 }
+
+TEST_CASE("energy over long times is printed where neither errors nor the geometry of steps are in question") {
+    const auto& all = result_tables();
+    const auto table =
+        std::find_if(all.begin(), all.end(), [](const ResultTable& one) { return one.name == "energy"; });
+    REQUIRE(table != all.end());
+    const auto printed_with = [&](const std::string& metric) {
+        Results results;
+        results.rows.emplace_back().metrics = {{"invariant.energy", 1e-3}, {metric, 1e-3}};
+        return table->is_printed(results);
+    };
+    CHECK(printed_with("defect.position"));
+    CHECK_FALSE(printed_with("error.position"));
+    CHECK_FALSE(printed_with("structure.symplectic"));
+}

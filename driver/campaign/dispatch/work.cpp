@@ -28,7 +28,7 @@ std::string with_printed(const std::string& detail, const std::string& printed) 
     return detail.empty() ? "it printed: " + printed : detail + "; it printed: " + printed;
 }
 
-void Work::serve(const Descriptor& socket, const Printed& printed, const std::stop_token& stop) {
+void WorkerTasks::serve(const Descriptor& socket, const Printed& printed, const std::stop_token& stop) {
     while (const auto text = receive_message(socket)) {
         const Job job = Job::read(*text);
         try {
@@ -46,7 +46,8 @@ void Work::serve(const Descriptor& socket, const Printed& printed, const std::st
     }
 }
 
-std::string Work::answer_reference(const std::string& hash, const Printed& printed, const std::stop_token& stop) const {
+std::string WorkerTasks::answer_reference(const std::string& hash, const Printed& printed,
+                                          const std::stop_token& stop) const {
     const PlannedReference& planned = plan_.references.at(hash);
     auto stored = store_.find(planned);
     if (!stored) {
@@ -58,8 +59,8 @@ std::string Work::answer_reference(const std::string& hash, const Printed& print
     return answer_text(Answered::reference, store_.keep(planned, *stored));
 }
 
-std::string Work::compute_reference(const PlannedReference& planned, const Printed& printed,
-                                    const std::stop_token& stop) const {
+std::string WorkerTasks::compute_reference(const PlannedReference& planned, const Printed& printed,
+                                           const std::stop_token& stop) const {
     Reference reference;
     try {
         const CpuLimit limit(timeout_);
@@ -73,7 +74,7 @@ std::string Work::compute_reference(const PlannedReference& planned, const Print
     return answer_text(Answered::reference, store_.keep(planned, store_.make(planned, reference)));
 }
 
-const Reference* Work::reference_of(const PlannedCell& planned) {
+const Reference* WorkerTasks::reference_of(const PlannedCell& planned) {
     const std::string& hash = planned.reference();
     if (hash.empty()) { return nullptr; }
     const auto known = references_.find(hash);
@@ -83,7 +84,7 @@ const Reference* Work::reference_of(const PlannedCell& planned) {
     return &references_.emplace(hash, std::move(stored->reference)).first->second;
 }
 
-std::string Work::answer_cell(const PlannedCell& planned, const Printed& printed, const std::stop_token& stop) {
+std::string WorkerTasks::answer_cell(const PlannedCell& planned, const Printed& printed, const std::stop_token& stop) {
     if (stop.stop_requested()) { return answer_text(Answered::interrupted); }
     const Reference* reference = reference_of(planned);
     const bool sampled = planned.run->cell.samples > 0;
@@ -98,8 +99,8 @@ std::string Work::answer_cell(const PlannedCell& planned, const Printed& printed
     return answer_outcome(planned, outcome, reference, samples);
 }
 
-std::string Work::answer_outcome(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
-                                 TrajectoryFile& samples) const {
+std::string WorkerTasks::answer_outcome(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
+                                        TrajectoryFile& samples) const {
     if (outcome.status == status::out_of_memory) {
         samples.discard();
         return answer_text(Answered::no_memory, outcome.detail);
@@ -116,14 +117,14 @@ std::string Work::answer_outcome(const PlannedCell& planned, const Outcome& outc
     return answer_text(Answered::record, record_text(ending_of(cell.outcome), line));
 }
 
-std::string Work::answer_part(const PlannedCell& planned, TrajectoryFile& samples) const {
+std::string WorkerTasks::answer_part(const PlannedCell& planned, TrajectoryFile& samples) const {
     samples.flush();
     if (samples.sum().empty()) { return answer_text(Answered::interrupted); }
     const Outcome outcome = ended(status::interrupted, "its samples so far are in a part of its trajectory");
     return answer_text(Answered::part, journal_line(record_of(planned, outcome, nullptr), build_));
 }
 
-std::string Work::answer_round(const PlannedCell& planned, const std::stop_token& stop) const {
+std::string WorkerTasks::answer_round(const PlannedCell& planned, const std::stop_token& stop) const {
     const CpuLimit limit(timeout_);
     const auto run_s = engines_.of(planned.precision()).run_time(planned.cell(), stop);
     return answer_text(Answered::seconds, run_s ? fmt::format("{}", *run_s) : "");

@@ -20,9 +20,9 @@ namespace kreisel {
 /// " and printed: ..." after what there is to say; nothing where nothing was printed.
 std::string with_printed(const std::string& detail, const std::string& printed);
 
-class Work {
+class WorkerTasks {
   public:
-    Work(const Plan& plan, const Engines& engines, std::filesystem::path folder, const RunSettings& settings)
+    WorkerTasks(const Plan& plan, const Engines& engines, std::filesystem::path folder, const RunSettings& settings)
         : plan_(plan),
           engines_(engines),
           folder_(std::move(folder)),

@@ -84,13 +84,6 @@ void limit_memory(std::uint64_t bytes) {
     ::setrlimit(RLIMIT_DATA, &limit);
 }
 
-void lift_memory_limit() {
-    rlimit limit{};
-    if (::getrlimit(RLIMIT_DATA, &limit) != 0) { return; }
-    limit.rlim_cur = limit.rlim_max;
-    ::setrlimit(RLIMIT_DATA, &limit);
-}
-
 CpuLimit::CpuLimit(double seconds) : set_(seconds > 0) {
     if (set_) { set_timer(seconds); }
 }

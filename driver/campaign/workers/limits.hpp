@@ -13,8 +13,6 @@ std::uint64_t allowed_memory();
 /// Lets this process have so many bytes of data beyond what it has now, which it shares with its parent; then malloc
 /// fails.
 void limit_memory(std::uint64_t bytes);
-/// Takes that back, for instance to report that the limit was met.
-void lift_memory_limit();
 
 /// While it lives, this process may take so many seconds of CPU time (0: any) and is then ended by SIGPROF.
 class CpuLimit {

@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 
+#include "records/json/diagnostics.hpp"
 #include "records/json/locator.hpp"
 #include "tests/driver/command_line.hpp"
 #include "tests/driver/config/bad_configs.hpp"
@@ -103,4 +104,11 @@ TEST_CASE("values and keys are found in the text") {
     CHECK(line_column("/\xC3\xA4") == std::make_pair(3L, 8L));
     CHECK(line_column("/m~0~1/z/0") == std::make_pair(3L, 25L));
     CHECK(line_column("/m~0~1/absent/0") == std::make_pair(3L, 18L));
+}
+
+TEST_CASE("a long value is cut between characters") {
+    std::string text;
+    for (int i = 0; i < 20; ++i) { text += "ä"; }
+    CHECK(in_quotes("x" + text + text) == "\"x" + text + "äääääääää...\"");
+    CHECK(in_quotes(text) == "\"" + text + "\"");
 }

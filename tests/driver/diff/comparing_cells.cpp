@@ -44,7 +44,7 @@ RecordedCell recorded_with(const std::string& pointer, const json& value) {
 std::vector<QuantityDifference> differences(const RecordedCell& a, const RecordedCell& b,
                                             std::optional<double> within = std::nullopt) {
     const std::vector<RecordedCell> of_a = {a}, of_b = {b};
-    const Comparison comparison = compare_cells(of_a, of_b, within);
+    const CellComparison comparison = compare_cells(of_a, of_b, within);
     REQUIRE(comparison.only_a.empty());
     REQUIRE(comparison.only_b.empty());
     return comparison.changed.empty() ? std::vector<QuantityDifference>() : comparison.changed.front().quantities;
@@ -89,7 +89,7 @@ TEST_CASE(
     const RecordedCell with = recorded(), without_it = recorded({{"metrics", {{"invariant.spin", nullptr}}}}),
                        other = recorded({{"steps", 200}});
     const std::vector<RecordedCell> a = {without_it}, b = {with};
-    const Comparison one = compare_cells(a, b, 1.0);
+    const CellComparison one = compare_cells(a, b, 1.0);
     CHECK_FALSE(one.differs());
     CHECK(one.notes == std::vector<std::string>{"invariant.spin is not compared: no cell of A has it"});
     CHECK(compare_cells(b, a, 1.0).notes.size() == 1);
@@ -128,7 +128,7 @@ TEST_CASE("within a tolerance, the scale is that of the quantity in the cell") {
 TEST_CASE("a changed status is reported, and nothing else of that cell") {
     const std::vector<RecordedCell> a = {recorded()},
                                     b = {recorded({{"status", "newton_failed"}, {"metrics", nullptr}})};
-    const Comparison comparison = compare_cells(a, b, 1.0);
+    const CellComparison comparison = compare_cells(a, b, 1.0);
     REQUIRE(comparison.changed.size() == 1);
     CHECK(comparison.changed.front().status_changed());
     CHECK(comparison.changed.front().quantities.empty());
