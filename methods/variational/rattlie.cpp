@@ -23,6 +23,7 @@ class Rattlie final : public Integrator {
           increments_(system, std::move(equations)),
           n_(system.velocities()),
           m_(system.constraints()),
+          next_(static_cast<std::size_t>(system.group().size())),
           v_(VecX::Zero(n_)),
           lambda_(VecX::Zero(m_)) {}
 
@@ -48,8 +49,7 @@ class Rattlie final : public Integrator {
     /// Of least norm, which is found here: most steps are never asked.
     const Real* multipliers() const override {
         if (!stepped_ || m_ == 0) return nullptr;
-        if (!least_norm_)
-            system_.minimise_multipliers(end_, increments_.equations().configuration().data(), lambda_.data());
+        if (!least_norm_) system_.minimise_multipliers(end_, next_.data(), lambda_.data());
         least_norm_ = true;
         return lambda_.data();
     }
@@ -60,7 +60,8 @@ class Rattlie final : public Integrator {
         RattleEquations& equations = increments_.equations();
         if (const Status status = equations.finish(v_.data(), lambda_.data()); status != Status::ok) return status;
         increments_.remember();
-        std::copy(equations.configuration().begin(), equations.configuration().end(), y);
+        next_ = equations.configuration();
+        std::copy(next_.begin(), next_.end(), y);
         std::copy_n(v_.data(), n_, system_.v(y));
         ++work_.exponentials;
         return Status::ok;
@@ -69,6 +70,7 @@ class Rattlie final : public Integrator {
     System& system_;
     RattleIncrements increments_;
     Eigen::Index n_, m_;
+    std::vector<Real> next_;  // q+ of the last step, where its multipliers act; those of one that fails go elsewhere
     VecX v_;
     mutable VecX lambda_;
     Real h_ = 0, end_ = 0;

@@ -46,7 +46,10 @@ class Shakelie final : public Integrator {
         Status status = first ? begin(t, h, y) : Status::ok;
         if (status == Status::ok) status = advance(t, h, first);
         work_.newton_iterations = increments_.iterations();
-        if (status != Status::ok) return status;
+        if (status != Status::ok) {
+            std::copy_n(y, system_.group().size(), next_.data());  // where the multipliers act
+            return status;
+        }
         std::copy_n(next_.data(), system_.group().size(), y);
         std::copy_n(v_.data(), n_, system_.v(y));
         h_ = h, end_ = t + h, stepped_ = true, least_norm_ = false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Methods that meet the constraints stay on them, of small and of large systems, and report multipliers of their own.
+#include <cmath>
+
 #include "tests/methods/implicit/for_each.hpp"
 
 namespace implicit_on_constraints {
@@ -67,6 +69,24 @@ TEST_CASE("methods meet the constraints of small and of large systems alike", "[
                 CHECK(trip.velocity_defect() <= 10000 * epsilon * length);
             }
     });
+}
+
+TEST_CASE("methods on positions alone roll a disk, whose rows at its contact have none", "[methods]") {
+    if (KREISEL_QUAD) return;  // slow, and the same code
+    const Model disk = standard("rolling_disk");
+    const Real t_end = Real(1) / 4;
+    Trip exact(disk, "SO3xR3", method("rkmk/rk4"), "velocity");
+    REQUIRE(exact.run(t_end, 512) == Status::ok);
+    for (const char* name : {"generalized_alpha/index3", "multistep/bliedf2_index3"}) {
+        INFO(name);
+        double errors[2];
+        for (int i = 0; i < 2; ++i) {
+            Trip trip(disk, "SO3xR3", method(name));
+            REQUIRE(trip.run(t_end, 64 << i) == Status::ok);
+            errors[i] = to_double(worst(distance(trip.bodies(), exact.bodies())));
+        }
+        CHECK(std::log2(errors[0] / errors[1]) > 1.8);
+    }
 }
 
 }  // namespace implicit_on_constraints

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Multipliers that a method solves for: their order from the first steps on, and what a run reports.
+// Multipliers that a method solves for: their order from the first steps on, what a run reports, and a
+// step that fails.
 #include <cmath>
 
 #include "engine/run.hpp"
 #include "engine/skip.hpp"
 #include "tests/methods/implicit/for_each.hpp"
+#include "tests/methods/poisoned.hpp"
 
 namespace implicit_multipliers {
 
@@ -70,6 +72,32 @@ TEST_CASE("a run reports the multipliers of the method, where it has any", "[met
         cell.projection = "position";
         CHECK(why_skipped(cell).find("nothing is left to project") != std::string::npos);
     });
+}
+
+TEST_CASE("a step that fails leaves the multipliers of the last one", "[methods]") {
+    // Rows are redundant, so that those of least norm depend on the pose at which they act.
+    const Model model = linkages::planar_four_bar();
+    const Real h = Real(1) / 100;
+    for (const Method& entry : methods()) {
+        if (!entry.description.reports_multipliers || !runs_on(entry, model, "SO3xR3")) continue;
+        INFO(entry.description.name);
+        for (const int healthy_steps : {0, 3}) {
+            Trip sound(model, "SO3xR3", entry), trip(model, "SO3xR3", entry);
+            PoisonedSystem system(*trip.system);
+            const auto integrator = entry.bind(system, default_options(entry.description.options));
+            for (int i = 0; i < healthy_steps; ++i) {
+                REQUIRE(sound.integrator->step(h * i, h, sound.y.data()) == Status::ok);
+                REQUIRE(integrator->step(h * i, h, trip.y.data()) == Status::ok);
+            }
+            system.what = PoisonedSystem::What::applied, system.poison = not_a_number;
+            REQUIRE(integrator->step(h * healthy_steps, h, trip.y.data()) != Status::ok);
+            system.what = PoisonedSystem::What::nothing;
+            REQUIRE((integrator->multipliers() != nullptr) == (healthy_steps > 0));
+            if (healthy_steps == 0) continue;
+            const Real *left = integrator->multipliers(), *expected = sound.integrator->multipliers();
+            for (int i = 0; i < system.constraints(); ++i) CHECK(abs(left[i] - expected[i]) <= 1000000 * epsilon);
+        }
+    }
 }
 
 }  // namespace implicit_multipliers
