@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Labels of kreisel's figures, which are enhanced text of gnuplot, as text of matplotlib."""
+"""Labels of kreisel's figures, which are enhanced text of gnuplot, and names as text of matplotlib."""
 from __future__ import annotations
 
 def _item(label: str, at: int) -> tuple[str, int]:
@@ -20,6 +20,16 @@ def _literal(text: str) -> str:
     return "".join("\\" + c if c in "\\{}_^$%#& " else c for c in text)
 
 
+def _never_hidden(text: str) -> str:
+    """matplotlib leaves curves whose label begins with an underscore out of legends."""
+    return r"$\_$" + text[1:] if text.startswith("_") else text
+
+
+def plain_text(text: str) -> str:
+    """What shows as this text, whatever it holds: matplotlib reads mathematics between dollar signs."""
+    return _never_hidden(text.replace("$", r"\$"))
+
+
 def matplotlib_text(label: str) -> str:
     r"""x_{ref} becomes x$_{\mathrm{ref}}$; a backslash makes the next character literal."""
     text, at = "", 0
@@ -31,4 +41,4 @@ def matplotlib_text(label: str) -> str:
         else:
             part, at = _item(label, at)
             text += part.replace("$", r"\$")
-    return text
+    return _never_hidden(text)

@@ -40,7 +40,7 @@ class Legends:
         for name, of_owner in self._shown.items():
             if pd.notna(row[name]) and (of_owner is None or row[of_owner[0]] in of_owner[1]):
                 words.append(self._word(name, row[name]))
-        return (", ".join(words) or str(row["method"])).replace("$", r"\$")
+        return ", ".join(words) or str(row["method"])
 
     @staticmethod
     def _word(name: str, value: Any) -> str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import style
-from .labels import matplotlib_text
+from .labels import matplotlib_text, plain_text
 from .layout import CM
 
 if TYPE_CHECKING:
@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 
 # Centimetres, as in plots/gnuplot/heat_map.gp.
 _CHARACTER, _PLACE_WIDTH, _PLACE_HEIGHT, _RIGHT, _BELOW, _LEAST = 0.14, 1.2, 0.62, 2.9, 1.3, 2.8
+_SPACE_WIDTH, _SPACE_HEIGHT = 10.5, 8.0
+_LABEL_PAD = 8  # points, beyond numbers such as -0.001
+_SLANT = 40  # degrees, of values that have no room beside each other
 
 
 @dataclass(frozen=True)
@@ -78,7 +81,7 @@ def read_space(one: dict[str, Any], note: str) -> SpaceFigure:
 
 
 def _heading(figure: HeatFigure | SpaceFigure) -> str:
-    return "\n".join(filter(None, map(matplotlib_text, (figure.title, figure.note))))
+    return "\n".join(filter(None, map(plain_text, (figure.title, figure.note))))
 
 
 def _colours() -> Colormap:
@@ -92,17 +95,20 @@ def draw_heat(data: HeatFigure) -> Figure:
     import matplotlib.pyplot as plt
     from matplotlib.colors import LogNorm, Normalize
 
-    left = 1.1 + _CHARACTER * max(map(len, data.y_values))
+    widest = _CHARACTER * max(map(len, data.x_values))
+    slanted = widest > _PLACE_WIDTH
+    below = _BELOW + (0.7 * widest if slanted else 0)
+    left = max(1.1 + _CHARACTER * max(map(len, data.y_values)), 0.8 * widest - _PLACE_WIDTH / 2 if slanted else 0)
     wide, high = _PLACE_WIDTH * len(data.x_values), max(_PLACE_HEIGHT * len(data.y_values), _LEAST)
     heading = _heading(data)
     top = 0.35 + (0.5 * (heading.count("\n") + 1) if heading else 0)
-    width, height = left + wide + _RIGHT, len(data.maps) * (high + _BELOW + 0.35) + top
+    width, height = left + wide + _RIGHT, len(data.maps) * (high + below + 0.35) + top
     figure = plt.figure(figsize=(width * CM, height * CM))
     with style.house_style():
         if heading:
             figure.suptitle(heading, y=1 - 0.15 / height, va="top")
         for number, one in enumerate(data.maps):
-            bottom = height - top - number * (high + _BELOW + 0.35) - high
+            bottom = height - top - number * (high + below + 0.35) - high
             ax = figure.add_axes([left / width, bottom / height, wide / width, high / height])
             drawn = one.values[np.isfinite(one.values)]
             norm = (LogNorm if data.log else Normalize)(drawn.min(), drawn.max())
@@ -112,8 +118,9 @@ def draw_heat(data: HeatFigure) -> Figure:
                 if np.isfinite(value):
                     colour = "white" if norm(value) < 2 / 3 else "black"
                     ax.text(x, y, f"{value:.1e}", ha="center", va="center", fontsize=5.5, color=colour)
-            ax.set_xticks(range(len(data.x_values)), data.x_values)
-            ax.set_yticks(range(len(data.y_values)), data.y_values)
+            slant = {"rotation": _SLANT, "ha": "right", "rotation_mode": "anchor"} if slanted else {}
+            ax.set_xticks(range(len(data.x_values)), [plain_text(value) for value in data.x_values], **slant)
+            ax.set_yticks(range(len(data.y_values)), [plain_text(value) for value in data.y_values])
             ax.set_xlabel(matplotlib_text(data.x_label))
             ax.set_ylabel(matplotlib_text(data.y_label))
             scale = figure.add_axes([(left + wide + 0.35) / width, bottom / height, 0.3 / width, high / height])
@@ -125,11 +132,12 @@ def draw_space(data: SpaceFigure) -> Figure:
     """The path, coloured by time, over its shadow on the floor, with outlines of bodies."""
     import matplotlib.pyplot as plt
     from matplotlib.colors import Normalize
+    from matplotlib.ticker import MaxNLocator
     from mpl_toolkits.mplot3d.art3d import Line3DCollection
 
-    figure = plt.figure(figsize=(8.5 * CM, 7.6 * CM))
+    figure = plt.figure(figsize=(_SPACE_WIDTH * CM, _SPACE_HEIGHT * CM))
     with style.house_style():
-        ax = figure.add_subplot(projection="3d")
+        ax = figure.add_axes([0.06, 0.17, 0.64, 0.75], projection="3d")
         colours = _colours()
         norm = Normalize(data.t[0], data.t[-1])
         for time, points in data.lines:
@@ -143,9 +151,12 @@ def draw_space(data: SpaceFigure) -> Figure:
                 (ax.set_xlabel, ax.set_ylabel, ax.set_zlabel), ("x_1", "x_2", "x_3")):
             set_limits(low, high)
             set_label(matplotlib_text(label) + " [m]")
+        for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
+            axis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
+            axis.labelpad = _LABEL_PAD
         ax.set_box_aspect((1, 1, 1))
         elevation, azimuth = data.view  # which gnuplot counts from above, and from the negative second axis
         ax.view_init(90 - elevation, azimuth - 90)
         ax.set_title(_heading(data))
-        figure.colorbar(pieces, ax=ax, shrink=0.5, pad=0.15, label="t [s]")
+        figure.colorbar(pieces, cax=figure.add_axes([0.86, 0.25, 0.025, 0.45]), label="t [s]")
     return figure

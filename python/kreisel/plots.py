@@ -9,7 +9,7 @@ import pandas as pd
 
 from . import style
 from .curves import Drawn, NotDrawn, Panel, read_figures
-from .labels import matplotlib_text
+from .labels import matplotlib_text, plain_text
 from .layout import Page, legend_below, new_axes
 from .legends import Legends, identity_columns
 from .places import HeatFigure, SpaceFigure, draw_heat, draw_space
@@ -64,7 +64,7 @@ def draw_figure(data: Drawn) -> Figure:
         return draw_heat(data)
     if isinstance(data, SpaceFigure):
         return draw_space(data)
-    title = "\n".join(filter(None, map(matplotlib_text, (data.title, data.note))))
+    title = "\n".join(filter(None, map(plain_text, (data.title, data.note))))
     page = Page(data.width, data.axes_height, data.font_size)
     axes = new_axes([[curve.label for curve in panel.curves] for panel in data.panels], data.columns, title, page)
     with style.house_style(page.font_size):
@@ -104,11 +104,11 @@ def _draw_curves(curves: list[tuple[str, np.ndarray, np.ndarray]], x_label: str,
     ax = ax if ax is not None else new_axes([[label for label, _, _ in curves]])[0]
     with style.house_style():
         for number, (label, x, y) in enumerate(curves, 1):
-            ax.plot(_drawable(x, logarithmic), _drawable(y, logarithmic), label=label,
+            ax.plot(_drawable(x, logarithmic), _drawable(y, logarithmic), label=plain_text(label),
                     **style.line_style(number, marks))
         _set_scales(ax, logarithmic, logarithmic)
-        ax.set_xlabel(x_label)
-        ax.set_ylabel(y_label)
+        ax.set_xlabel(plain_text(x_label))
+        ax.set_ylabel(plain_text(y_label))
         legend_below(ax)
     return ax
 

@@ -12,7 +12,8 @@ import numpy as np
 import kreisel
 from kreisel import style
 from kreisel.curves import Curve, FigureData, Panel
-from kreisel.labels import matplotlib_text
+from kreisel.labels import matplotlib_text, plain_text
+from kreisel.places import HeatFigure, HeatMap, SpaceFigure
 from kreisel.plots import draw_figure
 from small import ROOT, copy_of, results_of
 
@@ -63,8 +64,54 @@ class Style(unittest.TestCase):
                             (r"heavy\_top: 4.02 ± 0.02", "heavy_top: 4.02 ± 0.02"),
                             ("∝ t^{0.50 ± 0.01}", r"∝ t$^{\mathrm{0.50\ ±\ 0.01}}$"),
                             ("|A^T ω_1 A|", r"|A$^{\mathrm{T}}$ ω$_{\mathrm{1}}$ A|"),
-                            ("5 $ a", r"5 \$ a"), ("a_", "a_"), ("{x}", "x")):
+                            ("5 $ a", r"5 \$ a"), ("a_", "a_"), ("{x}", "x"), (r"\_a", r"$\_$a")):
             self.assertEqual(matplotlib_text(label), text)
+
+    def test_names_are_shown_as_they_are(self):
+        import matplotlib.pyplot as plt
+
+        self.addCleanup(plt.close, "all")
+        name = "a_b^c $x_1$ {d}"
+        ax = plt.figure().add_subplot()
+        ax.plot([1, 2], label=plain_text("_" + name))
+        ax.legend()
+        text = ax.text(0, 0, plain_text(name))
+        as_mathematics = ax.text(0, 0, name)
+        letters = ax.text(0, 0, name.replace("$", "S"))
+        ax.figure.canvas.draw()
+        self.assertEqual(len(ax.get_legend().get_texts()), 1)
+        wide, as_read, as_letters = (one.get_window_extent().width for one in (text, as_mathematics, letters))
+        self.assertLess(abs(wide - as_letters), 0.1 * as_letters)
+        self.assertGreater(abs(as_read - as_letters), 0.1 * as_letters)
+
+    def test_texts_of_places_do_not_meet(self):
+        import matplotlib.pyplot as plt
+
+        self.addCleanup(plt.close, "all")
+        values = tuple(f"rkmk/implicit_midpoint, number {i}" for i in range(4))
+        one = HeatMap("m", np.arange(1.0, 9).reshape(2, 4))
+        maps = draw_figure(HeatFigure("map", "title $ of_x", "", "method", "h [s]", values, ("1", "2"), True, (one, one)))
+        line = np.linspace(0, 1, 9)
+        space = draw_figure(SpaceFigure("path", "", "", (-0.002,) * 3, (0.002,) * 3, (60, 30), line,
+                                        0.002 * np.outer(line, [1, -1, 1]), ()))
+        for figure in (maps, space):
+            figure.canvas.draw()
+            page, axes = figure.bbox, figure.axes
+            boxes = [ax.get_tightbbox() for ax in axes]
+            for box in boxes:
+                self.assertTrue(box.x0 >= 0 and box.y0 >= 0 and box.x1 <= page.x1 and box.y1 <= page.y1, box)
+            self.assertFalse([(i, k) for i, a in enumerate(boxes) for k, b in enumerate(boxes) if i < k and a.overlaps(b)])
+        self.assertEqual(maps._suptitle.get_text(), r"title \$ of_x")
+        self.assertEqual({text.get_rotation() for text in maps.axes[0].get_xticklabels()}, {40})
+        for axis in (getattr(space.axes[0], f"{name}axis") for name in "xyz"):
+            label = axis.label.get_window_extent()
+            others = [text.get_window_extent() for text in axis.get_ticklabels()] + [space.axes[1].get_tightbbox()]
+            self.assertFalse(any(label.overlaps(other) for other in others), axis.label.get_text())
+        short = draw_figure(HeatFigure("map", "", "", "steps", "h [s]", ("64", "128"), ("1",), False,
+                                       (HeatMap("m", np.array([[0.0, 1.0]])),)))
+        short.canvas.draw()
+        first, second = (text.get_window_extent() for text in short.axes[0].get_xticklabels())
+        self.assertLess(first.x1, second.x0)
 
 
 class Curves(unittest.TestCase):
