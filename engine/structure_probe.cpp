@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/begin.hpp"
+#include "engine/step_times.hpp"
 #include "mechanics/model/scales.hpp"
 #include "methods/contract/method.hpp"
 #include "problems/problem.hpp"
