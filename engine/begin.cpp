@@ -143,24 +143,5 @@ BeginCheck checked_begin(const Model& model, const std::string& formulation, con
     return check;
 }
 
-StepTimes::StepTimes(const Real& begin, const Real& end, long steps) : begin_(begin), end_(end), steps_(steps) {
-    using std::floor;
-    const Real nearest = floor(begin / (end - begin) * Real(steps) + Real(1) / 2);
-    const Real of_all = end / (nearest + Real(steps));
-    if (nearest < Real(1L << 52) && abs(of_all * nearest - begin) <= 4 * epsilon * begin) {
-        before_ = static_cast<long>(nearest);
-        h_ = of_all;
-    } else {
-        origin_ = begin;
-        h_ = (end - begin) / Real(steps);
-    }
-}
-
-Real StepTimes::at(long step) const {
-    if (step == 0) return begin_;
-    if (step == steps_) return end_;
-    return origin_ + h_ * Real(before_ + step);
-}
-
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

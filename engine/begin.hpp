@@ -22,19 +22,5 @@ Model moved_to(Model model, const BeginState& begin);
 /// the largest velocity. One on SO3 has its fixed points where they are, whatever the state says.
 BeginCheck checked_begin(const Model& model, const std::string& formulation, const BeginState& begin);
 
-/// Times of N steps of one size from t_0 to T. Where t_0 is a whole number k of them after 0, up to round-off, they are
-/// those of k + N steps from 0 to T, to the last bit.
-class StepTimes {
-  public:
-    StepTimes() = default;
-    StepTimes(const Real& begin, const Real& end, long steps);
-    const Real& h() const { return h_; }
-    Real at(long step) const;
-
-  private:
-    Real begin_ = 0, end_ = 0, origin_ = 0, h_ = 0;
-    long before_ = 0, steps_ = 0;
-};
-
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

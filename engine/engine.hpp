@@ -269,7 +269,7 @@ class Engine {
     virtual std::vector<SchemeRow> scheme(const std::string& method) const = 0;
     /// Stability of a method, under its standard options, on the test rotation.
     virtual RotationStability stability(const std::string& method) const = 0;
-    /// Why this cell cannot run; empty if it can. The answer is the same for any number of steps, and for any
+    /// Why this cell cannot run; empty if it can. It is the same for any number of steps, and for any
     /// tolerance. Throws ParameterError, OptionError.
     virtual std::string skip_reason(const Cell&) const = 0;
     /// Runs one cell. `reference` may be null: then no error.* is measured. `samples` may be null too: samples are then

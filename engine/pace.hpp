@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "engine/begin.hpp"
+#include "engine/engine.hpp"
+#include "engine/step_times.hpp"
 #include "methods/simulation.hpp"
 
 namespace kreisel {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/begin.hpp"
+#include "engine/step_times.hpp"
 #include "mechanics/model/scales.hpp"
 #include "methods/contract/method.hpp"
 #include "problems/problem.hpp"
@@ -13,7 +13,7 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// Why the steps of a cell are no maps of states; empty if they are.
+/// Why the steps of a cell are not maps of states; empty if they are.
 std::string why_no_map(const Cell& cell) {
     if (cell.tolerance > 0) return "steps to a tolerance have no size of their own";
     const auto every = cell.projection_options.find("every");

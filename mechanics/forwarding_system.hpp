@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A system that forwards every call to another one: the base of stabilisations and of test doubles, which override what
-// they change. Nothing falls back to System's own answers, those of a body without constraints;
+// they change. Nothing falls back to what System itself returns, for a body without constraints;
 // tests/mechanics/forwarding.cpp sees to that.
 #pragma once
 

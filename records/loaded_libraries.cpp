@@ -87,7 +87,7 @@ std::string instruction_level() {
                        CPU_FEATURE_ACTIVE(BMI1) && CPU_FEATURE_ACTIVE(BMI2);
     const bool fourth = third && CPU_FEATURE_ACTIVE(AVX512F) && CPU_FEATURE_ACTIVE(AVX512BW) &&
                         CPU_FEATURE_ACTIVE(AVX512CD) && CPU_FEATURE_ACTIVE(AVX512DQ) && CPU_FEATURE_ACTIVE(AVX512VL);
-    // What libm chooses by is not the level alone.
+    // libm does not choose by the level only.
     std::string level = fourth ? "x86-64-v4" : third ? "x86-64-v3" : second ? "x86-64-v2" : "x86-64";
     if (!third && CPU_FEATURE_ACTIVE(AVX)) { level += "+avx"; }
     if (!third && CPU_FEATURE_ACTIVE(AVX2)) { level += "+avx2"; }

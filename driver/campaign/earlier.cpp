@@ -37,7 +37,7 @@ std::vector<std::string> would_write(const Plan& plan, const RunSettings& settin
 }
 
 // Whether the folder comes from a version that listed nothing, or its manifest is lost: then a journal, whose lines
-// have sums, tells that it is one of ours.
+// have sums, shows that it is one of ours.
 bool is_unlisted(const std::filesystem::path& folder) {
     try {
         return OwnedFiles(folder).empty() && !shard_files(folder, "journal", ".jsonl").empty();

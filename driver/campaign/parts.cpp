@@ -36,7 +36,7 @@ void PlanOfParts::add(const std::filesystem::path& manifest, const std::string& 
 
 namespace {
 
-// Empty: it does not tell. Where it is damaged, run_damage says so; the config of another version is no plan of ours.
+// Empty: it does not say. Where it is damaged, run_damage says so; the config of another version is not ours to plan.
 std::optional<std::string> told_plan(const std::filesystem::path& manifest) {
     try {
         return read_manifest(manifest).state.plan;

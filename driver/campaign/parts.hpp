@@ -20,15 +20,15 @@ class PlanOfParts {
     /// A manifest and the digest in it. Other manifests than those of parts are passed over. Throws UsageError if the
     /// part is of another plan.
     void add(const std::filesystem::path& manifest, const std::string& digest);
-    /// A text if there were parts of older versions, which tell no digest; else empty.
+    /// A text if there were parts of older versions, which have no digest; else empty.
     const std::string& warning() const { return warning_; }
 
   private:
     std::string whose_, digest_, warning_;
 };
 
-/// Nothing for runs that are no part, or that overwrite. Throws UsageError if the folder holds a part of another plan;
-/// returns a warning if it holds parts that do not tell theirs.
+/// Nothing for runs that are not a part, or that overwrite. Throws UsageError if the folder holds a part of another
+/// plan; returns a warning if it holds parts whose plan is not known.
 std::string check_parts(const std::filesystem::path& folder, const Plan& plan, const RunSettings& settings);
 
 }  // namespace kreisel

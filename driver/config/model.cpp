@@ -219,24 +219,29 @@ std::vector<double> read_coefficients(const Node& node) {
     return coefficients;
 }
 
+// A given force or torque, or the centre of a field.
+void read_on_one_body(const Node& node, const ElementType& type, ForceData& force) {
+    assign(force.between[1], name_at(node, "body"));
+    assign(force.value, vector_at(node, "value"));
+    force.point = vector_at(node, type.has("centre") ? "centre" : "point");
+    if (const auto frame = node.find("frame")) {
+        force.body_axes = frame->name(expectation(ValueKind::frame), {"space", "body"}) == "body";
+    }
+}
+
+void read_between_bodies(const Node& node, const ElementType& type, ForceData& force) {
+    read_between(node, force.between);
+    if (type.has("points")) {
+        read_vectors(node, "point", "points", force.points);
+    } else {
+        force.point = vector_at(node, "point");
+    }
+}
+
 ForceData read_force(const Node& node, const ElementType& type, const PrintedNumbers& printed) {
     ForceData force;
     force.type = type.name;
-    if (type.has("body")) {
-        assign(force.between[1], name_at(node, "body"));
-        assign(force.value, vector_at(node, "value"));
-        force.point = vector_at(node, type.has("centre") ? "centre" : "point");
-        if (const auto frame = node.find("frame")) {
-            force.body_axes = frame->name(expectation(ValueKind::frame), {"space", "body"}) == "body";
-        }
-    } else {
-        read_between(node, force.between);
-        if (type.has("points")) {
-            read_vectors(node, "point", "points", force.points);
-        } else {
-            force.point = vector_at(node, "point");
-        }
-    }
+    (type.has("body") ? read_on_one_body : read_between_bodies)(node, type, force);
     assign(force.axis, vector_at(node, "axis"));
     if (type.has("torsional_stiffness")) {
         read_bushing(node, printed, force);

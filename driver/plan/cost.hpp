@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What cells and references cost, estimated from the plan alone: no clock and no machine decides what follows from it.
+// What cells and references cost, estimated from the plan only: neither clocks nor machines decide what follows from
+// it.
 #pragma once
 
 #include "records/cell/planned.hpp"

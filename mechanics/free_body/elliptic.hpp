@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Elliptic functions and integrals from the complementary modulus k' in [0, 1], which keep their digits at k = 1: the
-// library's Jacobi functions take k alone, and 1 - k^2 cancels.
+// library's Jacobi functions take only k, and 1 - k^2 cancels.
 #pragma once
 
 #include "lie/real.hpp"

@@ -17,7 +17,7 @@ struct ConstraintRow {
 
 /// What a joint exerts on its second-named body, minus its part of C^T lambda: force (N) and torque (N m) in space
 /// axes, the torque about the joint's point of that body (of a rolling joint, about the contact). The first-named body
-/// gets the opposite about the same point. What keeps a prescribed coordinate is no part of these: the force (N) along
+/// gets the opposite about the same point. What keeps a prescribed coordinate is not part of these: the force (N) along
 /// the axis of the second body on it, and the torque (N m) about that axis, 0 where nothing is prescribed.
 struct JointReaction {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();

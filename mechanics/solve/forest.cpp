@@ -9,6 +9,19 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
+/// Of the joint graph: a body is its number, the ground comes after all of them.
+std::size_t vertex(std::size_t bodies, int body) { return body == ground ? bodies : static_cast<std::size_t>(body); }
+
+/// By vertex, in the order of the model.
+std::vector<std::vector<int>> joints_by_vertex(const Model& model) {
+    const std::size_t bodies = model.bodies.size();
+    std::vector<std::vector<int>> joints(bodies + 1);
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+        for (const int body : {model.joints[j].first, model.joints[j].second})
+            joints[vertex(bodies, body)].push_back(static_cast<int>(j));
+    return joints;
+}
+
 /// Disjoint sets of bodies and, as the last element, the ground (union-find).
 class Sets {
   public:
@@ -16,7 +29,7 @@ class Sets {
         std::iota(root_.begin(), root_.end(), std::size_t{0});
     }
     std::size_t find(int body) {
-        std::size_t i = body == ground ? root_.size() - 1 : static_cast<std::size_t>(body);
+        std::size_t i = vertex(root_.size() - 1, body);
         while (root_[i] != i) i = root_[i] = root_[root_[i]];
         return i;
     }
@@ -51,23 +64,18 @@ std::vector<std::size_t> islands(const Model& model) {
 
 std::vector<Branch> branches(const Model& model) {
     const std::size_t bodies = model.bodies.size();
-    const auto vertex = [&](int body) { return body == ground ? bodies : static_cast<std::size_t>(body); };
-    std::vector<std::vector<int>> joints(bodies + 1);
-    for (std::size_t j = 0; j < model.joints.size(); ++j)
-        for (const int body : {model.joints[j].first, model.joints[j].second})
-            joints[vertex(body)].push_back(static_cast<int>(j));
-
+    const auto joints = joints_by_vertex(model);
     std::vector<Branch> all;
     std::vector<bool> placed(bodies + 1, false);
     const auto place = [&](const Branch& branch) {
-        placed[vertex(branch.body)] = true;
+        placed[vertex(bodies, branch.body)] = true;
         all.push_back(branch);
     };
     const auto hang_on = [&](int parent, int body) {
-        for (const int j : joints[vertex(body)]) {
+        for (const int j : joints[vertex(bodies, body)]) {
             const Joint& joint = model.joints[static_cast<std::size_t>(j)];
             const int other = joint.first == body ? joint.second : joint.first;
-            if (other != ground && !placed[vertex(other)]) place({other, parent, j});
+            if (other != ground && !placed[vertex(bodies, other)]) place({other, parent, j});
         }
     };
     std::size_t grown = 0;

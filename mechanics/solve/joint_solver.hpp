@@ -9,7 +9,7 @@
 // Rows that depend on others in the initial configuration are left out (mechanics/solve/row_selection.hpp); as a
 // mechanism turns, others may be the better ones to leave out. They are
 // watched: where one is violated by the accelerations, or where the rows kept lose rank (and no other choice of as many
-// rows is better), the answer is singular_kkt. So it is where a pivot is doubtful and the rows kept are not met after
+// rows is better), it returns singular_kkt, and also where a pivot is doubtful and the rows kept are not met after
 // one step of iterative refinement. What a row is measured by is in mechanics/solve/row_terms.hpp. What is reported are
 // the multipliers of least norm (mechanics/solve/least_norm.hpp). Masses are taken in the unit of
 // mechanics/model/scales.hpp.

@@ -24,7 +24,7 @@ class GlobalEquations {
     int translations() const { return translations_; }                   ///< of each body: 3 or 0
     int stride() const { return translations_ + coordinates_->size(); }  ///< reals of (x_i, z_i)
 
-    /// y in TG -> w. The labels of torsion springs, which are no part of a pose, are remembered.
+    /// y in TG -> w. The labels of torsion springs, which are not part of a pose, are remembered.
     void read(const Real* y, Real* w);
     /// Those labels, into y.
     void write_labels(Real* y) const;

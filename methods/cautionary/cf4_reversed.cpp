@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A trap: commutator_free/cf4 with its factors in the order in which they are printed for Y' = A(Y) Y, although
-// q' = q v appends them on the right: order 2, where reversing the products of its stages alone would leave 3.
+// q' = q v appends them on the right: order 2, where reversing only the products of its stages would leave 3.
 // Source of the scheme: [celledoni2003cf].
 #include "methods/commutator_free/commutator_free.hpp"
 

@@ -4,7 +4,7 @@
 // trivialisation: factors append on the right,
 //   y_i = y_n exp(h sum_j alpha^i_1j K_j) exp(h sum_j alpha^i_2j K_j) ...,   K_i = F(t_n + c_i h, y_i),
 // and y_{n+1} alike; c_i is the sum of the coefficients of y_i. A pair estimates its error by e = log(y^_{n+1}^{-1}
-// y_{n+1}) [curryowren2019]. Stages that only y^ uses are taken in attempts alone.
+// y_{n+1}) [curryowren2019]. Stages that only y^ uses are taken only in attempts.
 // Trap: the literature writes Y' = A(Y) Y, where the same products stand in reverse. The final factors of CF4 exchanged
 // leave order 2, and every matrix orthogonal.
 #pragma once

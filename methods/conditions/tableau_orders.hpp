@@ -10,7 +10,7 @@
 
 namespace kreisel::orders {
 
-/// Orders of more are not told from this one.
+/// Higher orders are not distinguished from this one.
 inline constexpr int most_order = 10;
 
 /// Of b, and of a pair, of b^ and of e = h sum_i (b_i - b^_i) k_i = O(h^difference).

@@ -10,7 +10,7 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// y <- next, if all of next is finite; else y stays and the answer is `non_finite`. The sum shows it: what is not
+/// y <- next, if all of next is finite; else y stays and `non_finite` is returned. The sum shows it: what is not
 /// finite cannot be cancelled.
 inline Status take_over(const std::vector<Real>& next, Real* y) {
     Real sum = 0;

@@ -38,7 +38,7 @@ class FixedExtrapolation final : public Integrator {
         return Status::ok;
     }
 
-    /// The end of a step is no point at which a row takes a slope: nothing is learnt for the next one.
+    /// No row takes a slope at the end of a step: nothing is learnt for the next one.
     void accept(bool) override { first_known_ = false; }
 
   private:

@@ -90,7 +90,7 @@ void Newton::assess(Progress& progress) const {
     const Real& now = progress.correction;
     progress.quiet = max(now, residual_) <= round_off(stagnant);
     const bool gained_little = progress.before > 0 && (progress.quiet ? 2 : 4) * now > progress.before;
-    if (gained_little) ++(progress.quiet ? progress.still : progress.slow);  // round-off is no slowness
+    if (gained_little) ++(progress.quiet ? progress.still : progress.slow);  // round-off is not slowness
 }
 
 bool Newton::converged(const Progress& progress) const {

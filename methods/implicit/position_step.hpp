@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The end of a step from the index-3 form of the equations of motion, with the constraints on positions alone
+// The end of a step from the index-3 form of the equations of motion, with only the constraints on positions
 // [bruelscardona2010]. A method specifies how velocity and increment depend on x = h v' at the end,
 //   v+ = a x + v^,   q+ = q exp(h D),   D = b x + D^,
 // and at t+ = t + h

@@ -32,7 +32,7 @@ class WeightedEquations {
 
     /// Both outlive the calls that follow.
     void set(Equations& equations, const VecX& weights) { equations_ = &equations, weights_ = &weights; }
-    /// The residual at x; non_finite where an entry is no number.
+    /// The residual at x; non_finite where an entry is not finite.
     Status residual(const VecX& x, VecX& r) {
         plain_ = x.cwiseQuotient(*weights_);
         return evaluate(r);

@@ -3,6 +3,7 @@
 // Coordinate partitioning after each step: the independent coordinates stay as they were integrated, the dependent ones
 // are solved from Phi = 0, their velocities from C v + b = 0 [wehagehaug1982]. There the accelerations of
 // each stage are those at corrected states; here stages drift, as under every projection.
+#include "methods/projection/dependent_coordinates.hpp"
 #include "methods/projection/gauss_newton.hpp"
 
 namespace kreisel {

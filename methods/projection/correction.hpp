@@ -3,8 +3,6 @@
 // Which of the many delta with C delta = c a projection adds to a state that is off its rows by -c.
 #pragma once
 
-#include <memory>
-
 #include "mechanics/system.hpp"
 
 namespace kreisel {
@@ -34,13 +32,6 @@ struct DenseRows {
 
 /// A pivot at most this, relative to the first one, stands for a row that depends on others.
 inline const Real dependent_pivot = 64 * epsilon;
-
-/// The least in the metric of the mass matrix: [M C^T; C 0] [delta; .] = [0; c].
-std::unique_ptr<Correction> least_in_mass(System& system);
-/// The least in velocity coordinates, metres and radians alike: delta = C^T (C C^T)^{-1} c.
-std::unique_ptr<Correction> least_in_coordinates(System& system);
-/// delta_d = C_d^{-1} c in the dependent coordinates of a partition, and nothing in the independent ones.
-std::unique_ptr<Correction> in_dependent_coordinates(System& system);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

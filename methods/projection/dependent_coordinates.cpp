@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Coordinate partitioning [wehagehaug1982]: Gaussian elimination with complete pivoting of C takes a dependent
-// coordinate with each pivot. The coordinates are those of q exp(delta), a chart around the state: axes of space or of
-// the bodies, as the formulation has them, so that the choice depends on these, and with it what the correction does to
-// a state off the rows. It does not depend on units: translations count over the longest arm, rows over their largest
-// entry. The partition stays until its least pivot falls below a tenth of what it was when it was chosen.
-#include <numeric>
+#include "methods/projection/dependent_coordinates.hpp"
 
-#include "methods/projection/correction.hpp"
+#include <numeric>
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

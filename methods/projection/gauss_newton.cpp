@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "methods/projection/least_corrections.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Corrections that are the least in a metric.
-#include "methods/projection/correction.hpp"
+#include "methods/projection/least_corrections.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Munthe-Kaas lift of the method of order 8 of Dormand and Prince in the code DOP853. The solution of order 8 is
-// advanced. The code damps its estimate of order 5 by one of order 3; here b^ is the solution of order 5 alone, so the
+// advanced. The code damps its estimate of order 5 by one of order 3; here b^ is the solution of order 5 itself, so the
 // estimate is O(h^6) as it stands.
 // Source: [hairer1993, Sec. II.10] and the code, which has 30 digits. With r = sqrt 6, c_2 to c_5 are 2(6 - r)/135,
 // (6 - r)/45, (6 - r)/30, (6 + r)/30; entries below these in the columns 4 and 5 are in Q(r), all others rational.

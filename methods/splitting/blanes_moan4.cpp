@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Splitting of Runge-Kutta-Nystroem type, order 4 with small error: kicks change v by what depends on q alone and the
+// Splitting of Runge-Kutta-Nystroem type, order 4 with small error: kicks change v by what depends only on q and the
 // free motion is quadratic in v, so that [B, [B, [B, A]]] = 0, on a group too.
 // Source: [blanesmoan2002, Table 3, SRKN_6^b], 15 digits. b_1, b_2 and a_1 are taken as printed; the conditions of
 // order 4 determine the rest and are solved by Newton's method from the printed digits.

@@ -6,7 +6,7 @@
 //   q_{n+1} = q_n tau(h D_n),   Phi(t_{n+1}, q_{n+1}) = 0,
 // and M v_n the mean of the momenta at q_n, before and after the impulse. Hence a step is one of RATTLie whose last
 // equation, C v+ + b = 0, has given way to Phi(t+ + h, .) = 0 a step further on: it ends with the increment that the
-// next one begins with, which saves an iteration and is no memory, for (q, v) determine that increment. The
+// next one begins with, which saves an iteration and is not memory, for (q, v) determine that increment. The
 // configurations are those of RATTLie; lambda is the mean of its two and of order 2, and v misses C v + b = 0 by
 // O(h^2). Without joints the methods agree. The two-form does not see a difference C^T(.) of momenta while Phi = 0:
 // symplectic as RATTLie is. Symmetric without joints only: a step back finds q, but v as it is after a step, and not at

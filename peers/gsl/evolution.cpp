@@ -39,7 +39,7 @@ class GslStepper final : public PeerStepper {
         const int result = gsl_odeiv2_evolve_apply(driver_->e, driver_->c, driver_->s, &equations_of_gsl_, &reached,
                                                    limit, &h_, unknowns_.data());
         rejected_ += static_cast<long>(driver_->e->failed_steps - failed);
-        // What fails in an attempt that was repeated is no matter; GSL does not repeat one for NaN.
+        // What fails in an attempt that was repeated does not matter; GSL does not repeat one for NaN.
         if (result != GSL_SUCCESS || last_failed_) return equations_.status(Status::step_too_small);
         if (lost()) return Status::step_too_small;
         t = reached;

@@ -19,7 +19,7 @@ struct FigureKey {
     std::string name;
     std::string values;  ///< what it may be, in words
     std::string meaning;
-    std::string absent;  ///< what is drawn without it, where its default is no value: "all"
+    std::string absent;  ///< what is drawn without it, where it has no default value: "all"
     std::function<nlohmann::ordered_json()> schema;
     std::function<void(const Node&, Figure&)> read;
     std::function<nlohmann::ordered_json(const Figure&)> value;  ///< null: none; of a new figure it is the default

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How errors follow the tolerance that steps are chosen to. This is no order: the step size does not occur in it.
+// How errors follow the tolerance that steps are chosen to. This is not an order: the step size does not occur in it.
 #pragma once
 
 #include <optional>

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Text and tables in LaTeX, for pdfTeX without further packages than booktabs.
+#include "plots/tables/latex.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <regex>
-
-#include "plots/tables/text.hpp"
 
 namespace kreisel {
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <regex>
 
+#include "plots/tables/latex.hpp"
 #include "support/csv.hpp"
 #include "support/files.hpp"
 #include "support/number_text.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A table as text: aligned for a terminal, Markdown, CSV and LaTeX. Every cell is data: each writer escapes characters
-// that its format would read as syntax.
+// A table as text: aligned for a terminal, Markdown and CSV; LaTeX is in plots/tables/latex.hpp. Every cell is data: each
+// writer escapes characters that its format would read as syntax.
 #pragma once
 
 #include <filesystem>
@@ -31,17 +31,11 @@ std::string terminal_text(const TextTable& table);
 std::string markdown_text(const TextTable& table);
 /// RFC 4180. Text that a spreadsheet would read as a formula is preceded by an apostrophe; notes are left out.
 std::string csv_text(const TextTable& table);
-/// A `tabular` with the rules of booktabs, numbers as 1.15 * 10^-3 in mathematics; notes as comments.
-std::string latex_text(const TextTable& table);
 
 /// <name>.md, .csv and .tex as texts by name. `full` goes to the CSV, `brief` to the others.
 std::map<std::string, std::string> table_files(const TextTable& full, const TextTable& brief);
 
 /// Writes folder/<name>.md, .csv and .tex. `full` goes to the CSV, `brief` to the others. Throws FileError.
 void write_table(const std::filesystem::path& folder, const TextTable& full, const TextTable& brief);
-
-/// Text in LaTeX: every special character escaped, characters that pdfTeX lacks by their number ([U+4E2D]), control
-/// characters replaced by a question mark. In cells of tables quotes and hyphens are shown as they are, too.
-std::string latex_escaped(const std::string& text);
 
 }  // namespace kreisel

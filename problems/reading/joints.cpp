@@ -152,7 +152,7 @@ class JointReader {
     Real shift_back() const { return apart().dot(axis(1).normalized()); }
 
     /// Coordinates are measured from the configuration as given: there the first axes of the bodies are the same, up to
-    /// the turn that makes the axes parallel, and what the points are apart is no shift.
+    /// the turn that makes the axes parallel, and what the points are apart is not a shift.
     void check_directed() const {
         const Vec3 a = axis(0), b = axis(1);
         if (projected_ || a.dot(b) > 0) return;

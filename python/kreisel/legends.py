@@ -18,7 +18,7 @@ def identity_columns(cells: pd.DataFrame) -> list[str]:
 
 
 class Legends:
-    """What tells a curve from the others: "rkmk/kutta3, cayley", or the method alone. An option is named where it
+    """What tells a curve from the others: "rkmk/kutta3, cayley", or only the method. An option is named where it
     differs among cells of one method or projection, a parameter where no label stands for it."""
 
     def __init__(self, cells: pd.DataFrame, names: Iterable[str]):

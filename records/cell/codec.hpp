@@ -59,7 +59,7 @@ bool is_default(const std::optional<Value>& value) {
 }
 
 void add_times(const CellTimes& times, ObjectWriter& object);
-/// False where the member is no time.
+/// False where the member is not a time.
 bool read_time(const JsonMember& member, CellTimes& times);
 /// A cost as written, but for its times.
 std::string without_times(std::string_view cost);

@@ -130,7 +130,7 @@ std::optional<JournalledCell> read_journal_line(const std::string& line) {
         const JsonValue value = parse_exactly(line);
         JournalledCell cell{read_record(value), value.at("build").string()};
         return is_cell_name(cell.record.identity.cell) ? std::optional(std::move(cell)) : std::nullopt;
-    } catch (const std::invalid_argument&) { return std::nullopt; }  // a sum alone makes no journal line
+    } catch (const std::invalid_argument&) { return std::nullopt; }  // a line with a sum need not be of a journal
 }
 
 std::optional<CellRecord> read_journal_line(const std::string& line, const std::string& build) {

@@ -135,7 +135,7 @@ ReportedState state_of(const std::vector<StateEntry>& entries) {
     ReportedState state;
     for (const StateEntry& entry : entries) {
         if (!put_into_state(state, entry)) {
-            throw std::invalid_argument(fmt::format("\"{}\" is no number of a state", entry.name));
+            throw std::invalid_argument(fmt::format("\"{}\" is not a number of a state", entry.name));
         }
     }
     return state;

@@ -11,7 +11,7 @@ namespace kreisel::status {
 
 inline constexpr const char* ok = "ok";
 inline constexpr const char* skipped = "skipped";
-/// Of a journal line that is no result: the cell was stopped, and its samples so far are kept in a part.
+/// Of a journal line that is not a result: the cell was stopped, and its samples so far are kept in a part.
 inline constexpr const char* interrupted = "interrupted";
 inline constexpr const char* exception = "exception";
 inline constexpr const char* crashed = "crashed";

@@ -18,7 +18,7 @@ std::vector<std::string> run_damage(const std::filesystem::path& folder);
 /// The same, and of results.csv, tables and figures. Those that are not there are no damage.
 std::vector<std::string> folder_damage(const std::filesystem::path& folder);
 
-/// What is wrong with the trajectory of a cell whose result tells that sum; empty: nothing. Throws FileError.
+/// What is wrong with the trajectory of a cell whose result records that sum; empty: nothing. Throws FileError.
 std::string trajectory_damage(const std::filesystem::path& folder, const std::string& cell, const std::string& sum);
 
 /// The warning that a folder of an older version deserves.

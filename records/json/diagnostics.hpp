@@ -92,7 +92,7 @@ class Diagnostics {
     void add_sentence(const std::string& pointer, const std::string& sentence, Rule rule) {
         issues_.push_back({.pointer = pointer, .sentence = sentence, .rule = rule});
     }
-    /// Something the user should know that is no error.
+    /// Something the user should know that is not an error.
     void warn(const std::string& pointer, const std::string& sentence) {
         warnings_.push_back(pointer + ": " + sentence);
     }

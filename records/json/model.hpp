@@ -19,7 +19,7 @@ std::string json_element(const BodyData& body);
 std::string json_element(const JointData& joint);
 std::string json_element(const ForceData& force);
 
-// The shapes that a config gives bodies: drawings need them, and nothing that is computed. They are no parameters of a
+// The shapes that a config gives bodies: drawings need them, and nothing that is computed. They are not parameters of a
 // problem, and name no cell.
 
 /// About the mass centre, m, body axes. `type`: "cylinder" or "rod" (`length` along `axis`, and a radius, which a rod

@@ -77,7 +77,7 @@ class Node {
         sink_->add({.pointer = pointer_, .expected = expected, .got = got, .rule = rule});
     }
 
-    /// A remark that is no error.
+    /// A remark that is not an error.
     void warn(const std::string& sentence) const { sink_->warn(pointer_, sentence); }
 
   private:
@@ -86,7 +86,7 @@ class Node {
     Diagnostics* sink_;
 };
 
-/// The whole number that a value is, however it is written: 2, 2.0 or 2e0. Nothing if it is none or has no exact double.
+/// The whole number that a value is, however it is written: 2, 2.0 or 2e0. Nothing if it is none or no double holds it.
 std::optional<long> whole_number(const nlohmann::json& value);
 
 /// Those that equal no earlier one as JSON. The others are errors: "each WHAT once".

@@ -7,6 +7,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "plots/tables/latex.hpp"
+
 using namespace kreisel;
 
 namespace {

@@ -206,7 +206,7 @@ TEST_CASE("a convergence figure has tolerances or costs on its axis") {
     const Panel priced = panels_of({{"kind", "convergence"}, {"x", "exponentials"}}, results).panels.at(0);
     CHECK(priced.curves.size() == 2);
     CHECK(priced.curves[0].points[0].x == 30);
-    CHECK(priced.guides.empty());  // a slope over costs is no order
+    CHECK(priced.guides.empty());  // a slope over costs is not an order
     std::erase_if(results.rows, [](const ResultRow& row) { return !row.adaptive(); });
     CHECK(panels_of({{"kind", "convergence"}}, results).panels.at(0).x_label == "tolerance");
 }

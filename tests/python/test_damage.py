@@ -87,7 +87,7 @@ class Damage(unittest.TestCase):
             whole = file.read_bytes()
             for length in range(0, len(whole), max(len(whole) // 40, 1)):
                 self.assert_noticed(file, whole[:length], whole)
-            if file.name != "results.jsonl":  # the end of the last line alone is no loss
+            if file.name != "results.jsonl":  # losing only the end of the last line is no loss
                 self.assert_noticed(file, whole[:-1], whole)
 
     def test_references(self):

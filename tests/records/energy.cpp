@@ -45,7 +45,7 @@ TEST_CASE("an energy error that oscillates is bounded, with its power of h") {
     CHECK(law.trends[0].h == 0.02);
 }
 
-TEST_CASE("a slow period in the oscillation is no trend") {
+TEST_CASE("a slow period in the oscillation is not a trend") {
     const EnergyLaw law = law_of_energy([](double t, double h) { return h * h * std::sin(0.09 * t + 1); });
     CHECK(law.verdict == EnergyVerdict::bounded);
 }
@@ -63,7 +63,7 @@ TEST_CASE("an energy error that grows is found below its oscillation") {
     CHECK(energy_text(square).starts_with("t^2.0"));
 }
 
-TEST_CASE("round-off is no energy error, and no trend") {
+TEST_CASE("round-off is neither an energy error nor a trend") {
     const auto round_off = [](double h) {
         EnergySeries series = energy_series_of(h, [](double, double) { return 0.0; });
         series.largest = 0;
@@ -77,7 +77,7 @@ TEST_CASE("round-off is no energy error, and no trend") {
     CHECK(energy_trend(round_off(0.01)).is_zero());
 }
 
-TEST_CASE("a trend at one step size only, or one step size, is no law") {
+TEST_CASE("a trend at one step size only, or one step size, is not a law") {
     const auto flat = [](double, double) { return 0.0; };
     const auto rising = [](double t, double h) { return h * t; };
     const EnergyLaw mixed = energy_law({energy_series_of(0.01, flat), energy_series_of(0.02, rising)});

@@ -28,7 +28,7 @@ class Ledger {
     /// Writes down a cell that a worker has run: how it ended, and its line of the journal. Throws std::logic_error if
     /// that is of another cell.
     void record(std::size_t index, const CellEnding& ending, const std::string& line);
-    /// The same of one that no worker can tell of; its samples, if there are any, are removed.
+    /// The same of one that no worker can report; its samples, if there are any, are removed.
     void record(std::size_t index, const Outcome& outcome);
     /// Writes down that an interrupted cell has left samples, so that they stay until it is done.
     void record_part(const std::string& line) { journal_.append(line); }

@@ -37,7 +37,7 @@ class Schedule {
     /// Takes back a cell, or a job, that was handed out.
     void take_back(std::size_t index);
     void give_back(const Job& job);
-    /// The next job; `idle`: no worker is at work, which alone a job of its own needs.
+    /// The next job; `idle`: no worker is at work, as a job that runs alone requires.
     std::optional<Job> next(bool idle);
     /// What a cell has taken, from which the size of batches follows.
     void learn(std::size_t index, double seconds);

@@ -13,7 +13,7 @@ struct BadEnd {
     std::string detail;
 };
 
-/// `status` as waitpid tells it.
+/// `status` as waitpid reports it.
 BadEnd bad_end(int status);
 
 }  // namespace kreisel

@@ -42,7 +42,7 @@ class Forker {
     Worker spawn(std::uint64_t memory, std::string& reason) const;
     /// Lets a worker that waits for work come to its own end. One that takes longer than a second is killed.
     void release(Worker& worker) const;
-    /// Kills a worker if it lives; returns how it ended, as waitpid tells it.
+    /// Kills a worker if it lives; returns how it ended, as waitpid reports it.
     int bury(const Worker& worker) const;
     /// Asks all workers to stop.
     void interrupt() const;

@@ -10,6 +10,7 @@
 #include <regex>
 
 #include "driver/cli/catalogue/methods.hpp"
+#include "plots/tables/latex.hpp"
 #include "plots/tables/table.hpp"
 #include "support/files.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "plots/tables/latex.hpp"
 #include "support/files.hpp"
 
 namespace kreisel {

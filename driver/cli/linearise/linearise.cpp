@@ -30,7 +30,7 @@ std::string motion_text(const Linearisation& result) {
     return text.empty() ? "equilibrium" : text;
 }
 
-// Parts that are not told from zero are zero.
+// Parts that cannot be told from zero are zero.
 std::string part_text(const Number& part, const Linearisation& result) {
     return std::abs(part.value) <= 10 * result.uncertainty ? "0" : fmt::format("{:.14g}", part.value);
 }

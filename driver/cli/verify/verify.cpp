@@ -159,6 +159,24 @@ std::size_t verify_references(const Plan& plan, const std::filesystem::path& fol
     return counts.wrong + counts.different;
 }
 
+// Computes cells again and names those whose line is missing or another; returns how many.
+std::size_t verify_cells(const Plan& plan, const std::vector<std::size_t>& indices, Recomputer& recomputer,
+                         const std::map<std::string, std::string>& lines, std::ostream& out) {
+    std::size_t different = 0;
+    for (const std::size_t index : indices) {
+        const PlannedCell& planned = plan.cells[index];
+        const auto stored = lines.find(planned.hash());
+        const std::string what = stored == lines.end()                        ? "missing"
+                                 : stored->second == recomputer.result(index) ? ""
+                                                                              : "different";
+        if (what.empty()) { continue; }
+        ++different;
+        fmt::print(out, "{}: {} {} on {}, {}: {}\n", planned.hash(), planned.cell().formulation, planned.cell().method,
+                   planned.label(), stepping_text(planned.cell()), what);
+    }
+    return different;
+}
+
 }  // namespace
 
 Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsigned seed, const std::string& build,
@@ -172,25 +190,13 @@ Exit verify_command(const std::filesystem::path& folder, std::size_t count, unsi
     const Plan plan = plan_of(manifest.config, engines);
     const auto [lines, of_limits, damage] = stored_lines(folder, manifest);
     for (const std::string& text : damage) { fmt::print(terminal.messages, "{}\n", text); }
-    std::size_t different = 0;
     const auto indices = chosen(plan, of_limits, count, seed);
     if (!of_limits.empty()) {
         fmt::print(terminal.out, "{} cells that met a limit or have no reference are not computed again\n",
                    of_limits.size());
     }
     Recomputer recomputer(plan, folder, engines);
-    for (const std::size_t index : indices) {
-        const PlannedCell& planned = plan.cells[index];
-        const auto stored = lines.find(planned.hash());
-        const std::string what = stored == lines.end()                        ? "missing"
-                                 : stored->second == recomputer.result(index) ? ""
-                                                                              : "different";
-        if (!what.empty()) {
-            ++different;
-            fmt::print(terminal.out, "{}: {} {} on {}, {}: {}\n", planned.hash(), planned.cell().formulation,
-                       planned.cell().method, planned.label(), stepping_text(planned.cell()), what);
-        }
-    }
+    const std::size_t different = verify_cells(plan, indices, recomputer, lines, terminal.out);
     fmt::print(terminal.out, "{} of {} cells computed again (seed {}), {} differ or are missing\n", indices.size(),
                plan.cells.size(), seed, different);
     const std::size_t wrong = plan.references.empty() ? 0 : verify_references(plan, folder, engines, terminal.out);

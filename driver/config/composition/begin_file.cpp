@@ -140,7 +140,7 @@ class StateOfSample {
     const Sample& sample_;
 };
 
-// Of samples in a results folder: throws where their cell tells another sum.
+// Of samples in a results folder: throws where their cell records another sum.
 void check_sum_of_samples(const fs::path& file) {
     const fs::path folder = file.parent_path().parent_path(), results = folder / "results.jsonl";
     if (file.parent_path().filename() != "trajectories" || !fs::is_regular_file(results)) { return; }

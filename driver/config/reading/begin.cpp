@@ -21,7 +21,7 @@ namespace {
 constexpr const char* expected_state = "a state: an object with \"t\" and \"bodies\", or with the \"file\" of samples";
 constexpr std::size_t most_digits = 64;
 
-// Counts its errors, so that what is half read is no state.
+// Counts its errors, so that what is half read is not taken for a state.
 class StateReader {
   public:
     bool ok() const { return ok_; }

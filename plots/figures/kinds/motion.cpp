@@ -56,7 +56,7 @@ class MotionFigure final : public SpaceKind {
         if (known == nullptr) {
             throw FigureError(
                 fmt::format("{}: problem {} has no lever; give \"lever\" in the figure, or let kreisel run "
-                            "--resume write geometry.json, which tells all bodies",
+                            "--resume write geometry.json, which lists all bodies",
                             name, row.problem));
         }
         std::vector<TimedLine> lines;

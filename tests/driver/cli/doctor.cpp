@@ -72,7 +72,7 @@ std::string line_about(const std::string& text, const std::string& topic) {
 
 }  // namespace
 
-TEST_CASE("what is not on the path is missing, with the command that installs it, and that is no failure") {
+TEST_CASE("what is not on the path is missing, with the command that installs it, and that is not a failure") {
     const ScratchFolder scratch;
     const OwnPath path;
     const ProgramResult result = examine(scratch / "results");

@@ -50,7 +50,7 @@ TEST_CASE("what is seen and not declared is a remark, on the largest class that 
     CHECK(structure_findings(silent, structure_results(1e-3, 1e-33)).remarks.size() == 1);
 }
 
-TEST_CASE("what is declared and not seen is a complaint, and what is seen is no remark") {
+TEST_CASE("what is declared and not seen is a complaint, and what is seen is not a remark") {
     MethodDescription bold{.name = "some/method"};
     bold.preserves = {{Property::symplectic, Domain::constrained},
                       {Property::symmetric, Domain::free},

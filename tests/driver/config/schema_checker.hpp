@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Judges configs by the JSON Schema alone.
+// Judges configs only by the JSON Schema.
 #pragma once
 
 #include <nlohmann/json.hpp>

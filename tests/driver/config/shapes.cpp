@@ -35,7 +35,7 @@ std::string hash_of_shaped(const ordered_json& config) {
 
 const ordered_json a_rod = {{"type", "rod"}, {"length", 0.5}, {"axis", {1, 0, 0}}};
 
-TEST_CASE("a shape names no cell and is no parameter") {
+TEST_CASE("a shape is not a parameter and changes no cell's name") {
     const Config with = read_shaped(shaped_config(a_rod)), without = read_shaped(shaped_config(nullptr));
     CHECK(hash_of_shaped(shaped_config(a_rod)) == hash_of_shaped(shaped_config(nullptr)));
     CHECK(with.problems.at(0).parameters_text() == without.problems.at(0).parameters_text());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One reader as libFuzzer calls it: an exception that is no refusal, an error that a sanitizer sees, and an input that
-// takes too long end the program and are kept.
+// One reader as libFuzzer calls it: an exception that is not a refusal, an error that a sanitizer sees, and an input
+// that takes too long end the program and are kept.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -3,7 +3,7 @@
 // Extrapolation of the midpoint rule on the group, methods/extrapolation/base.hpp: rows multiplied out as matrices, and
 // Lagrange's polynomial in h^2 through the logarithms of a^{-1} y, a the result of the first row.
 //
-// The result is no product of exponentials of slopes, but its series in words of elementary differentials can be
+// The result is not a product of exponentials of slopes, but its series in words of elementary differentials can be
 // generated all the same, logarithms included. Up to order 6 the order on the group is that of these series; what is
 // beyond is left to R^n, where the rule is Gragg's.
 #include <Eigen/LU>

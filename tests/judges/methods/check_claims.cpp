@@ -96,7 +96,7 @@ Objection constraint_drift(Trip& trip) {
 
 Objection symplecticity_objection(const Method& entry) {
     if (claimed_domain(entry.description, Property::symplectic) && entry.description.keeps_memory)
-        return "symplectic: its steps are no maps of states, they remember others";
+        return "symplectic: its steps are not maps of states, they remember others";
     return claimed_objection(entry, Property::symplectic, two_form_objection);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a stabilisation makes of the accelerations, off the constraints: the rows answer C v' = xi - 2 alpha (C v + b) -
-// beta^2 Phi, by C v' alone, and no more than the joints push. On the constraints nothing changes.
+// What a stabilisation makes of the accelerations, off the constraints: the rows obey C v' = xi - 2 alpha (C v + b) -
+// beta^2 Phi, changed by C v' only, and by no more than the joints push. On the constraints nothing changes.
 #include "mechanics/step_watcher.hpp"
 #include "tests/judges/methods/checks.hpp"
 #include "tests/judges/methods/runs.hpp"
@@ -87,7 +87,7 @@ Objection objection_to(const ProjectionMethod& entry, const Model& model, const 
     const long before = run.system->evaluations();
     if (run.evaluate() != Status::ok) return "fails off the constraints";
     if (run.system->evaluations() - before != 1) return "does not count its solve";
-    if (!(run.error_of_rows() <= most)) return "the rows answer otherwise";
+    if (!(run.error_of_rows() <= most)) return "the rows obey other equations";
     if (!(run.error_along_motions() <= most)) return "pushes along motions that the joints allow";
     *run.system->v(run.y.data()) = std::numeric_limits<Real>::quiet_NaN();
     return run.evaluate() == Status::ok ? "accepts NaN in the velocities" : "";

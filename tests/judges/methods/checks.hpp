@@ -33,7 +33,7 @@ enum class Check {
     projection,        ///< a projection reaches the levels it claims, and leaves states on them unchanged
     iterations,        ///< with one iteration it leaves the square of what it found
     every,             ///< it acts at each k-th step, those not counted that are not taken
-    stabilisation,     ///< a stabilisation answers rows as it says, and nothing else
+    stabilisation,     ///< a stabilisation changes the rows as it says, and nothing else
 };
 const char* name(Check check);
 

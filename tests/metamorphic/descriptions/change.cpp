@@ -126,7 +126,7 @@ Attraction Change::attraction(const Attraction& old) const {
     return changed;
 }
 
-/// A mirror that is no coordinate plane of the bushing changes what its angles are: the second axis is mirrored once
+/// A mirror that is not a coordinate plane of the bushing changes what its angles are: the second axis is mirrored once
 /// more, so that p_2, q_1 and q_3 change their signs.
 Bushing Change::bushing(const Bushing& old) const {
     Bushing changed = old;

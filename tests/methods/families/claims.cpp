@@ -19,7 +19,7 @@ TEST_CASE("a splitting that claims symplecticity, symmetry, momentum and constra
     CHECK(energy_objection(sound).find("energy changes by") != std::string::npos);
 }
 
-TEST_CASE("a method that runs nowhere cannot claim anything, and one with memory is no map", "[methods][claims]") {
+TEST_CASE("a method that runs nowhere cannot claim anything, and one with memory is not a map", "[methods][claims]") {
     Method nowhere = splitting_verlet(false);
     nowhere.factory.declines = [](const System&) { return std::string("anything"); };
     CHECK(symplecticity_objection(nowhere).find("no system") != std::string::npos);

@@ -59,7 +59,7 @@ TEST_CASE("dynamics that are not finite from some solve on never end as ok", "[p
     });
 }
 
-TEST_CASE("one solve that is not finite is no matter: the step is repeated, or ends the run", "[peers]") {
+TEST_CASE("one solve that is not finite does not matter: the step is repeated, or ends the run", "[peers]") {
     for_each_variant([](const char* formulation, const Method& entry, const OptionValues& options) {
         for (const Real& value : non_finite())
             for (const long from : {3L, 40L, 41L, 90L, 91L, 92L}) {

@@ -66,7 +66,8 @@ TEST_CASE("a Poincare section shows where a component passes a value") {
             .curves.at(0)
             .points;
     };
-    // sin t = 1/2 with cos t > 0 at t = pi/6 + 2 k pi <= 20: k = 0, 1, 2, 3; with cos t < 0 at 5 pi/6 + 2 k pi: k = 0, 1, 2.
+    // sin t = 1/2 with cos t > 0 at t = pi/6 + 2 k pi <= 20: k = 0, 1, 2, 3; with cos t < 0 at 5 pi/6 + 2 k pi: k = 0,
+    // 1, 2.
     const auto up = points("up", 0.5), down = points("down", 0.5);
     REQUIRE(up.size() == 4);
     REQUIRE(down.size() == 3);
@@ -74,7 +75,7 @@ TEST_CASE("a Poincare section shows where a component passes a value") {
     for (const Point& point : down) { CHECK(point.y == Approx(-std::sqrt(0.75)).margin(1e-4)); }
     CHECK(points("both", 0.5).size() == 7);
     CHECK(points("both", 1.5).empty());
-    // It starts on the surface, which is no passage.
+    // It starts on the surface, which does not count as a passage.
     CHECK(points("up", 0).size() == 3);
 }
 
