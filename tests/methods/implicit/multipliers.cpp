@@ -75,8 +75,8 @@ TEST_CASE("a run reports the multipliers of the method, where it has any", "[met
 }
 
 TEST_CASE("a step that fails leaves the multipliers of the last one", "[methods]") {
-    // Rows are redundant, so that those of least norm depend on the pose at which they act.
-    const Model model = linkages::planar_four_bar();
+    // Rows are redundant, and those of least norm depend on the pose at which they act.
+    const Model model = linkages::double_scott_russell();
     const Real h = Real(1) / 100;
     for (const Method& entry : methods()) {
         if (!entry.description.reports_multipliers || !runs_on(entry, model, "SO3xR3")) continue;

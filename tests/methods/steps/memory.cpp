@@ -51,7 +51,8 @@ void for_each_with_memory(F f) {
 TEST_CASE("a step of another length starts afresh", "[methods][memory]") {
     if (KREISEL_QUAD) return;  // slow, and the same code
     for_each_with_memory([](const Method& entry, const Model& model, const std::string& formulation) {
-        CHECK(starts_afresh(entry, model, formulation, h / 2, [](Trip&) {}));
+        for (const Real& next : {Real(h / 2), Real(2 * h)})
+            CHECK(starts_afresh(entry, model, formulation, next, [](Trip&) {}));
     });
 }
 
