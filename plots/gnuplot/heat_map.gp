@@ -41,12 +41,15 @@ do for [format in 'pdf svg png'] {
     set tics nomirror out scale 0
     unset xtics
     unset ytics
-    set xtics () rotate by (slanted ? 40 : 0) right
-    if (!slanted) { set xtics () norotate center }
-    do for [i = 1:|x_value|] { set xtics add (x_value[i] i) }
+    set xtics () norotate center
+    # Slanted, they are labels: of slanted tics gnuplot warns that they want room, whatever the margin.
+    do for [i = 1:|x_value|] {
+        if (slanted) { set label 2 + i x_value[i] at first i, graph 0 right rotate by 40 offset 0, -0.6
+        } else { set xtics add (x_value[i] i) }
+    }
     set ytics ()
     do for [j = 1:|y_value|] { set ytics add (y_value[j] j) }
-    set xtics nomirror scale 0
+    if (slanted) { unset xtics } else { set xtics nomirror scale 0 }
     set ytics nomirror scale 0
     set xrange [0.5:|x_value| + 0.5]
     set yrange [0.5:|y_value| + 0.5]
