@@ -13,10 +13,11 @@ list(SORT KREISEL_NUMERICAL_SOURCES)
 
 # The sources that affect a reference solution: not the methods, nor the code that follows their runs. A reference stays
 # valid when a method is added; a new metric makes it stale, since it holds the uncertainty of each. Left out
-# with methods/: engine.hpp, which describes cells and results; run, pace, sampler, skip, structure and observers, which
-# follow a method and take no part in a reference; scheme_rows, linearised, geometry.
+# with methods/: engine.hpp, which describes cells and results; run, pace, step_times, sampler, skip, structure and
+# observers, which follow a method and take no part in a reference; scheme_rows, linearised, stability, geometry.
 set(KREISEL_REFERENCE_SOURCES ${KREISEL_NUMERICAL_SOURCES})
-set(followers "(engine|run|pace|sampler|skip|scheme_rows|geometry|report/geometry)[.]|structure|observers/|linearised/")
+set(followers "(engine|run|pace|step_times|sampler|skip|scheme_rows|geometry|report/geometry)[.]")
+string(APPEND followers "|structure|observers/|linearised/|stability/")
 list(FILTER KREISEL_REFERENCE_SOURCES EXCLUDE REGEX "^${CMAKE_SOURCE_DIR}/(methods/|engine/(${followers}))")
 set(KREISEL_DIGESTS "")
 foreach(source IN LISTS KREISEL_REFERENCE_SOURCES)
