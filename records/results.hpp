@@ -11,8 +11,8 @@
 
 #include "records/cell/record.hpp"
 #include "records/metrics/units.hpp"
-#include "records/named_numbers.hpp"
-#include "records/shared.hpp"
+#include "records/rows/named_numbers.hpp"
+#include "records/rows/shared.hpp"
 
 namespace kreisel {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "records/named_numbers.hpp"
+#include "records/rows/named_numbers.hpp"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "records/named_numbers.hpp"
+#include "records/rows/named_numbers.hpp"
 
 #include <algorithm>
 #include <stdexcept>

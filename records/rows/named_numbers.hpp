@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "records/shared.hpp"
+#include "records/rows/shared.hpp"
 
 namespace kreisel {
 
