@@ -5,6 +5,7 @@
 
 #include <iostream>
 #include <map>
+#include <utility>
 
 #include "plots/tables/names.hpp"
 #include "plots/tables/table.hpp"
@@ -28,10 +29,15 @@ std::vector<std::string> common_columns() {
 // Prints tables and collects them as texts, by their path below the results.
 class TableCollector {
   public:
-    void add(const TablePair& table, bool print) {
+    void add(TablePair table, bool print) {
         if (table.full.rows.empty()) { return; }
-        const TextTable compact = without_constant_columns(table.brief, common_columns());
-        for (auto& [name, text] : table_files(table.full, compact)) { texts_["tables/" + name] = std::move(text); }
+        const std::string path = "tables/" + table.full.name;
+        texts_[path + ".csv"] = csv_text(table.full);
+        TextTable& brief = table.abridged ? *table.abridged : table.full;
+        if (table.abridged) { table.full = {}; }
+        const TextTable compact = without_constant_columns(std::move(brief), common_columns());
+        texts_[path + ".md"] = markdown_text(compact);
+        texts_[path + ".tex"] = latex_text(compact);
         if (print) { std::cout << terminal_text(compact) << "\n"; }
     }
     const std::map<std::string, std::string>& texts() const { return texts_; }
@@ -67,7 +73,7 @@ Exit table_command(const std::filesystem::path& folder, const PlannedCells& plan
     TableCollector tables;
     for (const ResultTable& table : result_tables()) {
         if (!table.applies(results)) { continue; }
-        for (const TablePair& pair : table.make(results)) { tables.add(pair, table.is_printed(results)); }
+        for (TablePair& pair : table.make(results)) { tables.add(std::move(pair), table.is_printed(results)); }
     }
     replace_derived(folder, "tables", tables.texts());
     fmt::print("tables in {}\n", (folder / "tables").string());

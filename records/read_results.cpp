@@ -23,8 +23,31 @@ namespace kreisel {
 
 namespace {
 
+// What rows have alike is kept once.
+class Sharing {
+  public:
+    void share(ResultRow& row) {
+        for (NamedNumbers* numbers : {&row.metrics, &row.reference_error, &row.scale, &row.cost}) {
+            numbers->share_names(names_);
+        }
+        for (auto* texts : {&row.options, &row.projection_options, &row.digits, &row.unmeasured}) {
+            texts_.share(*texts);
+        }
+        parameters_.share(row.parameters);
+        orders_.share(row.declared_order);
+        folders_.share(row.folder);
+    }
+
+  private:
+    Pool<NamedNumbers::Names> names_;
+    Pool<std::map<std::string, std::string>> texts_;
+    Pool<std::string> parameters_;
+    Pool<std::map<std::string, int>> orders_;
+    Pool<std::filesystem::path> folders_;
+};
+
 // What differs from run to run is only in the journals.
-void add_times(const std::filesystem::path& folder, const std::string& build, Results& results) {
+void add_times(const std::filesystem::path& folder, const std::string& build, Sharing& sharing, Results& results) {
     const auto is_timed = [](const ResultRow& row) { return row.bodies > 0; };
     const ExperimentKind* kind = find_experiment_kind(results.kind);
     const bool timed =
@@ -40,6 +63,7 @@ void add_times(const std::filesystem::path& folder, const std::string& build, Re
         if (times.step_s) { row.cost["step_s"] = *times.step_s; }
         if (times.memory) { row.cost["memory"] = *times.memory; }
         if (times.run_s) { row.cost["run_s"] = *times.run_s; }
+        sharing.share(row);
     }
 }
 
@@ -84,7 +108,7 @@ void check_samples(const std::filesystem::path& folder, Results& results) {
 }
 
 // A plan none of whose cells has a result is of another version, which names them otherwise.
-void add_missing(const std::vector<CellIdentity>& planned, Results& results) {
+void add_missing(const std::vector<CellIdentity>& planned, Sharing& sharing, Results& results) {
     std::set<std::string> known;
     for (const ResultRow& row : results.rows) { known.insert(row.cell); }
     for (const CellIdentity& cell : planned) {
@@ -92,7 +116,7 @@ void add_missing(const std::vector<CellIdentity>& planned, Results& results) {
         CellRecord record{cell, {}, {}};
         record.outcome.status = "missing";
         record.outcome.detail = "no result";
-        results.missing.push_back(result_row(record));
+        sharing.share(results.missing.emplace_back(result_row(record)));
     }
     if (!results.rows.empty() && results.missing.size() == planned.size()) { results.missing.clear(); }
 }
@@ -113,16 +137,25 @@ bool is_summed(const std::filesystem::path& file, bool known) {
     return summed;
 }
 
+std::size_t count_lines(const std::filesystem::path& file) {
+    std::size_t count = 0;
+    visit_lines(file, [&](const std::string& /*line*/) { ++count; });
+    return count;
+}
+
 // Returns how many lines there are.
-std::size_t read_lines_into(const std::filesystem::path& folder, bool summed, Results& results) {
+std::size_t read_lines_into(const std::filesystem::path& folder, bool summed, Sharing& sharing, Results& results) {
+    results.rows.reserve(count_lines(folder / "results.jsonl"));  // growing would take three times the rows
+    const Shared<std::filesystem::path> shared_folder(folder);
     std::size_t number = 0;
     visit_lines(folder / "results.jsonl", [&](const std::string& line) {
         ++number;
         if (line.empty()) { return; }
         try {
             require_sum(line, summed);
-            results.rows.push_back(read_result_line(line));
-            results.rows.back().folder = folder;
+            ResultRow& row = results.rows.emplace_back(read_result_line(line));
+            row.folder = shared_folder;
+            sharing.share(row);
         } catch (const std::exception& error) {
             results.damage.push_back(fmt::format("results.jsonl:{}: not a result line: {}", number, error.what()));
         }
@@ -167,15 +200,18 @@ Results read_results(const std::filesystem::path& folder, const PlannedCells& pl
     const auto manifest = read_manifest_into(folder, results);
     const bool summed = is_summed(file, format_of(folder) >= folder_format);
     results.warning = summed ? "" : format_warning(folder);
-    const std::size_t lines = read_lines_into(folder, summed, results);
+    Sharing sharing;
+    const std::size_t lines = read_lines_into(folder, summed, sharing, results);
     if (manifest) {
         std::string missing = missing_lines(file, lines, *manifest);
         if (!missing.empty()) { results.damage.push_back(std::move(missing)); }
     }
     for (std::string& text : folder_damage(folder)) { results.damage.push_back(std::move(text)); }
     check_samples(folder, results);
-    if (manifest && planned && results.rows.size() < manifest->state.counts.total) { add_missing(planned(), results); }
-    add_times(folder, manifest ? manifest->state.build : "", results);
+    if (manifest && planned && results.rows.size() < manifest->state.counts.total) {
+        add_missing(planned(), sharing, results);
+    }
+    add_times(folder, manifest ? manifest->state.build : "", sharing, results);
     if (results.units.empty()) { results.units = units_before_format_2(measured_metrics(results.rows)); }
     return results;
 }

@@ -25,8 +25,9 @@ double norm_over_bodies(const ReportedState& final, std::array<Number, 3> Report
     return std::sqrt(sum);
 }
 
-// A final size of zero says nothing about the size on the way: one unit is used.
-std::map<std::string, double> scales(const ReportedState& final) {
+// Of the errors that are known. A final size of zero says nothing about the size on the way: one unit is used.
+template <class IsKnown>
+std::map<std::string, double> scales(const ReportedState& final, const IsKnown& is_known) {
     const auto or_one = [](double size) { return size > 0 ? size : 1; };
     std::vector<Number> forces, torques;
     for (std::size_t i = 0; i < final.multipliers.size(); ++i) {
@@ -43,7 +44,9 @@ std::map<std::string, double> scales(const ReportedState& final) {
     for (const MetricDescription& metric : metric_catalogue()) {
         const auto size = sizes.find(metric.scale);
         if (!is_error(metric) || size == sizes.end()) { continue; }
-        scale[metric.name] = scale[metric.name + largest_of_error] = size->second;
+        for (const std::string& name : {metric.name, metric.name + largest_of_error}) {
+            if (is_known(name)) { scale[name] = size->second; }
+        }
     }
     return scale;
 }
@@ -71,6 +74,18 @@ std::map<std::string, std::string> texts(const OptionValues& options) {
     return result;
 }
 
+std::map<std::string, double> values(const std::vector<std::pair<std::string, Number>>& numbers) {
+    std::map<std::string, double> result;
+    for (const auto& [name, number] : numbers) { result[name] = number.value; }
+    return result;
+}
+
+std::map<std::string, std::string> digits(const std::vector<std::pair<std::string, Number>>& numbers) {
+    std::map<std::string, std::string> result;
+    for (const auto& [name, number] : numbers) { result[name] = number.text; }
+    return result;
+}
+
 }  // namespace
 
 ResultRow result_row(const CellRecord& record) {
@@ -88,7 +103,7 @@ ResultRow result_row(const CellRecord& record) {
                   .detail = outcome.detail,
                   .options = texts(identity.options),
                   .projection_options = texts(identity.projection_options),
-                  .parameters = parse_exactly(identity.parameters),
+                  .parameters = identity.parameters,
                   .steps = identity.steps,
                   .bodies = outcome.bodies,
                   .h = identity.h,
@@ -98,19 +113,22 @@ ResultRow result_row(const CellRecord& record) {
                   .t_reached = outcome.t_reached,
                   .has_trajectory = !outcome.trajectory.empty(),
                   .trajectory_sum = outcome.trajectory_sum};
-    for (const auto& [name, number] : outcome.metrics) {
-        row.metrics[name] = number.value;
-        if (identity.quad()) { row.digits[name] = number.text; }
-    }
-    for (const auto& [name, count] : outcome.counts) { row.cost[name] = count.value; }
-    if (outcome.final) { row.scale = scales(*outcome.final); }
+    row.metrics = values(outcome.metrics);
+    if (identity.quad()) { row.digits = digits(outcome.metrics); }
+    row.cost = values(outcome.counts);
     if (identity.order) { row.declared_order = declared_orders(*identity.order); }
     row.unmeasured = outcome.unmeasured;
     if (outcome.lost) { row.lost_integral = outcome.lost->name, row.lost_share = outcome.lost->share; }
-    if (!outcome.reference) { return row; }
-    row.reference_error = outcome.reference->error;
-    row.reference_horizon = outcome.reference->horizon;
-    row.past_horizon = outcome.reference->past_horizon;
+    if (outcome.reference) {
+        row.reference_error = outcome.reference->error;
+        row.reference_horizon = outcome.reference->horizon;
+        row.past_horizon = outcome.reference->past_horizon;
+    }
+    if (outcome.final) {
+        row.scale = scales(*outcome.final, [&](const std::string& name) {
+            return row.metrics.contains(name) || row.reference_error.contains(name);
+        });
+    }
     return row;
 }
 

@@ -65,7 +65,7 @@ std::string TrajectoryTable::unit(const std::string& name) const {
 }
 
 TrajectoryTable read_trajectory(const ResultRow& row) {
-    const auto file = row.folder / "trajectories" / (row.cell + ".csv");
+    const auto file = *row.folder / "trajectories" / (row.cell + ".csv");
     TrajectoryTable table;
     long number = 0;
     const bool whole = for_each_line(file, [&](std::uint64_t, const std::string& line) {

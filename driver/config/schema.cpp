@@ -16,6 +16,7 @@
 #include "plots/figures/schema.hpp"
 #include "records/json/model_keys.hpp"
 #include "records/json/node.hpp"
+#include "records/json/writer.hpp"
 #include "records/kinds/kind.hpp"
 #include "records/metrics/catalogue.hpp"
 
@@ -52,6 +53,9 @@ Schema optioned_object(const Description& description) {
         const bool text = option.text != OptionText::none;
         properties[option.name] = text ? text_option(option.text) : one_or_set(option_value(option));
         properties[option.name]["description"] = option.summary;
+        if (option.standard != OptionValue("")) {  // else there is none
+            properties[option.name]["default"] = Schema::parse(json_value(option.standard));
+        }
     }
     return object(properties, {"name"});
 }

@@ -34,7 +34,7 @@ void fit_structure(StructureLaw& law, std::vector<WorkPoint> points) {
 StructureLaw structure_of(const CellGroup& group, const std::string& metric) {
     StructureLaw law;
     for (const ResultRow* row : group.rows) {
-        if (const auto reason = row->unmeasured.find(metric); reason != row->unmeasured.end()) {
+        if (const auto reason = row->unmeasured->find(metric); reason != row->unmeasured->end()) {
             law.why_not = reason->second;
         }
         const auto uncertainty = row->metrics.find(metric + ".uncertainty");

@@ -41,7 +41,7 @@ std::vector<std::string> measured(const std::vector<ResultRow>& rows) {
 }
 
 std::string metric_text(const ResultRow& row, const std::string& metric) {
-    if (const auto digits = row.digits.find(metric); digits != row.digits.end()) { return digits->second; }
+    if (const auto digits = row.digits->find(metric); digits != row.digits->end()) { return digits->second; }
     const auto value = row.metrics.find(metric);
     return value == row.metrics.end() ? "" : exact_number(value->second);
 }

@@ -114,7 +114,7 @@ class MotionWriter {
             .member("x", json_text(poses.x))
             .member("q", poses.q.empty() ? "null" : json_text(poses.q))
             .member("forces", known == nullptr ? "[]" : forces_json(trajectory, known->geometry, bodies, instants))
-            .member("applied", applied_json(cell.result->parameters, trajectory))
+            .member("applied", applied_json(parse_exactly(*cell.result->parameters), trajectory))
             .text();
     }
 

@@ -24,7 +24,8 @@ std::vector<NamedTable> tables_of(const Results& results) {
     for (const ResultTable& table : result_tables()) {
         if (!table.applies(results)) { continue; }
         for (TablePair& pair : table.make(results)) {
-            pair.full.notes.insert(pair.full.notes.end(), pair.brief.notes.begin(), pair.brief.notes.end());
+            const std::vector<std::string> notes = pair.brief().notes;
+            pair.full.notes.insert(pair.full.notes.end(), notes.begin(), notes.end());
             if (!pair.full.rows.empty()) { all.push_back({table.repeats_cells, std::move(pair.full)}); }
         }
     }

@@ -48,7 +48,7 @@ std::string steps_cell(const ResultRow& row) {
 
 double step_size(const ResultRow& row) { return row.adaptive() ? std::numeric_limits<double>::quiet_NaN() : row.h; }
 
-double value_or_nan(const std::map<std::string, double>& values, const std::string& name) {
+double value_or_nan(const NamedNumbers& values, const std::string& name) {
     const auto found = values.find(name);
     return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
 }

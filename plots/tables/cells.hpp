@@ -29,6 +29,6 @@ std::string steps_cell(const ResultRow& row);
 double step_size(const ResultRow& row);
 
 /// The value of a metric or of a cost; NaN where it is absent.
-double value_or_nan(const std::map<std::string, double>& values, const std::string& name);
+double value_or_nan(const NamedNumbers& values, const std::string& name);
 
 }  // namespace kreisel

@@ -41,8 +41,8 @@ std::string level_text(const CellGroup& group, MetricLevel level) {
         if (order.points.empty()) { continue; }
         if (order.order) { least = least ? std::min(*least, *order.order) : *order.order; }
         settled = settled && order.why != NoOrder::not_settled;
-        const auto declared = group.front().declared_order.find(metric);
-        low = low || (declared != group.front().declared_order.end() && falls_short(order, declared->second));
+        const auto declared = group.front().declared_order->find(metric);
+        low = low || (declared != group.front().declared_order->end() && falls_short(order, declared->second));
     }
     const std::string marks = std::string(settled ? "" : "?") + (low ? "!" : "");
     return (least ? fmt::format("{:.2f}", *least) : marks.empty() ? "-" : "") + marks;
@@ -66,10 +66,10 @@ std::string line_name(const CellNames& names, const Metrics& axes, const ResultR
 }
 
 std::string declared_text(const ResultRow& row) {
-    if (row.declared_order.empty()) { return "-"; }
+    if (row.declared_order->empty()) { return "-"; }
     std::string text;
     for (const MetricLevel level : levels) {
-        text += fmt::format("{}{}", text.empty() ? "" : " / ", row.declared_order.at(metric_of(level)));
+        text += fmt::format("{}{}", text.empty() ? "" : " / ", row.declared_order->at(metric_of(level)));
     }
     return text;
 }
@@ -125,7 +125,7 @@ std::vector<TablePair> certification_tables(const Results& results) {
     std::vector<TablePair> tables;
     tables.reserve(labels.size());
     for (const std::string& label : labels) {
-        tables.push_back(unabridged(table_of(label, labels.size() == 1, groups, names)));
+        tables.push_back({.full = table_of(label, labels.size() == 1, groups, names)});
     }
     return tables;
 }

@@ -30,7 +30,7 @@ TextTable cost_table(const Results& results) {
     return table;
 }
 
-std::vector<TablePair> cost_tables(const Results& results) { return {unabridged(cost_table(results))}; }
+std::vector<TablePair> cost_tables(const Results& results) { return one_table(cost_table(results)); }
 
 }  // namespace
 

@@ -44,7 +44,7 @@ TextTable drift_table(const Results& results, std::string (*number)(double)) {
 }
 
 std::vector<TablePair> drift_tables(const Results& results) {
-    return {{drift_table(results, exact_number), drift_table(results, short_number)}};
+    return one_table(drift_table(results, exact_number), drift_table(results, short_number));
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ std::vector<TablePair> energy_tables(const Results& results) {
         add_energy_runs(full, names, group, *law);
         add_energy_law(brief, names, group, *law);
     }
-    return {{full, without_constant_columns(brief, CellNames::axes())}};
+    return one_table(std::move(full), without_constant_columns(std::move(brief), CellNames::axes()));
 }
 
 }  // namespace

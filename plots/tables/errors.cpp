@@ -98,7 +98,7 @@ TextTable errors_in_brief(const Results& results) {
 }
 
 std::vector<TablePair> errors_tables(const Results& results) {
-    return {{errors_in_full(results), errors_in_brief(results)}};
+    return one_table(errors_in_full(results), errors_in_brief(results));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TextTable invariants_table(const Results& results, std::string (*number)(double)
 }
 
 std::vector<TablePair> invariants_tables(const Results& results) {
-    return {{invariants_table(results, exact_number), invariants_table(results, short_number)}};
+    return one_table(invariants_table(results, exact_number), invariants_table(results, short_number));
 }
 
 }  // namespace

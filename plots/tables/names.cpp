@@ -67,8 +67,8 @@ std::string with_options(const std::string& name, const Options& options, const 
 CellNames::CellNames(const std::vector<ResultRow>& rows) : rows_(rows) {
     std::map<std::string, std::vector<const Options*>> by_name;
     for (const ResultRow& row : rows) {
-        by_name[row.method].push_back(&row.options);
-        by_name["projection " + row.projection].push_back(&row.projection_options);
+        by_name[row.method].push_back(&*row.options);
+        by_name["projection " + row.projection].push_back(&*row.projection_options);
         (row.adaptive() ? adaptive_ : constant_).insert(row.method);
     }
     for (const auto& [name, options] : by_name) {

@@ -68,8 +68,8 @@ std::vector<std::string> full_row(const ObservedOrder& order) {
 
 // "4", or "2, 2, 1": configuration, velocity, multipliers.
 std::string declared_cell(const ResultRow& row) {
-    if (row.declared_order.empty()) { return "-"; }
-    const auto of = [&](MetricLevel level) { return row.declared_order.at(metric_of(level)); };
+    if (row.declared_order->empty()) { return "-"; }
+    const auto of = [&](MetricLevel level) { return row.declared_order->at(metric_of(level)); };
     const int q = of(MetricLevel::configuration), v = of(MetricLevel::velocity), lambda = of(MetricLevel::multipliers);
     return q == v && v == lambda ? fmt::format("{}", q) : fmt::format("{}, {}, {}", q, v, lambda);
 }
@@ -92,8 +92,8 @@ TextTable orders_in_full(const Results& results) {
         for (const std::string& metric : error_metrics(results.rows)) {
             const ObservedOrder order = order_of(group, metric);
             if (order.points.empty()) { continue; }
-            const auto found = row.declared_order.find(metric);
-            const std::string declared = found == row.declared_order.end() ? "" : fmt::format("{}", found->second);
+            const auto found = row.declared_order->find(metric);
+            const std::string declared = found == row.declared_order->end() ? "" : fmt::format("{}", found->second);
             table.rows.push_back(with(with(identity(names, row), {metric, declared}), full_row(order)));
         }
     }
@@ -120,7 +120,7 @@ TextTable orders_in_brief(const Results& results) {
 }
 
 std::vector<TablePair> orders_tables(const Results& results) {
-    return {{orders_in_full(results), orders_in_brief(results)}};
+    return one_table(orders_in_full(results), orders_in_brief(results));
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TextTable proportionality_in_brief(const Results& results) {
 }
 
 std::vector<TablePair> proportionality_tables(const Results& results) {
-    return {{proportionality_in_full(results), proportionality_in_brief(results)}};
+    return one_table(proportionality_in_full(results), proportionality_in_brief(results));
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TextTable references_table(const Results& results) {
     return table;
 }
 
-std::vector<TablePair> references_tables(const Results& results) { return {unabridged(references_table(results))}; }
+std::vector<TablePair> references_tables(const Results& results) { return one_table(references_table(results)); }
 
 }  // namespace
 

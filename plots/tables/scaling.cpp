@@ -35,7 +35,7 @@ TextTable scaling_table(const Results& results, std::string (*number)(double)) {
 }
 
 std::vector<TablePair> scaling_tables(const Results& results) {
-    return {{scaling_table(results, exact_number), scaling_table(results, short_number)}};
+    return one_table(scaling_table(results, exact_number), scaling_table(results, short_number));
 }
 
 }  // namespace

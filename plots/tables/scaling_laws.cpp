@@ -37,7 +37,7 @@ TextTable scaling_laws_table(const Results& results) {
     return table;
 }
 
-std::vector<TablePair> scaling_laws_tables(const Results& results) { return {unabridged(scaling_laws_table(results))}; }
+std::vector<TablePair> scaling_laws_tables(const Results& results) { return one_table(scaling_laws_table(results)); }
 
 }  // namespace
 

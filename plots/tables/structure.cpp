@@ -107,7 +107,7 @@ TextTable structure_in_full(const Results& results) {
 }
 
 std::vector<TablePair> structure_tables(const Results& results) {
-    return {{structure_in_full(results), structure_in_brief(results)}};
+    return one_table(structure_in_full(results), structure_in_brief(results));
 }
 
 }  // namespace

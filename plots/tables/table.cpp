@@ -2,13 +2,18 @@
 #include "plots/tables/table.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "plots/laws/convergence.hpp"
 #include "support/registered.hpp"
 
 namespace kreisel {
 
-TablePair unabridged(const TextTable& table) { return {table, table}; }
+std::vector<TablePair> one_table(TextTable full, std::optional<TextTable> abridged) {
+    std::vector<TablePair> tables;
+    tables.push_back({std::move(full), std::move(abridged)});
+    return tables;
+}
 
 bool always(const Results& /*results*/) { return true; }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,14 @@
 
 namespace kreisel {
 
-/// One table as files: `full` as CSV, `brief` as Markdown, LaTeX and on the terminal.
+/// One table as files: `full` as CSV, and as Markdown, LaTeX and on the terminal the brief one, which may be the same.
 struct TablePair {
-    TextTable full, brief;
+    TextTable full;
+    std::optional<TextTable> abridged = {};
+    const TextTable& brief() const { return abridged ? *abridged : full; }
 };
-/// The same table in all files.
-TablePair unabridged(const TextTable& table);
+/// One of them, without a copy: there may be a row for each of many cells.
+std::vector<TablePair> one_table(TextTable full, std::optional<TextTable> abridged = {});
 
 /// When a table applies, or is printed.
 using OfResults = bool (*)(const Results&);

@@ -79,9 +79,9 @@ std::string short_number(double value) {
 
 std::string exact_number(double value) { return std::isnan(value) ? "" : exact_text(value); }
 
-TextTable without_constant_columns(const TextTable& table, const std::vector<std::string>& candidates) {
-    TextTable brief{table.name, table.title, {}, std::vector<std::vector<std::string>>(table.rows.size()), table.notes};
-    std::vector<std::string> constants;
+TextTable without_constant_columns(TextTable table, const std::vector<std::string>& candidates) {
+    std::vector<std::string> constants, columns;
+    std::vector<std::size_t> kept;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
         const bool candidate = std::find(candidates.begin(), candidates.end(), table.columns[c]) != candidates.end();
         const bool constant =
@@ -89,13 +89,20 @@ TextTable without_constant_columns(const TextTable& table, const std::vector<std
                                                [&](const auto& row) { return row[c] == table.rows.front()[c]; });
         if (candidate && constant) {
             constants.push_back(fmt::format("{}: {}", table.columns[c], table.rows.front()[c]));
-            continue;
+        } else {
+            columns.push_back(table.columns[c]);
+            kept.push_back(c);
         }
-        brief.columns.push_back(table.columns[c]);
-        for (std::size_t r = 0; r < table.rows.size(); ++r) { brief.rows[r].push_back(table.rows[r][c]); }
     }
-    if (!constants.empty()) { brief.notes.insert(brief.notes.begin(), joined(constants, "; ") + "."); }
-    return brief;
+    table.columns = std::move(columns);
+    for (auto& row : table.rows) {
+        std::vector<std::string> cells;
+        cells.reserve(kept.size());
+        for (const std::size_t c : kept) { cells.push_back(std::move(row[c])); }
+        row = std::move(cells);
+    }
+    if (!constants.empty()) { table.notes.insert(table.notes.begin(), joined(constants, "; ") + "."); }
+    return table;
 }
 
 std::string terminal_text(const TextTable& table) {
@@ -141,15 +148,11 @@ std::string csv_text(const TextTable& table) {
     return text;
 }
 
-std::map<std::string, std::string> table_files(const TextTable& full, const TextTable& brief) {
-    return {{full.name + ".csv", csv_text(full)},
-            {brief.name + ".md", markdown_text(brief)},
-            {brief.name + ".tex", latex_text(brief)}};
-}
-
 void write_table(const std::filesystem::path& folder, const TextTable& full, const TextTable& brief) {
     make_folder(folder);
-    for (const auto& [name, text] : table_files(full, brief)) { write_atomically(folder / name, text); }
+    write_atomically(folder / (full.name + ".csv"), csv_text(full));
+    write_atomically(folder / (brief.name + ".md"), markdown_text(brief));
+    write_atomically(folder / (brief.name + ".tex"), latex_text(brief));
 }
 
 }  // namespace kreisel

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -25,15 +24,12 @@ std::string short_number(double value);
 std::string exact_number(double value);
 
 /// Moves the columns that hold one value all over into a note "problem: heavy_top; precision: double".
-TextTable without_constant_columns(const TextTable& table, const std::vector<std::string>& candidates);
+TextTable without_constant_columns(TextTable table, const std::vector<std::string>& candidates);
 
 std::string terminal_text(const TextTable& table);
 std::string markdown_text(const TextTable& table);
 /// RFC 4180. Text that a spreadsheet would read as a formula is preceded by an apostrophe; notes are left out.
 std::string csv_text(const TextTable& table);
-
-/// <name>.md, .csv and .tex as texts by name. `full` goes to the CSV, `brief` to the others.
-std::map<std::string, std::string> table_files(const TextTable& full, const TextTable& brief);
 
 /// Writes folder/<name>.md, .csv and .tex. `full` goes to the CSV, `brief` to the others. Throws FileError.
 void write_table(const std::filesystem::path& folder, const TextTable& full, const TextTable& brief);

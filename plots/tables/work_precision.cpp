@@ -117,7 +117,7 @@ TextTable work_precision_in_brief(const Results& results, const std::vector<Cell
 
 std::vector<TablePair> work_precision_tables(const Results& results) {
     const std::vector<CellGroup> groups = group_by_method(results.rows);
-    return {{work_precision_in_full(results, groups), work_precision_in_brief(results, groups)}};
+    return one_table(work_precision_in_full(results, groups), work_precision_in_brief(results, groups));
 }
 
 }  // namespace

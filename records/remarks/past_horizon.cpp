@@ -11,7 +11,7 @@ namespace kreisel {
 namespace {
 
 // Of positions and rotations, if measured: the other quantities are their rates.
-std::string uncertainties(const std::map<std::string, double>& errors) {
+std::string uncertainties(const NamedNumbers& errors) {
     std::string text;
     for (const MetricDescription& metric : metric_catalogue()) {
         const auto found = errors.find(metric.name);

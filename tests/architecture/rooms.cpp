@@ -101,6 +101,7 @@ const std::vector<Room>& rooms() {
          talks},
         {"records/kinds", {"support"}, {}},
         {"records/metrics", {interface, "support"}, {}, talks},
+        {"records/rows", {}, {}},
         {"records/sums", {"support"}, {"fmt/"}, talks},
         {"records/cell", {"records/json", "records/metrics", "records/sums", interface, "support"}, {"fmt/"}, talks},
         {"records/diff", {"records", interface, "support"}, {"fmt/"}, talks},

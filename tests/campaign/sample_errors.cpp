@@ -127,7 +127,7 @@ TEST_CASE("a convergence study has orders of maxima over samples, of multipliers
         INFO(metric << ": " << order.reason);
         REQUIRE(order.order);
         CHECK(std::abs(*order.order - 4) < 0.1);
-        CHECK(groups[0].front().declared_order.at(metric) == 4);
+        CHECK(groups[0].front().declared_order->at(metric) == 4);
     }
     CHECK(kreisel_with({"verify", out, "--cells", "1"}).code == 0);
 }

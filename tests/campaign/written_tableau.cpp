@@ -47,10 +47,10 @@ TEST_CASE("written tableaus have the results of built-in ones, in every formulat
     std::size_t compared = 0;
     for (const ResultRow& row : results.rows) {
         if (row.method != "rkmk/tableau") continue;
-        const bool pair = row.options.at("label") == "pair";
+        const bool pair = row.options->at("label") == "pair";
         const ResultRow* other = twin(results, row, pair ? "rkmk/bs3" : "rkmk/rk4");
-        INFO(row.options.at("label") << row.formulation << row.precision << row.steps << row.tolerance);
-        CHECK(row.declared_order.at("error.position") == (pair ? 3 : 4));
+        INFO(row.options->at("label") << row.formulation << row.precision << row.steps << row.tolerance);
+        CHECK(row.declared_order->at("error.position") == (pair ? 3 : 4));
         CHECK(row.ok());
         CHECK(row.adaptive() <= pair);
         REQUIRE(other != nullptr);

@@ -69,7 +69,7 @@ bool names_file(const std::vector<std::string>& damage, const std::filesystem::p
     });
 }
 
-std::string numbers_text(const std::map<std::string, double>& numbers) {
+std::string numbers_text(const NamedNumbers& numbers) {
     std::string text;
     for (const auto& [name, value] : numbers) { text += fmt::format(" {} {}", name, value); }
     return text;

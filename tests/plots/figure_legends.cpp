@@ -68,7 +68,7 @@ TEST_CASE("a label among the options of a method stands for those that it settle
     const auto cell = [](const std::string& label, const std::string& b, const std::string& chart) {
         ResultRow row;
         row.method = "rkmk/tableau";
-        row.options = {{"label", label}, {"b", b}, {"coordinates", chart}};
+        row.options = std::map<std::string, std::string>{{"label", label}, {"b", b}, {"coordinates", chart}};
         return row;
     };
     const std::vector<ResultRow> rows = {cell("mine", "1", "exp"), cell("mine", "1", "cayley"), cell("", "0 1", "exp"),

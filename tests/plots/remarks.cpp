@@ -60,7 +60,7 @@ TEST_CASE("where no order can be stated the table says why") {
                     lines_of("bent", [](double h) { return 1e-3 * h * (h < 1.0 / 600 ? std::pow(600 * h, 2) : 1); }) +
                     lines_of("flat", [](double h) { return 1e-3 * std::pow(h, 0.1); }) + lines_of("slow", slow) +
                     result_line("aa", 64, 1e-3, {{"method", "short"}}).dump() + "\n");
-    const TextTable brief = tables_named("orders", results).at(0).brief;
+    const TextTable brief = tables_named("orders", results).at(0).brief();
     CHECK(entry(brief, "good", "position") == "2.00 ± 0.00 [64–2048]");
     CHECK(entry(brief, "large", "position") == "pre-asymptotic");
     CHECK(entry(brief, "exact", "position") == "floor");
@@ -105,14 +105,14 @@ TEST_CASE("certification marks what falls short, has not settled, or failed") {
                      {{"status", "left_chart"}, {"detail", "step 1"}, {"metrics", nullptr}, {"final", nullptr}}));
     const auto tables = tables_named("certification", results);
     REQUIRE(tables.size() == 1);
-    CHECK(entry(tables[0].brief, "good", "SO3xR3") == "4.00 / - / -");
-    CHECK(entry(tables[0].brief, "good", "declared") == "4 / 4 / 3");
-    CHECK(entry(tables[0].brief, "low", "SO3xR3") == "3.00! / - / -");
-    CHECK(entry(tables[0].brief, "bent", "SO3xR3") == "? / - / -");
-    CHECK(entry(tables[0].brief, "flat", "SO3xR3") == "! / - / -");
-    CHECK(entry(tables[0].brief, "silent", "SO3xR3") == "2.00 / - / -");
-    CHECK(entry(tables[0].brief, "silent", "declared") == "-");
-    CHECK(entry(tables[0].brief, "failed", "SO3xR3") == "left_chart");
+    CHECK(entry(tables[0].brief(), "good", "SO3xR3") == "4.00 / - / -");
+    CHECK(entry(tables[0].brief(), "good", "declared") == "4 / 4 / 3");
+    CHECK(entry(tables[0].brief(), "low", "SO3xR3") == "3.00! / - / -");
+    CHECK(entry(tables[0].brief(), "bent", "SO3xR3") == "? / - / -");
+    CHECK(entry(tables[0].brief(), "flat", "SO3xR3") == "! / - / -");
+    CHECK(entry(tables[0].brief(), "silent", "SO3xR3") == "2.00 / - / -");
+    CHECK(entry(tables[0].brief(), "silent", "declared") == "-");
+    CHECK(entry(tables[0].brief(), "failed", "SO3xR3") == "left_chart");
 }
 
 TEST_CASE("a method of one order for all has one number, and one that declares none a dash") {
@@ -123,7 +123,7 @@ TEST_CASE("a method of one order for all has one number, and one that declares n
                                "even", [](double h) { return h * h; }, same) +
                                lines_of("uneven", [](double h) { return h * h; }) +
                                lines_of("none", [](double h) { return h * h; }, {{"order", nullptr}}));
-    const TextTable brief = tables_named("orders", results).at(0).brief;
+    const TextTable brief = tables_named("orders", results).at(0).brief();
     CHECK(entry(brief, "even", "declared") == "2");
     CHECK(entry(brief, "uneven", "declared") == "4, 4, 3");
     CHECK(entry(brief, "none", "declared") == "-");

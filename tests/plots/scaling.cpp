@@ -69,7 +69,7 @@ TEST_CASE("a law needs three numbers of bodies, and what was not measured is abs
 
 TEST_CASE("the tables name series, bodies and exponents") {
     const Results results = scaling_results();
-    const TextTable cells = tables_named("scaling", results).at(0).brief;
+    const TextTable cells = tables_named("scaling", results).at(0).brief();
     const TextTable laws = tables_named("scaling_laws", results).at(0).full;
     CHECK(cells.rows.size() == 10);
     CHECK(cells.rows[2][0] == "chain");

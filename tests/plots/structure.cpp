@@ -68,7 +68,7 @@ TEST_CASE("what is not defined has its reason in the table, and no verdict") {
     results.rows.push_back(read_result_line(line.dump()));
     const auto tables = tables_named("structure", results);
     REQUIRE(tables.size() == 1);
-    const TextTable &full = tables[0].full, &brief = tables[0].brief;
+    const TextTable &full = tables[0].full, &brief = tables[0].brief();
     REQUIRE(full.rows.size() == 2);
     CHECK(full.rows[0][6] == "h^3.00");
     CHECK(full.rows[1].back() == "a step depends on earlier ones");

@@ -108,7 +108,10 @@ TEST_CASE("declared and observed orders stand side by side, and a shortfall is m
 TEST_CASE("numbers of quad cells are read from decimal strings") {
     const ResultRow row = read_result_line(
         result_line("aa", 64, 0,
-                    {{"precision", "quad"}, {"h", "0.015625"}, {"metrics", {{"error.position", "1.25e-30"}}}})
+                    {{"precision", "quad"},
+                     {"h", "0.015625"},
+                     {"metrics",
+                      {{"error.position", "1.25e-30"}, {"error.multipliers", "1"}, {"error.multipliers.torque", "1"}}}})
             .dump());
     CHECK(row.metrics.at("error.position") == 1.25e-30);
     CHECK(row.h == 0.015625);

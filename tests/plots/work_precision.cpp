@@ -120,7 +120,7 @@ TEST_CASE("the first crossing by cost counts, and round-off after it does not") 
 
 TEST_CASE("the table names costs, marks the lowest, and says what is not reached") {
     const TablePair pair = tables_named("work_precision", priced_results()).at(0);
-    const auto solves = rows_with(pair.brief, "cost", "solves of the dynamics");
+    const auto solves = rows_with(pair.brief(), "cost", "solves of the dynamics");
     REQUIRE(solves.size() == 3);
     const std::size_t accuracy = CellNames::axes().size() + 1;
     CHECK(solves[0][2] == "rkmk/rk4");
@@ -133,7 +133,7 @@ TEST_CASE("the table names costs, marks the lowest, and says what is not reached
     CHECK(solves[1][accuracy + 3] == "not reached");
     CHECK(solves[2][2] == "fake/pair");
     CHECK(solves[2][accuracy + 3] == "not reached");
-    CHECK(rows_with(pair.brief, "cost", "CPU time [s]").size() == 2);
+    CHECK(rows_with(pair.brief(), "cost", "CPU time [s]").size() == 2);
     const auto lowest = rows_with(pair.full, "lowest", "yes");
     for (const auto& row : lowest) { CHECK(std::find(row.begin(), row.end(), "not reached") == row.end()); }
     for (const auto& row : rows_with(pair.full, "cost", "brackets")) {
@@ -150,7 +150,7 @@ TEST_CASE("costs on different problems do not compete") {
         results.rows.back().label = "another";
     }
     const TablePair pair = tables_named("work_precision", results).at(0);
-    CHECK(pair.brief.rows.at(1).at(CellNames::axes().size() + 2) == "4.00e+03*");
+    CHECK(pair.brief().rows.at(1).at(CellNames::axes().size() + 2) == "4.00e+03*");
 }
 
 TEST_CASE("a table of costs is for experiments that measure them") {
@@ -238,8 +238,8 @@ TEST_CASE("tolerance proportionality is a slope of its own") {
     Results results;
     results.rows = rows;
     const TablePair pair = tables_named("proportionality", results).at(0);
-    REQUIRE(pair.brief.rows.size() == 1);
-    CHECK(pair.brief.rows[0].back().find("[0.01–1e-08]") != std::string::npos);
+    REQUIRE(pair.brief().rows.size() == 1);
+    CHECK(pair.brief().rows[0].back().find("[0.01–1e-08]") != std::string::npos);
     CHECK(tables_named("orders", results).at(0).full.rows.empty());
 }
 

@@ -36,8 +36,8 @@ std::vector<ObservedOrders> observed_in(const Paths& folders) {
         if (!certification->applies(results)) { continue; }
         const std::string precision = results.rows.front().precision;
         for (TablePair& pair : certification->make(results)) {
-            const std::string label = pair.brief.title.substr(pair.brief.title.rfind(": ") + 2);
-            all.push_back({label + (precision == "double" ? "" : ", " + precision), std::move(pair.brief)});
+            const std::string label = pair.full.title.substr(pair.full.title.rfind(": ") + 2);
+            all.push_back({label + (precision == "double" ? "" : ", " + precision), std::move(pair.full)});
         }
     }
     return all;

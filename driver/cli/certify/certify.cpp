@@ -87,7 +87,7 @@ void add_tables(const Results& results, DataSheet& sheet) {
         const bool shown = table.is_printed(results) || table.name == "certification";
         if (!shown || !table.applies(results)) { continue; }
         for (const TablePair& pair : table.make(results)) {
-            if (!pair.brief.rows.empty()) { sheet.tables.push_back(without_constant_columns(pair.brief, once)); }
+            if (!pair.brief().rows.empty()) { sheet.tables.push_back(without_constant_columns(pair.brief(), once)); }
         }
     }
 }

@@ -7,6 +7,7 @@
 #include "records/json/model.hpp"
 #include "records/json/model_keys.hpp"
 #include "records/json/node.hpp"
+#include "records/json/writer.hpp"
 
 namespace kreisel::schema {
 
@@ -190,6 +191,9 @@ Schema problem_object(const ProblemDescription& problem) {
     for (const ParameterDescription& description : problem.parameters) {
         parameters[description.name] = value_or_axis(description.kind);
         parameters[description.name]["description"] = description.summary + " [" + description.unit + "]";
+        if (!description.required) {
+            parameters[description.name]["default"] = Schema::parse(json_value(description.standard));
+        }
     }
     Schema label = text(200);
     label["not"] = {{"pattern", "^[=+@-]"}};

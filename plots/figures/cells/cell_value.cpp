@@ -21,12 +21,13 @@ std::string cell_value_text(const JsonValue& value) { return value.is_text() ? v
 std::optional<std::string> cell_value(const ResultRow& row, const std::string& key) {
     const std::string name = key.substr(key.find('.') + 1);
     if (key.starts_with("parameter.")) {
-        const JsonValue* value = row.parameters.find(name);
+        const JsonValue parameters = parse_exactly(*row.parameters);
+        const JsonValue* value = parameters.find(name);
         return value == nullptr ? std::nullopt : std::optional(cell_value_text(*value));
     }
     const auto& options = key.starts_with("option.") ? row.options : row.projection_options;
-    const auto value = options.find(name);
-    return value == options.end() ? std::nullopt : std::optional(value->second);
+    const auto value = options->find(name);
+    return value == options->end() ? std::nullopt : std::optional(value->second);
 }
 
 }  // namespace kreisel

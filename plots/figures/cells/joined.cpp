@@ -12,7 +12,7 @@ namespace {
 
 void name_rows(std::vector<ResultRow>& rows, const std::string& experiment, bool is_only_one) {
     for (ResultRow& row : rows) {
-        row.results = is_only_one ? experiment : fmt::format("{} ({})", experiment, row.folder.string());
+        row.results = is_only_one ? experiment : fmt::format("{} ({})", experiment, row.folder->string());
     }
 }
 

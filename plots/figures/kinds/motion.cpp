@@ -73,7 +73,8 @@ class MotionFigure final : public SpaceKind {
     // That of the figure, else that of the problem; nothing where it has none.
     std::optional<Point3> lever_of(const ResultRow& row) const {
         Point3 found{};
-        const JsonValue* parameter = row.parameters.find("lever");
+        const JsonValue parameters = parse_exactly(*row.parameters);
+        const JsonValue* parameter = parameters.find("lever");
         if (lever) {
             found = *lever;
         } else if (parameter != nullptr && parameter->elements.size() == found.size()) {

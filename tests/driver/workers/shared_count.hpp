@@ -15,16 +15,16 @@ namespace kreisel {
 
 /// An object in memory that children made by fork share.
 template <class Value>
-class Shared {
+class InSharedMemory {
   public:
-    Shared() {
+    InSharedMemory() {
         void* place = ::mmap(nullptr, sizeof(Value), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
         if (place == MAP_FAILED) { throw std::runtime_error("no shared memory"); }
         value_ = new (place) Value{};
     }
-    ~Shared() { ::munmap(value_, sizeof(Value)); }
-    Shared(const Shared&) = delete;
-    Shared& operator=(const Shared&) = delete;
+    ~InSharedMemory() { ::munmap(value_, sizeof(Value)); }
+    InSharedMemory(const InSharedMemory&) = delete;
+    InSharedMemory& operator=(const InSharedMemory&) = delete;
     Value& operator*() const { return *value_; }
     Value* operator->() const { return value_; }
 
@@ -38,7 +38,7 @@ class SharedCount {
     SharedCount& operator++() { return ++*count_, *this; }
 
   private:
-    Shared<std::atomic<int>> count_;
+    InSharedMemory<std::atomic<int>> count_;
 };
 
 /// At most 1000 numbers.
@@ -55,7 +55,7 @@ class SharedNumbers {
         std::atomic<std::size_t> count;
         std::array<long, 1000> values;
     };
-    Shared<Numbers> numbers_;
+    InSharedMemory<Numbers> numbers_;
 };
 
 }  // namespace kreisel
