@@ -20,10 +20,10 @@ struct BodyGeometry {
 };
 
 /// What joins two bodies, or a body and "ground": its points (m) in the axes of each body, from the mass centre; of the
-/// ground in space coordinates.
+/// ground in space coordinates. Those of a force that has no point are 0.
 struct LinkGeometry {
     std::string name;
-    std::string type;  ///< of a joint, such as "revolute", or "spring"
+    std::string type;  ///< of a joint or a force, such as "revolute" or "spring"
     std::array<std::string, 2> between = {};
     std::array<Vector3, 2> points = {};
     std::vector<Vector3> axes = {};  ///< of the joint, in the axes of each body: two unit vectors, or none
@@ -33,7 +33,7 @@ struct LinkGeometry {
 
 struct Geometry {
     std::vector<BodyGeometry> bodies;
-    std::vector<LinkGeometry> links;  ///< joints, then springs
+    std::vector<LinkGeometry> links;  ///< joints, then forces between bodies
     bool operator==(const Geometry&) const = default;
 };
 

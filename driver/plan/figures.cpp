@@ -129,6 +129,7 @@ class FigureCheck {
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             if (kind.metrics.empty()) { check_metric(drawn[i], place(figure.pointer + "/metric", i)); }
         }
+        check_axes(figure, kind);
         check_body(figure);
         check_until(figure);
         for (const auto& [key, values] : figure.select) {
@@ -164,6 +165,17 @@ class FigureCheck {
                    "K})",
                    in_quotes(metric));
         }
+    }
+
+    // Two keys of this name choose what is drawn to the right and upwards.
+    void check_axes(const Figure& figure, const FigureKind& kind) {
+        std::vector<nlohmann::ordered_json> axes;
+        for (const FigureKey& key : kind.keys) {
+            if (key.name == "x" || key.name == "y") { axes.push_back(key.value(figure)); }
+        }
+        if (axes.size() < 2 || axes.front() != axes.back()) { return; }
+        refuse(Rule::each_once, place(figure.pointer + "/y", 0), "another axis than that of x",
+               axes.back().dump() + " again");
     }
 
     void check_body(const Figure& figure) {

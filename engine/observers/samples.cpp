@@ -45,7 +45,7 @@ class SampleLine {
 
 }  // namespace
 
-Samples::Samples(Sampled sources, SampleSink* sink) : sources_(sources), sink_(sink) {
+Samples::Samples(Sampled sources, SampleSink* sink) : sources_(sources), exerted_(sources.model), sink_(sink) {
     if (sink_) sink_->begin(columns());
 }
 
@@ -57,6 +57,7 @@ std::vector<Column> Samples::columns() const {
         all.push_back({"turns." + spring, "1"});
     }
     for (Column& column : sources_.joint_forces.columns()) all.push_back(std::move(column));
+    for (Column& column : exerted_.columns()) all.push_back(std::move(column));
     sources_.step_metrics.add_columns(all);
     sources_.integral_metrics.add_columns(all);
     if (sources_.errors) sources_.errors->add_columns(all);
@@ -74,6 +75,7 @@ void Samples::take(Observation& now, const Real* multipliers) {
     sources_.joint_forces.append_values(found, forces);
     static const std::vector<Real> unknown;
     if (sources_.errors) sources_.errors->add({now.bodies(), found ? sources_.joint_forces.multipliers() : unknown});
+    exerted_.append_values(now.t(), now.motion(), measured);
     sources_.step_metrics.append_values(measured);
     sources_.integral_metrics.append_values(measured);
     if (sources_.errors) sources_.errors->append_values(measured);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The samples of a run: the bodies, angles of torsion springs, joint forces, the metrics of the steps, and what these
-// have taken.
+// The samples of a run: the bodies, angles of torsion springs, joint forces, what springs and
+// other forces exert between bodies, the metrics of the steps, and what these have taken.
 #pragma once
 
 #include <functional>
@@ -11,6 +11,7 @@
 #include "engine/observers/errors.hpp"
 #include "engine/observers/integral_metrics.hpp"
 #include "engine/observers/step_metrics.hpp"
+#include "engine/report/exerted_forces.hpp"
 #include "engine/report/joint_forces.hpp"
 
 namespace kreisel {
@@ -41,6 +42,7 @@ class Samples {
     std::vector<Column> columns() const;
 
     Sampled sources_;
+    ExertedForces exerted_;
     SampleSink* sink_;
 };
 

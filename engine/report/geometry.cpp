@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/report/geometry.hpp"
 
+#include "engine/report/exerted_forces.hpp"
+
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
@@ -28,6 +30,14 @@ LinkGeometry geometry_of_joint(const Joint& joint, const std::string& name, cons
     return link;
 }
 
+template <class Force>
+LinkGeometry link_of(const Force& force, const std::string& name, const Model& model) {
+    LinkGeometry link{name, type_of(force), {model.name_of(force.first), model.name_of(force.second)}};
+    if constexpr (requires { force.r_first; }) link.points[0] = rounded(force.r_first);
+    if constexpr (requires { force.r_second; }) link.points[1] = rounded(force.r_second);
+    return link;
+}
+
 }  // namespace
 
 Geometry to_geometry(const Model& model) {
@@ -36,14 +46,11 @@ Geometry to_geometry(const Model& model) {
     const std::vector<std::string> names = model.joint_names();
     for (std::size_t i = 0; i < model.joints.size(); ++i)
         geometry.links.push_back(geometry_of_joint(model.joints[i], names[i], model));
-    const auto add = [&](const std::string& name, const auto& force) {
-        geometry.links.push_back({name,
-                                  "spring",
-                                  {model.name_of(force.first), model.name_of(force.second)},
-                                  {rounded(force.r_first), rounded(force.r_second)}});
-    };
-    for (const Spring& spring : model.springs) add("spring", spring);
-    for (const PolynomialSpring& spring : model.polynomial_springs) add("polynomial_spring", spring);
+    const std::vector<std::string> forces = names_of_forces(model);
+    std::size_t next = 0;
+    each_force_between(model, [&](const auto& force, std::size_t) {
+        geometry.links.push_back(link_of(force, forces[next++], model));
+    });
     return geometry;
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "plots/figures/cells/cell_value.hpp"
 #include "plots/tables/names.hpp"
@@ -89,7 +88,9 @@ Schema metric_schema(const MetricChoice& choice) {
     Schema one = {{"type", "string"}, {"maxLength", longest_metric}};
     one["anyOf"] = Schema::array({{{"enum", choice.known()}}});
     if (choice.integrals()) { one["anyOf"].push_back({{"pattern", "^invariant\\.[a-z0-9_.]+$"}}); }
-    return one_or_many(one);
+    Schema several = one_or_many(one);
+    several["anyOf"][1]["uniqueItems"] = true;
+    return several;
 }
 
 const Names& precisions() {
@@ -275,14 +276,13 @@ template Type<std::array<double, 3>> numbers(const std::string& expected);
 Type<Names> metrics(const Names& families, const Names& own) {
     std::string several;
     for (const std::string& family : families) { several += (several.empty() ? "" : " or ") + family + "*"; }
-    const bool vowel = std::string_view("aeiou").find(several.front()) != std::string_view::npos;
-    const std::string words = fmt::format("{} metric {}, or a list of them", vowel ? "an" : "a", several);
+    const std::string words = fmt::format("a metric {}, or a list of them", several);
     const std::string expected = words + " (see kreisel list metrics)";
     const MetricChoice choice{families, own};
     return {words, [=] { return metric_schema(choice); },
             [=](const Node& node) {
                 Names names;
-                for (const Node& entry : read_one_or_many(node, expected)) {
+                for (const Node& entry : distinct(read_one_or_many(node, expected), "metric")) {
                     if (const auto metric = read_metric(entry, choice, expected)) { names.push_back(*metric); }
                 }
                 return std::optional(names);

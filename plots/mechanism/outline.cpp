@@ -75,7 +75,9 @@ std::vector<Polyline> outline_of(const BodyGeometry& body, const Geometry& mecha
     std::vector<Polyline> lines = edges_of(shape_of(body, shapes));
     for (const LinkGeometry& link : mechanism.links) {
         for (std::size_t side = 0; side < 2; ++side) {
-            if (link.between[side] == body.name) { lines.push_back({{0, 0, 0}, link.points[side]}); }
+            if (link.between[side] == body.name && link.points[side] != Vector3{}) {
+                lines.push_back({{0, 0, 0}, link.points[side]});
+            }
         }
     }
     return lines;

@@ -13,7 +13,7 @@ namespace kreisel {
 using Polyline = std::vector<Vector3>;
 
 /// The edges of a body's solid (plots/mechanism/shape.hpp), and lines from its mass centre to the points of its joints
-/// and springs, in body axes about the mass centre (m).
+/// and forces, in body axes about the mass centre (m).
 std::vector<Polyline> outline_of(const BodyGeometry& body, const Geometry& mechanism, const Shapes& shapes = {});
 
 /// x + R p of each point; R row by row.

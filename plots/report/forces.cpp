@@ -28,10 +28,15 @@ Columns columns_named(const TrajectoryTable& trajectory, const std::vector<std::
     return columns;
 }
 
-Columns reaction_of(const TrajectoryTable& trajectory, const std::string& joint, const char* part) {
-    std::vector<std::string> names;
-    for (int k = 1; k <= 3; ++k) { names.push_back(fmt::format("reaction.{}.{}.{}", joint, part, k)); }
-    return columns_named(trajectory, names);
+// A vector that a link exerts on its second body: of a joint its reaction.
+Columns exerted_by(const TrajectoryTable& trajectory, const std::string& link, const char* part) {
+    for (const char* what : {"reaction", "exerted"}) {
+        std::vector<std::string> names;
+        for (int k = 1; k <= 3; ++k) { names.push_back(fmt::format("{}.{}.{}.{}", what, link, part, k)); }
+        Columns columns = columns_named(trajectory, names);
+        if (!columns.empty()) { return columns; }
+    }
+    return {};
 }
 
 bool is_zero(const std::vector<double>& column) {
@@ -123,30 +128,32 @@ std::size_t bytes_of_forces(const TrajectoryTable& trajectory) {
     std::size_t numbers = 0;
     for (std::size_t i = 0; i < trajectory.names.size(); ++i) {
         const std::string& name = trajectory.names[i];
-        const bool of_joint = name.starts_with("drive.") || name.starts_with("reaction.");
-        numbers += of_joint && !name.ends_with(".unique") && !is_zero(trajectory.columns[i]) ? 1U : 0U;
+        const bool of_link =
+            name.starts_with("drive.") || name.starts_with("reaction.") || name.starts_with("exerted.");
+        numbers += of_link && !name.ends_with(".unique") && !is_zero(trajectory.columns[i]) ? 1U : 0U;
     }
     return numbers * sizeof(std::uint16_t) * 4 / 3;
 }
 
 std::string forces_json(const TrajectoryTable& trajectory, const Geometry& mechanism,
                         const std::vector<std::string>& bodies, const std::vector<std::size_t>& instants) {
-    std::vector<std::string> joints;
+    std::vector<std::string> links;
     for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
         const LinkGeometry& link = mechanism.links[i];
-        const Columns force = reaction_of(trajectory, link.name, "force"),
-                      torque = reaction_of(trajectory, link.name, "torque");
-        if (force.empty() || !holds_one_of(link, bodies)) { continue; }
-        ObjectWriter joint;
-        joint.member("link", std::to_string(i)).member("F", packed(force, instants));
-        if (!are_zero(torque)) { joint.member("tau", packed(torque, instants)); }
+        const Columns force = exerted_by(trajectory, link.name, "force"),
+                      torque = exerted_by(trajectory, link.name, "torque");
+        if ((force.empty() && torque.empty()) || !holds_one_of(link, bodies)) { continue; }
+        ObjectWriter exerted;
+        exerted.member("link", std::to_string(i));
+        if (!are_zero(force)) { exerted.member("F", packed(force, instants)); }
+        if (!are_zero(torque)) { exerted.member("tau", packed(torque, instants)); }
         for (const char* drive : {"force", "torque"}) {
             const Columns driving = columns_named(trajectory, {fmt::format("drive.{}.{}", link.name, drive)});
-            if (!driving.empty()) { joint.member(drive, packed(driving, instants)); }
+            if (!driving.empty()) { exerted.member(drive, packed(driving, instants)); }
         }
-        joints.push_back(joint.text());
+        links.push_back(exerted.text());
     }
-    return json_list(joints, [](const std::string& joint) { return joint; });
+    return json_list(links, [](const std::string& link) { return link; });
 }
 
 std::string applied_json(const JsonValue& parameters, const TrajectoryTable& trajectory) {

@@ -64,6 +64,15 @@ std::string with_options(const std::string& name, const Options& options, const 
 
 }  // namespace
 
+std::vector<std::string> option_texts(const std::map<std::string, std::string>& options) {
+    std::vector<std::string> texts;
+    if (const std::string label = label_of(options); !label.empty()) { texts.push_back(label); }
+    for (const auto& [name, value] : options) {
+        if (name != "label") { texts.push_back(option_text(name, value)); }
+    }
+    return texts;
+}
+
 CellNames::CellNames(const std::vector<ResultRow>& rows) : rows_(rows) {
     std::map<std::string, std::vector<const Options*>> by_name;
     for (const ResultRow& row : rows) {

@@ -3,6 +3,7 @@
 // How tables and figures name cells and quantities.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -37,6 +38,10 @@ class CellNames {
     std::map<std::string, std::set<std::string>> labelled_options_;    ///< by method: what its labels stand for
     std::set<std::string> adaptive_, constant_;                        ///< methods with such steps
 };
+
+/// The options of a method or a projection as names show them behind its own, in this order, those that vary:
+/// its label, "cayley", "dexpinv=2".
+std::vector<std::string> option_texts(const std::map<std::string, std::string>& options);
 
 /// Rows that differ in their number of steps or their tolerance only, in the order of first appearance.
 struct CellGroup {

@@ -5,7 +5,8 @@ namespace kreisel {
 
 const std::vector<RuleDescription>& rules_of_meaning() {
     static const std::vector<RuleDescription> rules = {
-        {Rule::each_once, "each-once", "entries of a list that are written differently mean different things"},
+        {Rule::each_once, "each-once",
+         "entries of a list that are written differently mean different things; x and y of a figure do"},
         {Rule::own_name, "own-name", "problems have labels, bodies, joints and figures names of their own"},
         {Rule::separators, "separators", "texts hold no control characters and no line separators beyond ASCII"},
         {Rule::whole_steps, "whole-steps", "a step divides the end time"},

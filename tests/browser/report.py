@@ -24,9 +24,16 @@ ORDERS = {
     "methods": ["rkmk/rk4", "rkmk/midpoint", "baseline/rk4_quaternion"], "formulations": ["SO3xR3", "SE3"],
     "time": {"end": 0.2, "steps": {"from": 64, "levels": 5}},
 }
+# A spring between two bodies, and a bushing that holds one to the ground, without joints or gravity.
+SPRINGS = {"gravity": [0, 0, 0], "joints": [], "bodies": [
+    {"name": "a", "mass": 1, "inertia": [0.1, 0.1, 0.1], "x": [0, 0, 0]},
+    {"name": "b", "mass": 1, "inertia": [0.1, 0.1, 0.1], "x": [1, 0, 0], "omega": [0, 0, 1]}], "forces": [
+        {"type": "spring", "between": ["a", "b"], "points": [[0, 0, 0], [1, 0.2, 0]], "stiffness": 2, "length": 0.5},
+        {"type": "bushing", "between": ["ground", "a"], "point": [-0.2, 0, 0], "stiffness": [9, 9, 9],
+         "torsional_stiffness": [9, 9, 9]}]}
 MOTION = {
     "name": "page_motion", "kind": "drift",
-    "problems": ["double_pendulum", "four_bar"],
+    "problems": ["double_pendulum", "four_bar", {"name": "multibody", "label": "springs", "parameters": SPRINGS}],
     "methods": ["rkmk/rk4", "rkmk/euler"], "projections": ["none", "position_velocity"],
     "time": {"end": 4, "steps": 800}, "output": {"samples": 200},
     "figure": [
@@ -185,8 +192,8 @@ def check_forces(browser):
     from selenium.webdriver.common.keys import Keys
     boxes = {label.text.strip(): label.find_element("css selector", "input")
              for label in browser.driver.find_elements("css selector", "#motion .bar label")
-             if label.text.strip() in ("forces of joints", "applied forces")}
-    assert len(boxes) == 2, boxes
+             if label.text.strip() in ("forces of joints", "springs, dampers, attractions", "applied forces")}
+    assert len(boxes) == 3, boxes
     assert not any(box.is_selected() for box in boxes.values()), "forces are shown unasked"
     put(browser, "#motion input[type=range]", "0.5")
     said = "return document.querySelector('#motion .forces:not([hidden])')?.textContent || ''"
@@ -199,10 +206,31 @@ def check_forces(browser):
         text = browser.run(said)
         assert meaning in text and "An arrow of " in text and " N" in text, text
     assert len(set(seen)) == 3, "switching forces does not change the picture"
-    for box in boxes.values():
+    check_springs(browser, boxes["springs, dampers, attractions"], seen[-1])
+    for box in filter(lambda one: one.is_selected(), boxes.values()):
         box.send_keys(Keys.SPACE)
     assert pixels(browser)[1] == seen[0], "forces stay when they are switched off"
     assert browser.run(said) == ""
+
+
+def choose_left(browser, pattern):
+    browser.run("""const left = document.querySelector('#motion select');
+        left.value = [...left.options].findIndex((one) => new RegExp(arguments[0]).test(one.textContent));
+        left.dispatchEvent(new Event('change'));""", pattern)
+
+
+def check_springs(browser, box, without):
+    """Arrows of forces between bodies stand where there are any; of a pendulum there are none."""
+    said = "return document.querySelector('#motion .forces:not([hidden])').textContent"
+    box.click()
+    assert pixels(browser)[1] == without and "spring" not in browser.run(said), browser.run(said)
+    choose_left(browser, "springs.*rk4")
+    shown, text = pixels(browser)[1], browser.run(said)
+    assert "spring, damper, bushing or attraction, on both bodies" in text, text
+    box.click()
+    assert pixels(browser)[1] != shown, "forces of springs are not drawn"
+    assert "spring" not in browser.run(said)
+    choose_left(browser, "double_pendulum.*rk4")
 
 
 def check_places(browser):
@@ -226,9 +254,7 @@ def check_places(browser):
 
 def check_stopped(browser):
     """A cell that failed says when and why."""
-    browser.run("""const left = document.querySelector('#motion select');
-        const at = [...left.options].findIndex((one) => /four_bar.*rk4.*no projection/.test(one.textContent));
-        left.value = at; left.dispatchEvent(new Event('change'));""")
+    choose_left(browser, "four_bar.*rk4.*no projection")
     put(browser, "#motion input[type=range]", "4")
     said = browser.run("return document.querySelector('#motion .stop').textContent")
     assert said.startswith("stopped at t = ") and "singular_kkt" in said, said

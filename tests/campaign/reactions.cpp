@@ -35,6 +35,25 @@ const char* const block = R"({
     "gravity": [0, 0, -9.81], "forces": [],
     "bodies": [{"name": "block", "mass": 1, "inertia": [0.1, 0.1, 0.1], "x": [0, 0, 0]}],
     "joints": [{"type": "planar", "between": ["ground", "block"], "point": [0, 0, 0], "axis": [0, 0, 1]}]})";
+/// Two bodies 5 m apart under each force that acts between two.
+const char* const bound = R"({
+    "gravity": [0, 0, 0], "joints": [],
+    "bodies": [{"name": "a", "mass": 2, "inertia": [1, 1, 1], "x": [0, 0, 0]},
+               {"name": "b", "mass": 3, "inertia": [1, 1, 1], "x": [3, 4, 0], "v": [1, 0, 0], "omega": [0, 0, 1]}],
+    "forces": [
+        {"type": "spring", "between": ["a", "b"], "points": [[0, 0, 0], [3, 4, 0]], "stiffness": 10, "length": 1},
+        {"type": "spring", "between": ["a", "b"], "points": [[0, 0, 0], [3, 5, 0]], "stiffness": 0, "damping": 0},
+        {"type": "spring", "between": ["b", "ground"], "points": [[3, 4, 0], [3, 5, 0]], "stiffness": 7,
+         "length": 0},
+        {"type": "polynomial_spring", "between": ["a", "b"], "points": [[0, 0, 0], [3, 4, 0]],
+         "coefficients": [1, 1], "length": 3},
+        {"type": "gravitation", "between": ["a", "b"], "constant": 25},
+        {"type": "central_field", "body": "b", "mu": 25},
+        {"type": "damper", "between": ["ground", "b"], "point": [3, 6, 0], "damping": 3},
+        {"type": "rotational_damper", "between": ["a", "b"], "damping": 2},
+        {"type": "torsion_spring", "between": ["b", "a"], "axis": [0, 0, 1], "stiffness": 5, "angle": 0.5},
+        {"type": "bushing", "between": ["a", "b"], "point": [3, 6, 0], "stiffness": [1, 1, 1],
+         "torsional_stiffness": [1, 1, 1], "damping": [2, 4, 5], "torsional_damping": [3, 6, 7]}]})";
 /// A door on two hinges, which share its weight in an undetermined way, and a bell on a ball joint below it.
 const char* const door = R"({
     "gravity": [0, 0, -9.81], "forces": [],
@@ -203,6 +222,41 @@ TEST_CASE("columns call joints by their names, or by their bodies and a number",
     const auto sample = first_sample(named.dump().c_str());
     for (const char* name : {"lambda.ground-block.1", "lambda.crank_pin.1", "lambda.ground-block-2.1"})
         CHECK(sample.contains(name));
+}
+
+TEST_CASE("samples hold what springs, dampers, bushings and attractions exert on their second body", "[campaign]") {
+    const auto sample = first_sample(bound);
+    std::set<std::string> found;
+    const auto check = [&](const std::string& name, const std::string& unit, const std::array<double, 3>& expected) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::string column = "exerted." + name + "." + std::to_string(k + 1);
+            CAPTURE(column);
+            REQUIRE(sample.contains(column));
+            CHECK(sample.at(column).second == unit);
+            CHECK(std::abs(std::stod(sample.at(column).first) - expected[k]) < 1e-13);
+            found.insert(column);
+        }
+    };
+    check("spring.a-b.force", "N", {-24, -32, 0});
+    check("spring.a-b-2.force", "N", {0, 0, 0});
+    check("spring.b-ground.force", "N", {0, -7, 0});
+    check("polynomial_spring.a-b.force", "N", {-3.6, -4.8, 0});
+    check("attraction.a-b.force", "N", {-3.6, -4.8, 0});
+    check("attraction.ground-b.force", "N", {-1.8, -2.4, 0});
+    check("damper.ground-b.force", "N", {3, 0, 0});  // the point moves with (1 - 2, 0, 0)
+    check("rotational_damper.a-b.torque", "N m", {0, 0, -2});
+    check("torsion_spring.b-a.torque", "N m", {0, 0, 2.5});
+    check("bushing.a-b.force", "N", {2, 0, 0});
+    check("bushing.a-b.torque", "N m", {0, 0, -7});
+    for (const auto& [column, value] : sample) CHECK((found.contains(column) || !column.starts_with("exerted.")));
+
+    const Cell cell = cells_of(bound, {"SO3xR3"}, "double").at(0);
+    std::set<std::string> links;
+    for (const LinkGeometry& link : engine_binary64().geometry(cell.problem, cell.parameters).links)
+        links.insert(link.name);
+    CHECK(links.size() == 10);
+    for (const std::string& column : found)
+        CHECK(links.contains(column.substr(8, column.rfind('.', column.size() - 3) - 8)));
 }
 
 TEST_CASE("with redundant rows, reactions that are not unique are marked, and unique ones stay", "[campaign]") {

@@ -225,6 +225,13 @@ TEST_CASE("forces of joints are packed for the page, with what drives them, and 
     }
     CHECK_FALSE(nlohmann::json::parse(forces_json(samples, mechanism, {"crank"}, {0, 1, 2})).at(0).contains("tau"));
     CHECK(bytes_of_forces(samples) == 4 * 2 * 4 / 3);
+    for (int k = 1; k <= 3; ++k) { add("exerted.loose.force." + std::to_string(k), {-1.0 * k, 0, 0}); }
+    const auto both = nlohmann::json::parse(forces_json(samples, mechanism, {"crank"}, {0, 1, 2}));
+    REQUIRE(both.size() == 2);
+    CHECK(both.at(0).at("link") == 0);
+    CHECK_FALSE(both.at(0).contains("tau"));
+    CHECK(number(unpacked<std::uint16_t>(both.at(0).at("F")).at(2)) == -3);
+    CHECK(bytes_of_forces(samples) == 7 * 2 * 4 / 3);
     const JsonValue parameters = parse_exactly(R"({"gravity": [0, 0, -9.81], "gravity_amplitude": 0.5, "forces": [
         {"type": "force", "body": "crank", "value": [1, 2, 3], "frame": "space", "point": [1, 3, 3], "amplitude": 2,
          "frequency": 7},

@@ -104,10 +104,7 @@ class HeatMap final : public HeatMapKind {
             for (const Place& place : all[k]) { map.places.push_back({xs.of(place.x), ys.of(place.y), place.value}); }
             drawn.maps.push_back(std::move(map));
         }
-        if (drawn.maps.empty()) {
-            throw FigureError(
-                fmt::format("{}: no selected cell has {} on these axes", name, fmt::join(metrics, " or ")));
-        }
+        if (drawn.maps.empty()) { throw FigureError(name + ": " + why_none(rows)); }
         return drawn;
     }
 
@@ -130,6 +127,22 @@ class HeatMap final : public HeatMapKind {
         if (is_cell_value(axis)) { return cell_value(row, axis).value_or(""); }
         const bool is_size = std::find(sizes().begin(), sizes().end(), axis) != sizes().end();
         return is_size ? size_text(row, axis) : names.axis(row, axis);
+    }
+    std::string why_none(const std::vector<ResultRow>& rows) const {
+        const std::string drawn = fmt::format("{}", fmt::join(metrics, " or "));
+        const CellNames names(rows);
+        bool some = false, negative = false;
+        for (const ResultRow& row : rows) {
+            if (axis_value(row, names, x).empty() || axis_value(row, names, y).empty()) { continue; }
+            for (const std::string& metric : metrics) {
+                const auto value = row.metrics.find(metric);
+                if (value == row.metrics.end() || !std::isfinite(value->second)) { continue; }
+                some = true, negative = negative || value->second < 0;
+            }
+        }
+        if (!some) { return fmt::format("no selected cell has {} on these axes", drawn); }
+        return fmt::format("all values of {} are 0{}, which no logarithmic scale shows; \"scale\": \"linear\" does",
+                           drawn, negative ? " or below" : "");
     }
     // Of the cells that have the metric, and a value on both axes.
     std::vector<Place> places_of(const std::string& metric, const std::vector<ResultRow>& rows) const {

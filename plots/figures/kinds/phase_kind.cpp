@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "plots/figures/cells/legends.hpp"
 #include "plots/figures/cells/select.hpp"
 
@@ -48,6 +50,9 @@ PanelFigure PhaseKind::make_panels(const Results& results) const {
         const std::string called = legends.name(row);
         panel.curves.push_back({label_of(called), points_of(samples, prefix), styles.of(row), {}, called});
     }
+    const bool nothing =
+        std::all_of(panel.curves.begin(), panel.curves.end(), [](const Curve& curve) { return curve.points.empty(); });
+    if (nothing) { throw FigureError(fmt::format("{}: {}", name, lacking())); }
     return {name, enhanced_escape(title), {panel}, columns};
 }
 

@@ -24,6 +24,8 @@ class PhaseKind : public PanelKind {
     PanelFigure make_panels(const Results& results) const final;
     /// What is drawn of the samples of a cell, whose body has columns that begin with `prefix`, "BODY.".
     virtual std::vector<Point> points_of(const TrajectoryTable& samples, const std::string& prefix) const = 0;
+    /// What the trajectories lack if there is nothing to draw: "no trajectory has samples".
+    virtual std::string lacking() const { return "no trajectory has samples"; }
     /// A column of the body. Throws FigureError where there is none.
     const std::vector<double>& column(const TrajectoryTable& samples, const std::string& prefix,
                                       const std::string& quantity) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Poincare sections: where a trajectory passes through the surface on which one quantity has a given value.
+#include <fmt/format.h>
+
 #include "plots/figures/kinds/phase_kind.hpp"
 
 namespace kreisel {
@@ -26,6 +28,10 @@ class PoincareFigure final : public PhaseKind {
             points.push_back({xs[i - 1] + part * (xs[i] - xs[i - 1]), ys[i - 1] + part * (ys[i] - ys[i - 1])});
         }
         return points;
+    }
+    std::string lacking() const override {
+        return fmt::format("no trajectory passes {} = {} {}", section, at,
+                           direction == "both" ? "either way" : direction + "wards");
     }
     // A sample on the surface belongs to the interval that ends there.
     bool passes(double before, double after) const {

@@ -15,14 +15,18 @@ function roundAbove(value) {
 
 const forceGroups = {
   joints: 'forces of joints',
+  between: 'springs, dampers, attractions',
   applied: 'applied forces'
 };
 const forceNames = {
   reaction: 'reaction of a joint on its second body (on its first, where the second is the ground)',
   drive: 'what drives a joint',
+  between: 'spring, damper, bushing or attraction, on both bodies',
   applied: 'weight or load'
 };
-const groupOf = (what) => (what === 'applied' ? 'applied' : 'joints');
+const groupOf = (what) => (what in forceGroups ? what : 'joints');
+// Where a force acts on its first body: along a line at its own point there, else where it does on the second.
+const actsAlongLine = (link) => ['spring', 'polynomial_spring', 'attraction'].includes(link.type);
 
 class Forces {
   constructor(mechanism, cell, motion) {
@@ -30,19 +34,21 @@ class Forces {
     this.motion = motion;
     this.mechanism = mechanism || {bodies: [], links: []};
     this.applied = cell.applied;
-    this.joints = cell.forces.map(({link, ...numbers}) => ({
+    this.links = cell.forces.map(({link, ...numbers}) => ({
                                     link: this.mechanism.links[link],
                                     at: places(this.mechanism.links[link]),
                                     ...Object.fromEntries(
                                         Object.entries(numbers).map(([name, text]) => [name, halvesOf(text)]))
                                   }));
     this.masses = new Map(this.mechanism.bodies.map((body) => [body.name, body.mass]));
+    this.kinds = new Set();  // of the arrows at any instant
     // The forces and torques that the scale is made for: nine instants in ten have none that is larger.
     this.typical = this.typicalSizes();
   }
-  // Whether samples could hold reactions and do not.
-  lacksReactions() {
-    return !this.joints.length && this.mechanism.links.some((link) => link.type !== 'spring');
+  // Whether samples could hold forces of a group of links and do not.
+  lacks(group) {
+    const fits = (link) => isForce(link) === (group === 'between');
+    return group !== 'applied' && this.mechanism.links.some(fits) && !this.links.some(({link}) => fits(link));
   }
   // Arrows {from, vector, isTorque, what} at a time; poses of the bodies then.
   arrows(time, poses) {
@@ -50,7 +56,9 @@ class Forces {
     const add = (from, vector, isTorque, what) => {
       if (vector.every(Number.isFinite)) found.push({from, vector, isTorque, what});
     };
-    this.addJoints(time, (home) => (home === 'ground' ? identity4 : poses[home]), add);
+    const poseOf = (home) => (home === 'ground' ? identity4 : poses[home]);
+    for (const exerted of this.links)
+      isForce(exerted.link) ? this.addForce(exerted, time, poseOf, add) : this.addJoint(exerted, time, poseOf, add);
     this.motion.names.forEach((name, body) => {
       const weight = (this.masses.get(name) || 0) * swingOf(this.applied.gravity, time);
       add(apply4(poses[body], [0, 0, 0]), times3(this.applied.gravity.g, weight), false, 'applied');
@@ -58,22 +66,36 @@ class Forces {
     for (const load of this.applied.loads) this.addLoad(load, time, poses[this.motion.names.indexOf(load.body)], add);
     return found;
   }
-  addJoints(time, poseOf, add) {
+  // The vector, or the number, of a list at a time.
+  vectorAt(list, time) {
     const [i, j, part] = this.motion.instant(time);
-    for (const {link, at, F, tau, force, torque} of this.joints) {
-      const side = at[1] === 'ground' || at[1] === -1 ? 0 : 1, sign = side === 1 ? 1 : -1;
-      if (at[side] === 'ground' || at[side] === -1) continue;
-      const from = apply4(poseOf(at[side]), link.points[side]);
-      const number = (list, size, k) =>
-          sign * (list[size * i + k] + part * (list[size * j + k] - list[size * i + k]));
-      const vector = (list) => [0, 1, 2].map((k) => number(list, 3, k));
-      add(from, vector(F), false, 'reaction');
-      if (tau) add(from, vector(tau), true, 'reaction');
-      if (!force && !torque || at[1] === -1) continue;
-      const axis = turned3(poseOf(at[1]), link.axes[1]);
-      if (force) add(from, times3(axis, number(force, 1, 0)), false, 'drive');
-      if (torque) add(from, times3(axis, number(torque, 1, 0)), true, 'drive');
-    }
+    return [0, 1, 2].map((k) => list[3 * i + k] + part * (list[3 * j + k] - list[3 * i + k]));
+  }
+  numberAt(list, time) {
+    const [i, j, part] = this.motion.instant(time);
+    return list[i] + part * (list[j] - list[i]);
+  }
+  addJoint({link, at, F, tau, force, torque}, time, poseOf, add) {
+    const side = at[1] === 'ground' || at[1] === -1 ? 0 : 1, sign = side === 1 ? 1 : -1;
+    if (at[side] === 'ground' || at[side] === -1) return;
+    const from = apply4(poseOf(at[side]), link.points[side]);
+    if (F) add(from, times3(this.vectorAt(F, time), sign), false, 'reaction');
+    if (tau) add(from, times3(this.vectorAt(tau, time), sign), true, 'reaction');
+    if (!force && !torque || at[1] === -1) return;
+    const axis = times3(turned3(poseOf(at[1]), link.axes[1]), sign);
+    if (force) add(from, times3(axis, this.numberAt(force, time)), false, 'drive');
+    if (torque) add(from, times3(axis, this.numberAt(torque, time)), true, 'drive');
+  }
+  // On both bodies, the ground apart.
+  addForce({link, at, F, tau}, time, poseOf, add) {
+    at.forEach((home, side) => {
+      if (home === 'ground' || home === -1) return;
+      const place = actsAlongLine(link) || !F ? side : 1, sign = side === 1 ? 1 : -1;
+      if (at[place] === -1) return;
+      const from = apply4(poseOf(at[place]), link.points[place]);
+      if (F) add(from, times3(this.vectorAt(F, time), sign), false, 'between');
+      if (tau) add(from, times3(this.vectorAt(tau, time), sign), true, 'between');
+    });
   }
   addLoad(load, time, pose, add) {
     if (!pose) return;
@@ -85,7 +107,8 @@ class Forces {
     const sizes = {force: [], torque: []}, {motion} = this;
     for (const time of motion.t) {
       const largest = {force: 0, torque: 0}, poses = motion.names.map((name, body) => motion.pose(body, time));
-      for (const {vector, isTorque} of this.arrows(time, poses)) {
+      for (const {vector, isTorque, what} of this.arrows(time, poses)) {
+        if (length3(vector) > 0) this.kinds.add(what);
         const kind = isTorque ? 'torque' : 'force';
         largest[kind] = Math.max(largest[kind], length3(vector));
       }
@@ -101,11 +124,11 @@ const unitOf = {
   torque: 'N m'
 };
 
-// Two boxes that switch groups of forces, and what the arrows mean. `changed` is called where a box is switched.
+// Boxes that switch groups of forces, and what the arrows mean. `changed` is called where a box is switched.
 class ForceControls {
   constructor(changed) {
     const box = () => make('input', {type: 'checkbox', onchange: () => { this.say(); changed(); }});
-    this.boxes = {joints: box(), applied: box()};
+    this.boxes = {joints: box(), between: box(), applied: box()};
     this.labels = Object.entries(this.boxes).map(([group, node]) => make('label', {}, node, forceGroups[group]));
     this.legend = make('p', {class: 'faint small forces', 'aria-live': 'polite', hidden: true});
     this.scale = null;
@@ -124,20 +147,22 @@ class ForceControls {
     this.say();
   }
   say() {
-    const shown = Object.keys(forceNames).filter((what) => this.isShown(what)), {legend, scale, stages} = this;
-    legend.hidden = !shown.length;
+    const {legend, scale, stages} = this, wanted = Object.keys(forceNames).filter((what) => this.isShown(what));
+    legend.hidden = !wanted.length;
     if (legend.hidden) return;
+    const shown = wanted.filter((what) => stages.some((stage) => stage.forces.kinds.has(what)));
     const length = Number(scale.length.toPrecision(2));
     const lengths = ['force', 'torque'].filter((kind) => scale[kind] > 0)
                         .map((kind) => `a ${kind} of ${shortText(scale[kind])} ${unitOf[kind]}`);
-    const key = (what) => [make('span', {class: `swatch ${what}`, 'aria-hidden': 'true'}), ` ${forceNames[what]}. `];
-    const lacks = shown.includes('reaction') && stages.some((stage) => stage.forces.lacksReactions());
+    const swatch = (what) => make('span', {class: `swatch ${what}`, 'aria-hidden': 'true'});
+    const key = (what) => [swatch(what), `\u00a0${forceNames[what]}. `];
+    const lacks = wanted.some((what) => stages.some((stage) => stage.forces.lacks(groupOf(what))));
     legend.replaceChildren(
         ...shown.flatMap(key),
-        lengths.length ? `An arrow of ${length} m is ${lengths.join(', or with two heads ')}; ` +
+        shown.length && lengths.length ? `An arrow of ${length} m is ${lengths.join(', or with two heads ')}; ` +
                 'arrows longer than 1.5 times that are cut, below 1/50 not drawn. ' :
                          'There are none. ',
-        lacks ? 'These samples hold no reactions; kreisel run with "output": {"samples": 500} writes them.' : '');
+        lacks ? 'These samples do not hold all of them; kreisel run with "output": {"samples": 500} writes them.' : '');
   }
   // Shows the arrows at a time in a stage.
   paint(stage, time, poses, colours) {

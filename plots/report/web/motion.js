@@ -72,6 +72,15 @@ function distanceCurve(a, b) {
   return {label: '', style: 1, x, y};
 }
 
+// Links that are forces, not joints.
+const forceTypes =
+    ['spring', 'polynomial_spring', 'torsion_spring', 'damper', 'rotational_damper', 'bushing', 'attraction'];
+const isForce = (link) => forceTypes.includes(link.type);
+// Whether a link is seen at one of its bodies: a force without a point of its own there is not.
+const hasPlace = (link, side) => !isForce(link) || length3(link.points[side]) > 0 ||
+    ['spring', 'polynomial_spring', 'bushing'].includes(link.type) ||
+    (link.type === 'attraction' && link.between[side] === 'ground');
+
 // Parts of a mechanism about the frames of its bodies: "ground" or the index of a body, a matrix there, solid, colour.
 function partsOf(mechanism, names, size) {
   const parts = [], springs = [], thin = 0.014 * size, ball = 0.034 * size;
@@ -97,9 +106,10 @@ function partsOf(mechanism, names, size) {
       });
   });
   for (const link of (mechanism && mechanism.links) || []) {
-    if (link.type === 'spring' || link.type === 'distance') springs.push({link, ends: link.between.map(home)});
+    if (['spring', 'polynomial_spring', 'distance'].includes(link.type))
+      springs.push({link, ends: link.between.map(home)});
     link.between.map(home).forEach((at, side) => {
-      if (at === -1) return;
+      if (at === -1 || !hasPlace(link, side)) return;
       const point = link.points[side], axis = link.axes[side],
             turns = ['revolute', 'cylindrical', 'universal'].includes(link.type);
       const colour = at === 'ground' ? 'ground' : 'joint';
@@ -137,6 +147,7 @@ function boundsOf(motion, mechanism) {
   for (const body of (mechanism && mechanism.bodies) || []) reach = Math.max(reach, length3(body.sizes) / 2);
   for (const link of (mechanism && mechanism.links) || [])
     link.between.forEach((name, side) => {
+      if (!hasPlace(link, side)) return;
       if (name === 'ground') take(link.points[side]);
       else reach = Math.max(reach, length3(link.points[side]));
     });

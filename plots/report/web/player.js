@@ -113,7 +113,7 @@ class Player {
   }
   readColours() {
     const names = {page: '--page', grid: '--line', ground: '--guide', joint: '--faint', spring: '--guide',
-      reaction: '--reaction', drive: '--drive', applied: '--applied'};
+      reaction: '--reaction', drive: '--drive', between: '--between', applied: '--applied'};
     this.colours = {bodies: [1, 2, 3, 4, 5, 6, 7].map((k) => colourOfPage(`--c${k}`))};
     for (const [name, variable] of Object.entries(names)) this.colours[name] = colourOfPage(variable);
   }

@@ -63,7 +63,7 @@ TEST_CASE("a figure may name the curves that its cells can have, and no others")
         return std::string();
     };
     CHECK(refusal(R"("order": ["rkmk/midpoint cayley", "no projection", "fast, heavy, rkmk/rk4, terze",
-                               "free_top, rkmk/midpoint coordinates=exp"])") == "");
+                               "free_top, rkmk/midpoint exp, h = 0.25 s"])") == "");
     CHECK(refusal(R"("overlay": {"label": "by hand", "points": [[1, 2]]}, "legend": {"by hand": "ours"})") == "");
     CHECK_THAT(refusal(R"("order": ["rkmk/rk4", "rkmk/rk5"])"), Catch::Contains(": /figure/order/1: expected a name"));
     CHECK_THAT(refusal(R"("legend": {"free_top, rkmk/rk4, tereze": "ours"})"),
@@ -71,6 +71,33 @@ TEST_CASE("a figure may name the curves that its cells can have, and no others")
                    Catch::Contains("did you mean \"free_top, rkmk/rk4, terze\"?"));
     CHECK_THAT(refusal(R"("select": {"problem": "free_top"}, "order": ["fast, heavy"])"),
                Catch::Contains("got \"fast, heavy\""));
+    const std::string facet = R"("facet": "problem", "legend": )";
+    CHECK(refusal(facet + R"({"rkmk/rk4, terze": "ours"})") == "");
+    CHECK_THAT(refusal(facet + R"({"free_top, rkmk/rk4, terze": "ours"})"),
+               Catch::Contains("got \"free_top, rkmk/rk4, terze\""));
+    for (const char* name : {"", "rkmk/rk4 banana", "rkmk/midpoint coordinates=exp", "rkmk/rk4, rkmk/rk4",
+                             "terze, rkmk/rk4", "rkmk/rk4, ", "none"}) {
+        CAPTURE(name);
+        CHECK_THAT(refusal("\"legend\": {\"" + std::string(name) + "\": \"ours\"}"),
+                   Catch::Contains("expected a name that a curve of this experiment can have in a legend"));
+    }
+}
+
+TEST_CASE("the two axes of a figure differ, and a metric is drawn once") {
+    const auto refusal = [](const std::string& figure) {
+        try {
+            plan_from(one_cell(R"("heavy_top")", R"(, "output": {"samples": 1}, "figure": )" + figure));
+        } catch (const UsageError& error) { return std::string(error.what()); }
+        return std::string();
+    };
+    const std::string map = R"({"kind": "heat_map", "metric": "defect.position", )";
+    CHECK(refusal(map + R"("x": "steps"})") == "");
+    CHECK_THAT(refusal(map + R"("x": "steps", "y": "steps"})"),
+               Catch::Contains("/figure/y: expected another axis than that of x, got \"steps\" again"));
+    CHECK_THAT(refusal(map + R"("x": "method"})"), Catch::Contains("/figure: expected another axis than that of x"));
+    CHECK_THAT(refusal(R"({"kind": "phase_portrait", "x": "v1", "y": "v1"})"), Catch::Contains("\"v1\" again"));
+    CHECK_THAT(refusal(R"({"kind": "heat_map", "metric": ["defect.position", "defect.position"]})"),
+               Catch::Contains("/figure/metric/1: expected each metric once"));
 }
 
 TEST_CASE("a figure may select what the experiment crosses, and nothing else") {

@@ -43,6 +43,15 @@ TEST_CASE("a heat map is on the page with a map for each metric that cells have"
     CHECK_THAT(none.at("not_drawn").get<std::string>(), Catch::Contains("no selected cell has error.omega"));
 }
 
+TEST_CASE("a heat map of zeros says that its scale cannot show them") {
+    const ResultFolder folder;
+    folder.write("results.jsonl", result_line("a1", 64, 0).dump() + "\n");
+    const nlohmann::json map = {{"kind", "heat_map"}, {"scale", "log"}};
+    CHECK_THAT(places::figure_of(folder, map).at("not_drawn").get<std::string>(),
+               Catch::Contains("all values of error.position are 0, which no logarithmic scale shows"));
+    CHECK(places::figure_of(folder, {{"kind", "heat_map"}, {"scale", "linear"}}).contains("heat"));
+}
+
 TEST_CASE("a path in space is on the page with its shadow's floor, and thinned") {
     const ResultFolder folder;
     folder.write("results.jsonl", result_line("a1", 64, 1e-3, {{"trajectory", "trajectories/a1.csv"}}).dump() + "\n");

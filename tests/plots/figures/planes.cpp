@@ -74,7 +74,8 @@ TEST_CASE("a Poincare section shows where a component passes a value") {
     for (const Point& point : up) { CHECK(point.x == Approx(std::sqrt(0.75)).margin(1e-4)); }
     for (const Point& point : down) { CHECK(point.y == Approx(-std::sqrt(0.75)).margin(1e-4)); }
     CHECK(points("both", 0.5).size() == 7);
-    CHECK(points("both", 1.5).empty());
+    CHECK_THROWS_WITH(points("both", 1.5), Catch::Contains("no trajectory passes x2 = 1.5 either way"));
+    CHECK_THROWS_WITH(points("down", -1.5), Catch::Contains("no trajectory passes x2 = -1.5 downwards"));
     // It starts on the surface, which does not count as a passage.
     CHECK(points("up", 0).size() == 3);
 }
