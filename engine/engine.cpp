@@ -95,13 +95,14 @@ class RealEngine final : public Engine {
     }
 
     using Engine::reference;
-    Reference reference(const std::string& name, const ParameterValues& values, double t_end, long samples,
-                        const std::stop_token& stop) const override {
-        return reported_reference(problem(name), values, t_end, samples, stop);
+    Reference reference(const std::string& name, const ParameterValues& values, const BeginState* begin, double t_end,
+                        long samples, const std::stop_token& stop) const override {
+        return reported_reference(problem(name), values, begin, t_end, samples, stop);
     }
-    ReferenceCheck check_reference(const std::string& name, const ParameterValues& values,
+    using Engine::check_reference;
+    ReferenceCheck check_reference(const std::string& name, const ParameterValues& values, const BeginState* begin,
                                    const Reference& reference) const override {
-        return checked_reference(problem(name), values, reference);
+        return checked_reference(problem(name), values, begin, reference);
     }
 
     Linearisation linearise(const std::string& name, const ParameterValues& values, const std::string& formulation_name,

@@ -90,7 +90,7 @@ struct Reference {
     double horizon = 0;        ///< s
     std::string route;         ///< how it was computed, for the manifest
     bool interrupted = false;  ///< it was asked to stop; all else is empty
-    /// At t_end k / K, k = 1 ... K, if it was asked for K samples. `error` then has also the largest uncertainty of all
+    /// At t_0 + (t_end - t_0) k / K, k = 1 ... K, if it was asked for K samples. `error` then has also the largest uncertainty of all
     /// samples, error.*.max, where each has one: no maximum over the samples is less certain.
     std::vector<ReferenceSample> samples = {};
 };
@@ -281,16 +281,25 @@ class Engine {
     /// A further round of a timed or repeated cell: mean CPU time of its runs, s; nothing if they do not come to the
     /// end.
     virtual std::optional<double> run_time(const Cell&, const std::stop_token&) const = 0;
-    /// The reference solution of a problem at `t_end`, and at so many equidistant samples on the way; requested only
-    /// from the quad engine.
-    virtual Reference reference(const std::string& problem, const ParameterValues&, double t_end, long samples,
-                                const std::stop_token&) const = 0;
+    /// The reference solution of a problem at `t_end`, and at so many equidistant samples on the way, from its start, or
+    /// from `begin` where it is not null; requested only from the quad engine.
+    virtual Reference reference(const std::string& problem, const ParameterValues&, const BeginState* begin,
+                                double t_end, long samples, const std::stop_token&) const = 0;
+    Reference reference(const std::string& problem, const ParameterValues& parameters, double t_end, long samples,
+                        const std::stop_token& stop) const {
+        return reference(problem, parameters, nullptr, t_end, samples, stop);
+    }
     Reference reference(const std::string& problem, const ParameterValues& parameters, double t_end,
                         const std::stop_token& stop) const {
-        return reference(problem, parameters, t_end, 0, stop);
+        return reference(problem, parameters, nullptr, t_end, 0, stop);
     }
     /// Compares a reference with a computation of its states by the second route.
-    virtual ReferenceCheck check_reference(const std::string& name, const ParameterValues&, const Reference&) const = 0;
+    virtual ReferenceCheck check_reference(const std::string& problem, const ParameterValues&, const BeginState* begin,
+                                           const Reference&) const = 0;
+    ReferenceCheck check_reference(const std::string& problem, const ParameterValues& parameters,
+                                   const Reference& reference) const {
+        return check_reference(problem, parameters, nullptr, reference);
+    }
     /// Linearises the motion at the start of a problem, or at `begin` where it is not null. Throws ParameterError.
     virtual Linearisation linearise(const std::string& problem, const ParameterValues&, const std::string& formulation,
                                     const BeginState* begin) const = 0;

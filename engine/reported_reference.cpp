@@ -3,16 +3,34 @@
 
 #include <utility>
 
+#include "engine/begin.hpp"
 #include "engine/metrics/comparison.hpp"
 #include "engine/metrics/metric.hpp"
 #include "engine/reference/reference.hpp"
 #include "engine/reference/taylor/taylor_route.hpp"
+#include "lie/so3.hpp"
 #include "mechanics/joints/joint_rows.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 namespace {
+
+/// A model and the time at which it starts.
+struct TimedModel {
+    Model model;
+    Real t = 0;
+};
+
+/// Rotations of a state are orthogonal to the digits that it has; the routes, which hold them in different coordinates,
+/// are given the same ones.
+TimedModel begun(const Problem& problem, const ParameterValues& values, const BeginState* begin) {
+    const Model model = problem.build(Parameters(values));
+    if (!begin) return {model};
+    Model moved = moved_to(model, *begin);
+    for (Body& body : moved.bodies) body.start.R = SO3::exp(SO3::log(body.start.R));
+    return {moved, from_number(begin->t)};
+}
 
 void allow_for_closed_form(const Problem& problem, const ParameterValues& values, const Real& t_end,
                            ReferenceSolution& solution) {
@@ -66,15 +84,15 @@ std::map<std::string, Number> difference_from(const ReportedState& state, const 
 
 }  // namespace
 
-Reference reported_reference(const Problem& problem, const ParameterValues& values, double t_end, long samples,
-                             const std::stop_token& stop) {
-    const Model model = problem.build(Parameters(values));
+Reference reported_reference(const Problem& problem, const ParameterValues& values, const BeginState* begin,
+                             double t_end, long samples, const std::stop_token& stop) {
+    const auto [model, t_begin] = begun(problem, values, begin);
     const auto rows = constraint_rows(model);
-    ReferenceSolution solution = confirmed_reference(model, decimal(t_end), stop, samples);
+    ReferenceSolution solution = confirmed_reference(model, decimal(t_end), stop, samples, t_begin);
     if (solution.interrupted) return {.state = {}, .error = {}, .interrupted = true};
     if (!solution.stopped.empty())
         return {.state = {}, .error = {}, .horizon = 0, .route = solution.route + ", stopped: " + solution.stopped};
-    if (problem.closed_form) allow_for_closed_form(problem, values, decimal(t_end), solution);
+    if (problem.closed_form && !begin) allow_for_closed_form(problem, values, decimal(t_end), solution);
     Reference reference;
     reference.state = to_report(decimal(t_end), solution.states, model, solution.multipliers, solution.angles);
     reference.error = error_at_end(solution, decimal(t_end), rows);
@@ -87,12 +105,13 @@ Reference reported_reference(const Problem& problem, const ParameterValues& valu
     return reference;
 }
 
-ReferenceCheck checked_reference(const Problem& problem, const ParameterValues& values, const Reference& reference) {
+ReferenceCheck checked_reference(const Problem& problem, const ParameterValues& values, const BeginState* begin,
+                                 const Reference& reference) {
     if (reference.state.bodies.empty()) return {.difference = {}, .failure = "it has no state: " + reference.route};
     if (reference.state.t.value > reference.horizon) return {.difference = {}, .failure = "it lies past its horizon"};
-    const Model model = problem.build(Parameters(values));
+    const auto [model, t_begin] = begun(problem, values, begin);
     const auto rows = constraint_rows(model);
-    TaylorRoute route(model);
+    TaylorRoute route(model, t_begin);
     ReferenceCheck check;
     Status status = Status::ok;
     for (const ReferenceSample& sample : reference.samples) {

@@ -11,12 +11,14 @@
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
-/// Engine::reference; where the problem has a closed form, the distance from it counts as error too.
-Reference reported_reference(const Problem& problem, const ParameterValues& values, double t_end, long samples,
-                             const std::stop_token& stop);
+/// Engine::reference; where the problem has a closed form, the distance from it counts as error too, unless the motion
+/// begins elsewhere.
+Reference reported_reference(const Problem& problem, const ParameterValues& values, const BeginState* begin,
+                             double t_end, long samples, const std::stop_token& stop);
 
 /// Engine::check_reference.
-ReferenceCheck checked_reference(const Problem& problem, const ParameterValues& values, const Reference& reference);
+ReferenceCheck checked_reference(const Problem& problem, const ParameterValues& values, const BeginState* begin,
+                                 const Reference& reference);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

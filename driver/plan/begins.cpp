@@ -5,7 +5,6 @@
 
 #include <set>
 
-#include "driver/plan/metric_names.hpp"
 #include "records/json/diagnostics.hpp"
 
 namespace kreisel {
@@ -61,13 +60,6 @@ class Begins {
 void check_begins(const Engines& engines, Diagnostics& sink, Plan& plan) {
     const Config& config = plan.config;
     if (!config.begin) { return; }
-    if (asks_for_errors(config.metrics) || asks_for_largest_errors(config.metrics)) {
-        sink.add(
-            {.pointer = begin_pointer,
-             .expected = "\"metrics\" without error.* beside it: reference solutions begin at the start of a problem",
-             .got = "some that need one",
-             .rule = Rule::begin});
-    }
     Begins begins(engines, sink, plan);
     const std::size_t formulations = config.formulations.size();
     for (std::size_t i = 0; i < config.problems.size(); ++i) {

@@ -60,7 +60,8 @@ double cost_of(const PlannedCell& planned, const MethodDescription& method, cons
 }
 
 double cost_of(const PlannedReference& planned, const SystemSummary& system) {
-    return reference_s * planned.t_end * unknowns(system);
+    const double t_begin = planned.begin ? planned.begin->t.value : 0;
+    return reference_s * (planned.t_end - t_begin) * unknowns(system);
 }
 
 }  // namespace kreisel

@@ -9,6 +9,7 @@
 #include "engine/linearised/spectrum.hpp"
 #include "engine/linearised/steady_motion.hpp"
 #include "engine/report/report.hpp"
+#include "support/number_text.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -155,7 +156,7 @@ std::string refused(const LinearisedStart& start, const Model& model) {
         nearest += (nearest.empty() ? "" : ", ") + part.name;
     return "it is neither an equilibrium nor a steady motion: the accelerations differ from those of " +
            (nearest.empty() ? "rest" : "the nearest steady motion (" + nearest + ")") + " by " +
-           to_text(start.residual() / start.rate()).substr(0, 8) + " of the rate of the motion";
+           brief_text(to_double(start.residual() / start.rate())) + " of the rate of the motion";
 }
 
 }  // namespace

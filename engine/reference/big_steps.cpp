@@ -45,10 +45,10 @@ Real largest_ratio(const PartSizes& a, const PartSizes& b) {
 }
 
 BigStepRun BigSteps::begin(const Real& H) {
-    BigStepRun run{{Real(0)}, {form.start()}};
+    BigStepRun run{{t_begin_}, {form.start()}};
     const Real* w = run.states[0].data();
     run.sizes = part_sizes(w, form.bodies());
-    const auto scale = form.acceleration_scale(0, w);
+    const auto scale = form.acceleration_scale(t_begin_, w);
     const Real step = abs(H) / 1024;
     enlarge(run.sizes, {scale.linear * step * step, 0, scale.linear * step, scale.angular * step});
     return run;
@@ -74,7 +74,7 @@ bool BigSteps::append(BigStepRun& run, const Real& t, const Real& allowed) {
 BigStepRun BigSteps::adaptive(const Real& t_end, Real H, const std::stop_token& stop) {
     using std::pow;
     BigStepRun run = begin(H);
-    const Real smallest = abs(t_end) / 1099511627776;
+    const Real smallest = abs(t_end - t_begin_) / 1099511627776;
     const Real infinity = std::numeric_limits<Real>::infinity();
     while (run.times.back() != t_end) {
         if ((run.interrupted = stop.stop_requested())) return run;

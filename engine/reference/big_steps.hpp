@@ -37,8 +37,10 @@ struct BigStepRun {
 /// Integrates one model; not copied, since the extrapolation refers to its form.
 class BigSteps {
   public:
-    explicit BigSteps(const Model& model)
+    /// From the start of the model at time t_begin.
+    BigSteps(const Model& model, const Real& t_begin)
         : form(model),
+          t_begin_(t_begin),
           gbs_(even_sequence(reference_columns), form.dimension(),
                [this](const Real& t, const Real* w, Real* rate) { return form.rate(t, w, rate); }) {}
     BigSteps(const BigSteps&) = delete;
@@ -59,6 +61,7 @@ class BigSteps {
     /// Appends the step to time t. On failure, or if its local error exceeds `allowed`, the run is as before.
     bool append(BigStepRun& run, const Real& t, const Real& allowed);
 
+    Real t_begin_;
     Extrapolation gbs_;
     Real local_error_ = 0;  // of the last step, relative to the sizes
 };

@@ -11,11 +11,11 @@ inline namespace KREISEL_PRECISION {
 
 namespace {
 
-/// A big step of about two radians, at the fastest body's initial rate.
-Real first_step(const Model& model, const Real& t_end) {
+/// A big step of about two radians, at the fastest body's initial rate, of a motion that lasts so long.
+Real first_step(const Model& model, const Real& duration) {
     Real rate = 0;
     for (const Body& body : model.bodies) rate = max(rate, Real(body.start.omega.norm()));
-    return t_end / max(Real(1), Real(rate * abs(t_end) / 2));
+    return duration / max(Real(1), Real(rate * abs(duration) / 2));
 }
 
 /// Last big step up to which two runs agree.
@@ -71,10 +71,11 @@ void compare_ends(QuaternionForm& form, const Real& t_end, const BigStepRun& coa
 /// At t_end the states of the last big steps themselves.
 void take_samples(BigSteps& steps, const BigStepRun& coarse, const BigStepRun& fine, long count, const Real& t_end,
                   const std::stop_token& stop, ReferenceSolution& out) {
+    const Real t_begin = coarse.times.front();
     std::vector<Real> a, b;
     for (long k = 1; k <= count; ++k) {
         if ((out.interrupted = stop.stop_requested())) return;
-        const Real t = k == count ? t_end : Real(t_end / Real(count) * Real(k));
+        const Real t = k == count ? t_end : Real(t_begin + (t_end - t_begin) / Real(count) * Real(k));
         for (const Status s : {steps.state_at(coarse, t, a), steps.state_at(fine, t, b)})
             if (s != Status::ok) out.stopped = name(s);
         if (!out.stopped.empty()) return;
@@ -86,10 +87,11 @@ void take_samples(BigSteps& steps, const BigStepRun& coarse, const BigStepRun& f
 
 }  // namespace
 
-ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop, long samples) {
+ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop, long samples,
+                                     const Real& t_begin) {
     if (!isfinite(t_end)) throw std::invalid_argument("a reference solution needs a finite end time");
-    BigSteps integration(model);
-    const BigStepRun coarse = integration.adaptive(t_end, first_step(model, t_end), stop);
+    BigSteps integration(model, t_begin);
+    const BigStepRun coarse = integration.adaptive(t_end, first_step(model, t_end - t_begin), stop);
     const BigStepRun fine = integration.halved(coarse, stop);
 
     ReferenceSolution out;

@@ -55,17 +55,17 @@ struct ReferenceSolution {
     MotionSize sizes;
     std::vector<ReferencePoint> path;    ///< the big steps up to the horizon, the start included
     std::vector<ReferencePoint> beyond;  ///< those after it
-    std::vector<SampledPoint> samples;   ///< those asked for, at t_end k / K, k = 1 ... K
+    std::vector<SampledPoint> samples;   ///< those asked for, at t_0 + (t_end - t_0) k / K, k = 1 ... K
     std::string route;                   ///< how it was computed
     std::string stopped;                 ///< empty, or the name of the Status that ended the integration
     bool interrupted = false;            ///< it was asked to stop; all else is empty
 };
 
-/// Integrates from t = 0 to t_end (s), which may be negative: once with big steps chosen by their local error, and once
+/// Integrates from the start of a model at t_begin to t_end (s), which may be less: once with big steps chosen by their local error, and once
 /// with each of these halved; samples by a shorter step of each run. A stop request is checked after each big step and
 /// each sample. Throws std::invalid_argument if t_end is not finite.
 ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop = {},
-                                     long samples = 0);
+                                     long samples = 0, const Real& t_begin = 0);
 
 /// Makes the errors of a reference at least as large as its distance from another solution.
 void allow_for(ReferenceSolution& reference, const Distance& distance);

@@ -52,9 +52,10 @@ struct PlannedReference {
     std::string problem;
     ParameterValues parameters;
     double t_end = 0;
-    long samples = 0;     ///< at which errors are wanted too
-    std::string content;  ///< all that determines its numbers, as JSON
-    double weight = 0;    ///< estimated CPU time, s
+    long samples = 0;                              ///< at which errors are wanted too
+    std::string content;                           ///< all that determines its numbers, as JSON
+    double weight = 0;                             ///< estimated CPU time, s
+    std::shared_ptr<const BeginState> begin = {};  ///< null: the start of the problem
 };
 
 }  // namespace kreisel

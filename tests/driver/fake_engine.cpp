@@ -241,8 +241,8 @@ std::optional<double> FakeEngine::run_time(const Cell& cell, const std::stop_tok
     return 1e-7 * static_cast<double>(cell.steps + static_cast<long>(timed.size()));
 }
 
-Reference FakeEngine::reference(const std::string& problem, const ParameterValues& parameters, double t_end,
-                                long samples, const std::stop_token& stop) const {
+Reference FakeEngine::reference(const std::string& problem, const ParameterValues& parameters, const BeginState*,
+                                double t_end, long samples, const std::stop_token& stop) const {
     ++references;
     if (t_end > 1000 && !sleep_unless(std::lround(t_end), stop)) {
         return {.state = {}, .error = {}, .interrupted = true};
@@ -258,7 +258,7 @@ Reference FakeEngine::reference(const std::string& problem, const ParameterValue
     return reference;
 }
 
-ReferenceCheck FakeEngine::check_reference(const std::string&, const ParameterValues& parameters,
+ReferenceCheck FakeEngine::check_reference(const std::string&, const ParameterValues& parameters, const BeginState*,
                                            const Reference& reference) const {
     if (reference.state.t.value > reference.horizon) { return {{}, "it lies past its horizon"}; }
     const auto difference = [&](const ReportedState& state) -> std::map<std::string, Number> {

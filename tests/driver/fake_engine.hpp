@@ -41,9 +41,11 @@ class FakeEngine : public Engine {
     std::optional<double> run_time(const Cell&, const std::stop_token&) const override;
     using Engine::reference;
     /// Ends after t_end ms if t_end is above 1000 and no stop is requested.
-    Reference reference(const std::string& problem, const ParameterValues&, double t_end, long samples,
-                        const std::stop_token&) const override;
-    ReferenceCheck check_reference(const std::string& problem, const ParameterValues&, const Reference&) const override;
+    Reference reference(const std::string& problem, const ParameterValues&, const BeginState* begin, double t_end,
+                        long samples, const std::stop_token&) const override;
+    using Engine::check_reference;
+    ReferenceCheck check_reference(const std::string& problem, const ParameterValues&, const BeginState* begin,
+                                   const Reference&) const override;
     /// An oscillator of frequency 1 on the first formulation, of multiplicity 2, which spins by 2 rad/s, or by the time
     /// of `begin`; refused where the mass is above 1000.
     Linearisation linearise(const std::string& problem, const ParameterValues&, const std::string& formulation,

@@ -55,7 +55,8 @@ void make_foreign(const std::filesystem::path& journal) {
 /// A second route without a result to compare.
 class SilentRoute final : public OtherEngine {
   public:
-    ReferenceCheck check_reference(const std::string&, const ParameterValues&, const Reference&) const override {
+    ReferenceCheck check_reference(const std::string&, const ParameterValues&, const BeginState*,
+                                   const Reference&) const override {
         return {};
     }
 };

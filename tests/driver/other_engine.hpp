@@ -35,13 +35,14 @@ class OtherEngine : public Engine {
         return fake_.run_time(cell, stop);
     }
     using Engine::reference;
-    Reference reference(const std::string& problem, const ParameterValues& values, double t_end, long samples,
-                        const std::stop_token& stop) const override {
-        return fake_.reference(problem, values, t_end, samples, stop);
+    Reference reference(const std::string& problem, const ParameterValues& values, const BeginState* begin,
+                        double t_end, long samples, const std::stop_token& stop) const override {
+        return fake_.reference(problem, values, begin, t_end, samples, stop);
     }
-    ReferenceCheck check_reference(const std::string& problem, const ParameterValues& values,
+    using Engine::check_reference;
+    ReferenceCheck check_reference(const std::string& problem, const ParameterValues& values, const BeginState* begin,
                                    const Reference& reference) const override {
-        return fake_.check_reference(problem, values, reference);
+        return fake_.check_reference(problem, values, begin, reference);
     }
     Linearisation linearise(const std::string& problem, const ParameterValues& values, const std::string& formulation,
                             const BeginState* begin) const override {

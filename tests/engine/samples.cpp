@@ -89,19 +89,19 @@ TEST_CASE("past the horizon the errors of samples do not fall, and multipliers a
 TEST_CASE("a check of a reference finds which sample is wrong") {
     const Problem& top = problem("heavy_top");
     const ParameterValues values = demonstration_parameters(top.description);
-    Reference reference = reported_reference(top, values, 0.125, 4, {});
+    Reference reference = reported_reference(top, values, nullptr, 0.125, 4, {});
     REQUIRE(reference.samples.size() == 4);
     CHECK(reference.error.at("error.position.max").value >= reference.samples[1].error.at("error.position").value);
     CHECK(reference.error.contains("error.multipliers.max"));
     const auto off = [&](const ReferenceCheck& check, std::size_t i) {
         return check.samples.at(i).at("error.position").value / reference.samples[i].error.at("error.position").value;
     };
-    const ReferenceCheck good = checked_reference(top, values, reference);
+    const ReferenceCheck good = checked_reference(top, values, nullptr, reference);
     REQUIRE(good.failure.empty());
     for (std::size_t i = 0; i < 4; ++i) CHECK(off(good, i) <= 1);
     Number& x = reference.samples[2].state.bodies[0].x[0];
     x = to_number(from_number(x) + 1000 * from_number(reference.samples[2].error.at("error.position")));
-    const ReferenceCheck bad = checked_reference(top, values, reference);
+    const ReferenceCheck bad = checked_reference(top, values, nullptr, reference);
     CHECK(off(bad, 1) <= 1);
     CHECK(off(bad, 2) > 100);
 }
@@ -109,7 +109,7 @@ TEST_CASE("a check of a reference finds which sample is wrong") {
 TEST_CASE("a problem with a closed form has its distance in the errors of samples") {
     const Problem& top = problem("free_top");
     REQUIRE(top.closed_form);
-    const Reference reference = reported_reference(top, demonstration_parameters(top.description), 1, 2, {});
+    const Reference reference = reported_reference(top, demonstration_parameters(top.description), nullptr, 1, 2, {});
     REQUIRE(reference.samples.size() == 2);
     for (const ReferenceSample& sample : reference.samples) {
         const auto exact =

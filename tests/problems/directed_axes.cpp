@@ -112,4 +112,15 @@ TEST_CASE("a wheel that is turned onto its axis meshes where it stands then", "[
         }
 }
 
+TEST_CASE("a pinion that is turned onto its axis meshes with its rack where it stands then", "[problems]") {
+    const Vector3 along = {1, 0, 0}, axis = {0, 1, 0}, tilted = {1, 5, 0}, above = {0.03, 0, 0.1};
+    const Model model = projected(
+        {sphere("rack", above), sphere("pinion", origin)},
+        {{.type = "prismatic", .between = {"ground", "rack"}, .points = {above, above}, .axes = {along, along}},
+         {.type = "revolute", .between = {"ground", "pinion"}, .points = {origin, origin}, .axes = {axis, tilted}},
+         {.type = "rack", .between = {"rack", "pinion"}, .points = {above, origin}, .axes = {along, tilted}}});
+    CHECK((model.bodies[1].start.R - least_turn(tilted, axis)).norm() <= 100000 * epsilon);
+    CHECK((model.bodies[0].start.x - to_vec3(above)).norm() <= 100000 * epsilon);
+}
+
 }  // namespace directed_axes

@@ -64,8 +64,8 @@ std::string WorkerTasks::compute_reference(const PlannedReference& planned, cons
     Reference reference;
     try {
         const CpuLimit limit(timeout_);
-        reference =
-            engines_.quad().reference(planned.problem, planned.parameters, planned.t_end, planned.samples, stop);
+        reference = engines_.quad().reference(planned.problem, planned.parameters, planned.begin.get(), planned.t_end,
+                                              planned.samples, stop);
     } catch (const std::bad_alloc&) { throw; } catch (const std::exception& error) {
         return answer_text(Answered::no_reference, with_printed(error.what(), printed.take()));
     } catch (...) { return answer_text(Answered::no_reference, with_printed(not_an_exception, printed.take())); }

@@ -27,7 +27,8 @@ std::optional<Reference> reference_of(const PlannedCell& planned, const Plan& pl
                                  engines.has_quad() ? digest : digest_of_sources(digest));
     if (stored) { return std::move(stored->reference); }
     if (!engines.has_quad()) { return std::nullopt; }
-    return engines.quad().reference(wanted.problem, wanted.parameters, wanted.t_end, wanted.samples, {});
+    return engines.quad().reference(wanted.problem, wanted.parameters, wanted.begin.get(), wanted.t_end, wanted.samples,
+                                    {});
 }
 
 std::string recomputed(const PlannedCell& planned, const std::optional<Reference>& reference, const Engine& engine,

@@ -125,7 +125,8 @@ void verify_reference(const std::string& hash, const PlannedReference& planned, 
     const auto file = reference_file(folder, hash);
     const auto stored = load_reference(file, planned, "");
     if (!stored) { return ++counts.wrong, say("missing or damaged"); }
-    const ReferenceCheck check = engine.check_reference(planned.problem, planned.parameters, stored->reference);
+    const ReferenceCheck check =
+        engine.check_reference(planned.problem, planned.parameters, planned.begin.get(), stored->reference);
     if (!check.failure.empty()) {
         say("not compared: " + check.failure);
     } else if (const std::string what = fault(stored->reference, check); !what.empty()) {
@@ -135,7 +136,8 @@ void verify_reference(const std::string& hash, const PlannedReference& planned, 
     }
     if (!load_reference(file, planned, engine.reference_digest())) { return; }  // other code rounds differently
     ++counts.again;
-    const Reference again = engine.reference(planned.problem, planned.parameters, planned.t_end, planned.samples, {});
+    const Reference again =
+        engine.reference(planned.problem, planned.parameters, planned.begin.get(), planned.t_end, planned.samples, {});
     if (numbers_of(again) != numbers_of(stored->reference)) { ++counts.different, say("comes out different"); }
 }
 

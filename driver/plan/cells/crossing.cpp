@@ -8,6 +8,7 @@
 #include "driver/plan/cells/identify.hpp"
 #include "driver/plan/cost.hpp"
 #include "driver/plan/metric_names.hpp"
+#include "records/begin.hpp"
 #include "records/json/diagnostics.hpp"
 #include "records/json/writer.hpp"
 #include "support/hash.hpp"
@@ -21,12 +22,13 @@ std::string add_reference(const Cell& cell, const ProblemPoint& problem, const S
     const long samples = asks_for_largest_errors(cell.metrics) ? cell.samples : 0;
     if (samples == 0 && !asks_for_errors(cell.metrics)) { return ""; }
     ObjectWriter object;
-    object.member("problem", json_text(cell.problem))
-        .member("parameters", problem.parameters_text())
-        .member("t_end", json_number(cell.t_end));
+    object.member("problem", json_text(cell.problem)).member("parameters", problem.parameters_text());
+    if (cell.begin) { object.member("begin", json_begin(*cell.begin)); }
+    object.member("t_end", json_number(cell.t_end));
     if (samples > 0) { object.member("samples", fmt::format("{}", samples)); }
     const std::string content = object.text();
     PlannedReference reference{cell.problem, problem.parameters(), cell.t_end, samples, content};
+    reference.begin = cell.begin;
     reference.weight = cost_of(reference, system);
     plan.references.insert({hash_text(content), std::move(reference)});
     return hash_text(content);

@@ -57,8 +57,8 @@ MultiplierDistance confirmed(const SampledPoint& sample, const std::vector<Real>
 
 /// Follows the samples by a run of its own, so that the one to the end is the same with and without them; false if it
 /// was asked to stop.
-bool confirm_samples(const Model& model, const std::stop_token& stop, ReferenceSolution& out) {
-    TaylorRoute route(model);
+bool confirm_samples(const Model& model, const Real& t_begin, const std::stop_token& stop, ReferenceSolution& out) {
+    TaylorRoute route(model, t_begin);
     const auto rows = constraint_rows(model);
     const Real unknown = std::numeric_limits<Real>::quiet_NaN();
     Status status = Status::ok;
@@ -77,7 +77,8 @@ bool confirm_samples(const Model& model, const std::stop_token& stop, ReferenceS
 
 }  // namespace
 
-TaylorRoute::TaylorRoute(const Model& model) : series_(model, taylor_order) {
+TaylorRoute::TaylorRoute(const Model& model, const Real& t_begin)
+    : series_(model, taylor_order), t_(t_begin), base_t_(t_begin) {
     for (const Body& body : model.bodies) states_.push_back(body.start);
 }
 
@@ -112,15 +113,15 @@ Status TaylorRoute::multipliers(std::vector<Real>& lambda) {
     return status;
 }
 
-ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop,
-                                      long samples) {
-    ReferenceSolution out = reference_solution(model, t_end, stop, samples);
+ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop, long samples,
+                                      const Real& t_begin) {
+    ReferenceSolution out = reference_solution(model, t_end, stop, samples, t_begin);
     if (out.interrupted || !out.stopped.empty()) return out;
-    TaylorRoute route(model);
+    TaylorRoute route(model, t_begin);
     Agreement agreement = follow(route, out, stop);
     if (route.interrupted()) return {.interrupted = true};
     out.horizon = agreement.horizon;
-    if (!confirm_samples(model, stop, out)) return {.interrupted = true};
+    if (!confirm_samples(model, t_begin, stop, out)) return {.interrupted = true};
     if (agreement.status == Status::ok && out.horizon != t_end) {  // past the horizon: how far the routes are apart
         go_beyond(route, out, stop, agreement);
         if (route.interrupted()) return {.interrupted = true};

@@ -19,10 +19,10 @@ inline constexpr int taylor_order = 40;
 inline constexpr int taylor_order = 20;
 #endif
 
-/// The motion of a model from its start; time runs in one direction. Not thread-safe.
+/// The motion of a model from its start, which is at t_begin; time runs in one direction. Not thread-safe.
 class TaylorRoute {
   public:
-    explicit TaylorRoute(const Model& model);
+    explicit TaylorRoute(const Model& model, const Real& t_begin = 0);
 
     /// Moves on to time t. Returns singular_kkt also if steps shrink below 2^-40 of the way: the motion has
     /// reached a singularity.
@@ -42,8 +42,8 @@ class TaylorRoute {
 
     TaylorSeries series_;
     std::vector<BodyState> states_;
-    Real t_ = 0, base_t_ = 0, reach_ = 0;  // the series stands at base_t_ and holds up to base_t_ + reach_
-    bool holds_ = false;                   // at t_ and beyond
+    Real t_, base_t_, reach_ = 0;  // the series stands at base_t_ and holds up to base_t_ + reach_
+    bool holds_ = false;           // at t_ and beyond
     bool interrupted_ = false;
     long steps_ = 0;
 };
@@ -54,7 +54,7 @@ class TaylorRoute {
 /// and `route` says so. Samples are confirmed in the same way, each at its time; past the horizon their errors do not
 /// fall, and from where the second route fails on they are unknown.
 ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop = {},
-                                      long samples = 0);
+                                      long samples = 0, const Real& t_begin = 0);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

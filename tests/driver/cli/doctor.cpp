@@ -33,7 +33,7 @@ class MeasuredEngine : public OtherEngine {
         outcome.final = ReportedState();
         return outcome;
     }
-    Reference reference(const std::string&, const ParameterValues&, double, long,
+    Reference reference(const std::string&, const ParameterValues&, const BeginState*, double, long,
                         const std::stop_token&) const override {
         return {.state = {}, .error = {{"error.position", {certain_to_, ""}}}, .horizon = 1};
     }

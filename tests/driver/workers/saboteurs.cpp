@@ -111,15 +111,15 @@ Outcome Saboteurs::run(const Cell& cell, const Reference* reference, const std::
     return FakeEngine::run(cell, reference, stop, samples);
 }
 
-Reference Saboteurs::reference(const std::string& problem, const ParameterValues& parameters, double t_end,
-                               long samples, const std::stop_token& stop) const {
+Reference Saboteurs::reference(const std::string& problem, const ParameterValues& parameters, const BeginState* begin,
+                               double t_end, long samples, const std::stop_token& stop) const {
     static const char* const by_mass[] = {"", "segfault", "loop", "hoard", "throw"};
     const auto mass = parameters.find("mass");
     const double value = mass == parameters.end() ? 0 : std::get<double>(mass->second);
     for (int i = 1; i <= 4 && problem == "free_top"; ++i) {
         if (value == i) { deeds().at(by_mass[i])(); }
     }
-    return FakeEngine::reference(problem, parameters, t_end, samples, stop);
+    return FakeEngine::reference(problem, parameters, begin, t_end, samples, stop);
 }
 
 }  // namespace kreisel

@@ -19,8 +19,8 @@ class Saboteurs final : public FakeEngine {
     /// Saboteurs run for the usual mass only.
     std::string skip_reason(const Cell&) const override;
     Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;
-    Reference reference(const std::string& problem, const ParameterValues&, double t_end, long samples,
-                        const std::stop_token&) const override;
+    Reference reference(const std::string& problem, const ParameterValues&, const BeginState* begin, double t_end,
+                        long samples, const std::stop_token&) const override;
 
     mutable SharedCount killed;       ///< by sabotage/kill
     mutable SharedNumbers processes;  ///< of sabotage/sleep
