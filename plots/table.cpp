@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "plots/tables/latex.hpp"
 #include "plots/tables/names.hpp"
 #include "plots/tables/table.hpp"
 #include "records/folder/derived_files.hpp"
@@ -61,14 +62,28 @@ void print_counts(const Results& results) {
     if (!notes.empty()) { fmt::print("\n"); }
 }
 
+/// With a word of what is wrong with them.
+Results read_aloud(const std::filesystem::path& folder, const PlannedCells& planned) {
+    Results results = read_results(folder, planned);
+    if (!results.warning.empty()) { std::cerr << results.warning << "\n"; }
+    for (const std::string& damage : results.damage) { std::cerr << damage << "\n"; }
+    return results;
+}
+
 }  // namespace
+
+Exit chosen_table_command(const std::filesystem::path& folder, const TableChoice& choice, const PlannedCells& planned) {
+    require_results(folder);
+    const FolderLock lock(folder, "");
+    const Results results = read_aloud(folder, planned);
+    std::cout << chosen_table(results, choice);
+    return results.damage.empty() ? Exit::ok : Exit::io;
+}
 
 Exit table_command(const std::filesystem::path& folder, const PlannedCells& planned) {
     require_results(folder);
     const FolderLock lock(folder, "");
-    const Results results = read_results(folder, planned);
-    if (!results.warning.empty()) { std::cerr << results.warning << "\n"; }
-    for (const std::string& damage : results.damage) { std::cerr << damage << "\n"; }
+    const Results results = read_aloud(folder, planned);
     print_counts(results);
     TableCollector tables;
     for (const ResultTable& table : result_tables()) {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "plots/tables/choice.hpp"
 #include "records/results.hpp"
 #include "support/errors.hpp"
 
@@ -15,5 +16,10 @@ namespace kreisel {
 /// output, with what is missing of the `planned` cells. Exit::io where something is damaged: the tables then hold the
 /// rest. Locks the folder. Throws FileError.
 Exit table_command(const std::filesystem::path& folder, const PlannedCells& planned = {});
+
+/// `kreisel table DIR --table NAME ...`: prints that table to standard output and writes nothing. Throws UsageError for
+/// what DIR does not have.
+Exit chosen_table_command(const std::filesystem::path& folder, const TableChoice& choice,
+                          const PlannedCells& planned = {});
 
 }  // namespace kreisel

@@ -134,6 +134,28 @@ void CommandLine::add_planning() {
     add_references(*plan);
 }
 
+void CommandLine::add_table() {
+    const auto planned = [this] { return planned_cells(arguments_.folder, engines_); };
+    CLI::App* sub = command("table", "Tables from results", [this, planned] {
+        return arguments_.table.table.empty() ? table_command(arguments_.folder, planned)
+                                              : chosen_table_command(arguments_.folder, arguments_.table, planned);
+    });
+    sub->add_option("folder", arguments_.folder, "A folder that kreisel run has written")->required();
+    CLI::Option* table = sub->add_option("--table", arguments_.table.table,
+                                         "Print one table instead of writing all, by the name of its files: errors");
+    const auto of_table = [&](CLI::Option* option) { option->needs(table); };
+    of_table(
+        sub->add_option("--columns", arguments_.table.columns, "Its columns, in this order: method,h,error.position")
+            ->delimiter(','));
+    of_table(sub->add_option("--rows", arguments_.table.rows,
+                             "COLUMN=PATTERN: its rows with such a text there, method='rkmk/*'; may be repeated"));
+    of_table(sub->add_option("--names", arguments_.table.names,
+                             "TEXT=NAME: how titles and texts are printed, rkmk/rk4=RKMK4; may be repeated"));
+    of_table(sub->add_option("--format", arguments_.table.format, "Of the table")
+                 ->check(CLI::IsMember(table_formats()))
+                 ->capture_default_str());
+}
+
 void CommandLine::add_results() {
     const auto add_folder = [this](CLI::App* sub) {
         sub->add_option("folder", arguments_.folder, "A folder that kreisel run has written")->required();
@@ -147,8 +169,7 @@ void CommandLine::add_results() {
     merge->add_option("-o,--output", arguments_.output, "Folder for the results (default: the first folder)");
     merge->add_flag("--mixed", arguments_.mixed, "Take results of other builds and machines as well");
     const auto planned = [this] { return planned_cells(arguments_.folder, engines_); };
-    add_folder(
-        command("table", "Tables from results", [this, planned] { return table_command(arguments_.folder, planned); }));
+    add_table();
     CLI::App* plot = command("plot", "Figures from results", [this] {
         return plot_command({arguments_.folders, arguments_.figure, arguments_.output},
                             [this](const std::filesystem::path& folder) { return planned_cells(folder, engines_); });

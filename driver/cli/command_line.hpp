@@ -12,6 +12,7 @@
 #include "driver/cli/commands.hpp"
 #include "driver/cli/diff.hpp"
 #include "driver/cli/slurm/slurm.hpp"
+#include "plots/tables/choice.hpp"
 
 namespace kreisel {
 
@@ -43,6 +44,7 @@ class CommandLine {
         RunSettings settings;
         DiffSettings diff;
         SlurmSettings slurm;
+        TableChoice table;
         bool json = false, is_long = false, mixed = false;
         std::size_t cells = 20;
         unsigned seed = 1;
@@ -60,6 +62,7 @@ class CommandLine {
     void add_limits(CLI::App& run);
     void add_slurm();
     void add_results();
+    void add_table();
     void add_diff();
 
     const Engines& engines_;
