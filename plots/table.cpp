@@ -13,6 +13,7 @@
 #include "records/folder/derived_files.hpp"
 #include "records/remarks/lost_integrals.hpp"
 #include "records/remarks/past_horizon.hpp"
+#include "records/rows/read_results.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "plots/tables/choice.hpp"
 #include "records/results.hpp"
+#include "records/rows/read_results.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {

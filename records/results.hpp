@@ -4,7 +4,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -58,17 +57,6 @@ struct Results {
     Units units;                      ///< of the metrics, as far as the manifest or older names tell
 };
 
-/// The cells that were planned, in their order; called where some are missing. Empty: they are not known.
-using PlannedCells = std::function<std::vector<CellIdentity>()>;
-
-/// Throws FileError if the folder has no results.jsonl.
-void require_results(const std::filesystem::path& folder);
-
-/// Reads DIR/results.jsonl and DIR/manifest.json, and for kinds that measure times those in DIR/journal*.jsonl. All
-/// sums are checked; a damaged line, manifest or trajectory is left out and named in `damage`. Throws FileError where
-/// results.jsonl cannot be read.
-Results read_results(const std::filesystem::path& folder, const PlannedCells& planned = {});
-
 /// "2 of 12 cells missing, 1 failed, 3 damages left out" for figures; empty where there is nothing to say.
 std::string what_is_wanting(const Results& results);
 
@@ -77,18 +65,5 @@ ResultRow result_row(const CellRecord& record);
 
 /// One line of results.jsonl, whatever its sum. Throws std::exception on a line that is not one.
 ResultRow read_result_line(const std::string& line);
-
-/// A sampled trajectory by column.
-struct TrajectoryTable {
-    std::vector<std::string> names, units;
-    std::vector<std::vector<double>> columns;  ///< NaN where a value is absent
-
-    /// Null where there is no such column.
-    const std::vector<double>* find(const std::string& name) const;
-    std::string unit(const std::string& name) const;
-};
-
-/// trajectories/<cell>.csv in its folder. Throws FileError if it cannot be read or is damaged.
-TrajectoryTable read_trajectory(const ResultRow& row);
 
 }  // namespace kreisel

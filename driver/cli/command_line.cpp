@@ -8,6 +8,10 @@
 
 #include "driver/cli/catalogue.hpp"
 #include "driver/cli/merge.hpp"
+#include "driver/cli/options/beginnings.hpp"
+#include "driver/cli/options/inquiries.hpp"
+#include "driver/cli/options/run.hpp"
+#include "driver/cli/options/slurm.hpp"
 #include "driver/cli/planned_cells.hpp"
 #include "driver/cli/suggestions.hpp"
 #include "driver/cli/verify/verify.hpp"
@@ -45,11 +49,11 @@ CommandLine::CommandLine(const Engines& engines, const Terminal& terminal)
     app_.set_version_flag("--version", fmt::format("kreisel {} (commit {}, {}, {} {})", build::version, build::commit,
                                                    build::compiler, build::build_type, build::flags));
     add_catalogue();
-    add_inquiries();
-    add_beginnings();
+    add_inquiries(*this);
+    add_beginnings(*this);
     add_planning();
-    add_run();
-    add_slurm();
+    add_run(*this);
+    add_slurm(*this);
     add_results();
     add_diff();
 }
@@ -84,7 +88,7 @@ void CommandLine::add_catalogue() {
         });
     list->add_option("topic", arguments_.topic, "One of them; all if left out")
         ->check(CLI::IsMember(catalogue_topics()));
-    add_filter(*list);
+    add_filter(*this, *list);
     CLI::App* info = command(
         "info", "All about one problem, method, projection, formulation, metric, kind, figure or table", [this] {
             describe(engines_.binary64, arguments_.name, terminal_.out);

@@ -22,8 +22,26 @@ inline constexpr const char* config_help =
     "in or below $KREISEL_EXPERIMENTS, by default where kreisel is installed,\n"
     "or in the sources it was built from. A file of that path comes first.";
 
+/// The values set by the command line.
+struct Arguments {
+    std::string topic, name, kind, shard = "1/1";
+    MethodFilter filter;
+    Paths configs, folders;
+    ConfigChanges changes;
+    std::filesystem::path config, folder, figure, output;
+    RunSettings settings;
+    DiffSettings diff;
+    SlurmSettings slurm;
+    TableChoice table;
+    bool json = false, is_long = false, mixed = false;
+    std::size_t cells = 20;
+    unsigned seed = 1;
+};
+
 class CommandLine {
   public:
+    using Action = std::function<Exit()>;
+
     /// Both outlive this object.
     CommandLine(const Engines& engines, const Terminal& terminal);
 
@@ -31,36 +49,19 @@ class CommandLine {
     /// or option is mistyped, and what the command throws.
     Exit run(int argc, const char* const* argv);
 
-  private:
-    using Action = std::function<Exit()>;
-
-    /// The values set by the command line.
-    struct Arguments {
-        std::string topic, name, kind, shard = "1/1";
-        MethodFilter filter;
-        Paths configs, folders;
-        ConfigChanges changes;
-        std::filesystem::path config, folder, figure, output;
-        RunSettings settings;
-        DiffSettings diff;
-        SlurmSettings slurm;
-        TableChoice table;
-        bool json = false, is_long = false, mixed = false;
-        std::size_t cells = 20;
-        unsigned seed = 1;
-    };
-
+    // For the files of commands (driver/cli/options).
+    /// A command, and what it does if it is the one given.
     CLI::App* command(const std::string& name, const std::string& text, Action action);
-    void add_catalogue();
-    void add_filter(CLI::App& list);
-    void add_inquiries();
-    void add_beginnings();
+    /// Options of commands that read configs: --set and --filter, --references.
     void add_changes(CLI::App& sub);
     void add_references(CLI::App& sub);
+    Arguments& arguments() { return arguments_; }
+    const Engines& engines() const { return engines_; }
+    const Terminal& terminal() const { return terminal_; }
+
+  private:
+    void add_catalogue();
     void add_planning();
-    void add_run();
-    void add_limits(CLI::App& run);
-    void add_slurm();
     void add_results();
     void add_table();
     void add_diff();

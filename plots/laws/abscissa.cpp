@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "records/rows/trajectory_table.hpp"
+
 namespace kreisel {
 
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plots/laws/energy.hpp"
 
+#include "records/rows/trajectory_table.hpp"
+
 namespace kreisel {
 
 namespace {

@@ -8,6 +8,7 @@
 
 #include "records/fits/fit.hpp"
 #include "records/results.hpp"
+#include "records/rows/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -10,6 +10,7 @@
 
 #include "records/geometry.hpp"
 #include "records/results.hpp"
+#include "records/rows/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "records/results.hpp"
+#include "records/rows/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -16,6 +16,7 @@
 #include "records/manifest.hpp"
 #include "records/remarks/lost_integrals.hpp"
 #include "records/remarks/past_horizon.hpp"
+#include "records/rows/read_results.hpp"
 #include "records/sums/sum_list.hpp"
 #include "support/files.hpp"
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "records/results.hpp"
+#include "records/rows/read_results.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {

@@ -52,6 +52,7 @@ TEST_CASE("each rule catches the tree that breaks it", "[architecture]") {
                                                          {"arrow_inner", "plots/figures/spec.hpp:3: arrow"},
                                                          {"arrow_interface", "records/fits/order.cpp:2: arrow"},
                                                          {"arrow_cli", "driver/plan/plan.cpp:3: arrow"},
+                                                         {"header_shared", "driver/cli/options.cpp:1: header"},
                                                          {"room_none", "experiments/run.cpp:1: room"},
                                                          {"arrow_missing", "methods/euler.cpp:2: arrow"},
                                                          {"licence_none", "plots/path.gp:1: licence"},

@@ -183,8 +183,9 @@ std::set<std::string> bibliography_keys(const std::string& bibtex) {
 
 std::vector<Finding> check_all(const std::vector<Source>& tree, const std::set<std::string>& bibliography) {
     std::vector<Finding> all = check_citations(tree, bibliography);
-    for (auto* rule : {&check_includes, &check_rooms, &check_capacities, &check_licences, &check_literals,
-                       &check_math_calls, &check_precision_namespace, &check_class_names, &check_kinds}) {
+    for (auto* rule :
+         {&check_includes, &check_rooms, &check_capacities, &check_headers, &check_licences, &check_literals,
+          &check_math_calls, &check_precision_namespace, &check_class_names, &check_kinds}) {
         const auto found = (*rule)(tree);
         all.insert(all.end(), found.begin(), found.end());
     }

@@ -30,6 +30,9 @@ std::vector<Finding> check_rooms(const std::vector<Source>& tree);
 /// `full`: no folder holds more sources than it may (capacity_of).
 std::vector<Finding> check_capacities(const std::vector<Source>& tree);
 
+/// `header`: a source has a header of its name, or registers what it holds (headers.cpp).
+std::vector<Finding> check_headers(const std::vector<Source>& tree);
+
 /// `licence`: an SPDX line among the first two lines of every source file and script; GPL-3.0-or-later where GSL is
 /// included.
 std::vector<Finding> check_licences(const std::vector<Source>& tree);

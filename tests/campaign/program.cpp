@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "records/results.hpp"
+#include "records/rows/read_results.hpp"
+#include "records/rows/trajectory_table.hpp"
 #include "tests/campaign/acceptance.hpp"
 #include "tests/campaign/program.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "plots/laws/convergence.hpp"
 #include "records/results.hpp"
+#include "records/rows/read_results.hpp"
 #include "tests/campaign/program.hpp"
 
 using namespace kreisel;

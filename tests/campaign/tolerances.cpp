@@ -6,6 +6,8 @@
 
 #include "plots/laws/proportionality.hpp"
 #include "records/results.hpp"
+#include "records/rows/read_results.hpp"
+#include "records/rows/trajectory_table.hpp"
 #include "support/files.hpp"
 #include "tests/campaign/program.hpp"
 

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "records/results.hpp"
+#include "records/rows/read_results.hpp"
 #include "support/files.hpp"
 #include "tests/campaign/program.hpp"
 

@@ -9,6 +9,8 @@
 #include "plots/tables/names.hpp"
 #include "records/remarks/lost_integrals.hpp"
 #include "records/remarks/past_horizon.hpp"
+#include "records/rows/read_results.hpp"
+#include "records/rows/trajectory_table.hpp"
 #include "support/errors.hpp"
 #include "tests/plots/folder.hpp"
 

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "records/results.hpp"
+#include "records/rows/read_results.hpp"
 #include "tests/plots/folder.hpp"
 
 using namespace kreisel;

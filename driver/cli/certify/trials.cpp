@@ -12,6 +12,7 @@
 #include "records/json/strict.hpp"
 #include "records/provenance.hpp"
 #include "records/reference_store.hpp"
+#include "records/rows/read_results.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {

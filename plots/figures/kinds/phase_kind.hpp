@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plots/figures/kinds/panel_kind.hpp"
+#include "records/rows/trajectory_table.hpp"
 
 namespace kreisel {
 

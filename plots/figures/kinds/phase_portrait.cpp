@@ -2,6 +2,7 @@
 //
 // Phase portraits.
 #include "plots/figures/kinds/phase_kind.hpp"
+#include "records/rows/trajectory_table.hpp"
 
 namespace kreisel {
 

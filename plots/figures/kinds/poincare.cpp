@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "plots/figures/kinds/phase_kind.hpp"
+#include "records/rows/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "records/rows/read_results.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +16,6 @@
 #include "records/json/strict.hpp"
 #include "records/kinds/kind.hpp"
 #include "records/manifest.hpp"
-#include "records/results.hpp"
 #include "records/sums/summed_text.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The options of kreisel run.
+#include "driver/cli/options/run.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "driver/campaign/campaign.hpp"
-#include "driver/cli/command_line.hpp"
 #include "records/provenance.hpp"
 
 namespace kreisel {
@@ -35,35 +34,8 @@ std::string above_zero(const std::string& written) {
     return good ? "" : fmt::format("expected a number above 0, got {}", in_quotes(written));
 }
 
-}  // namespace
-
-void CommandLine::add_run() {
-    CLI::App* run =
-        command("run", "Runs configs: one journal line per finished cell, then results.jsonl and results.csv", [this] {
-            read_shard(arguments_.shard, arguments_.settings);
-            arguments_.settings.build = build_id();
-            arguments_.settings.terminal = isatty(STDERR_FILENO) != 0;
-            return run_command(arguments_.configs, arguments_.changes, arguments_.output, arguments_.settings, engines_,
-                               terminal_);
-        });
-    RunSettings& settings = arguments_.settings;
-    run->add_option("config", arguments_.configs, config_help)->required();
-    run->add_option(
-        "-o,--output", arguments_.output,
-        "Folder for the results (default: results/<name>); with several configs, one folder in it for each");
-    CLI::Option* resume =
-        run->add_flag("--resume", settings.resume, "Keep what an earlier run of this build has finished");
-    run->add_flag("--overwrite", settings.overwrite, "Remove the results of an earlier run first")->excludes(resume);
-    run->add_option("--shard", arguments_.shard, "I/N: run only the I-th of N parts; kreisel merge puts them together");
-    run->add_flag("--references-only", settings.references_only,
-                  "Compute the reference solutions that cells need, and no cell");
-    add_references(*run);
-    add_limits(*run);
-    add_changes(*run);
-}
-
-void CommandLine::add_limits(CLI::App& run) {
-    RunSettings& settings = arguments_.settings;
+void add_limits(CommandLine& line, CLI::App& run) {
+    RunSettings& settings = line.arguments().settings;
     settings.workers = usual_workers();
     run.add_option("-j,--jobs", settings.workers, "Cells computed at the same time (default: all processors)")
         ->check(CLI::Range(1U, 4096U));
@@ -75,6 +47,34 @@ void CommandLine::add_limits(CLI::App& run) {
                    "allows); a cell that meets its share is run again alone with all of it")
         ->transform(CLI::AsSizeValue(false))
         ->check(above_zero);
+}
+
+}  // namespace
+
+void add_run(CommandLine& line) {
+    CLI::App* run = line.command(
+        "run", "Runs configs: one journal line per finished cell, then results.jsonl and results.csv", [&line] {
+            read_shard(line.arguments().shard, line.arguments().settings);
+            line.arguments().settings.build = build_id();
+            line.arguments().settings.terminal = isatty(STDERR_FILENO) != 0;
+            return run_command(line.arguments().configs, line.arguments().changes, line.arguments().output,
+                               line.arguments().settings, line.engines(), line.terminal());
+        });
+    RunSettings& settings = line.arguments().settings;
+    run->add_option("config", line.arguments().configs, config_help)->required();
+    run->add_option(
+        "-o,--output", line.arguments().output,
+        "Folder for the results (default: results/<name>); with several configs, one folder in it for each");
+    CLI::Option* resume =
+        run->add_flag("--resume", settings.resume, "Keep what an earlier run of this build has finished");
+    run->add_flag("--overwrite", settings.overwrite, "Remove the results of an earlier run first")->excludes(resume);
+    run->add_option("--shard", line.arguments().shard,
+                    "I/N: run only the I-th of N parts; kreisel merge puts them together");
+    run->add_flag("--references-only", settings.references_only,
+                  "Compute the reference solutions that cells need, and no cell");
+    line.add_references(*run);
+    add_limits(line, *run);
+    line.add_changes(*run);
 }
 
 }  // namespace kreisel

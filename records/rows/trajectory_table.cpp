@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "records/rows/trajectory_table.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "records/results.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The options of kreisel slurm.
+#include "driver/cli/options/slurm.hpp"
+
 #include <fmt/format.h>
 
-#include "driver/cli/command_line.hpp"
 #include "driver/cli/slurm/time_limit.hpp"
 #include "records/json/diagnostics.hpp"
 
@@ -23,16 +22,16 @@ std::string option_of_sbatch(const std::string& written) {
 
 }  // namespace
 
-void CommandLine::add_slurm() {
-    SlurmSettings& settings = arguments_.slurm;
-    CLI::App* slurm = command("slurm", "Writes the script that runs a config on a Slurm cluster", [this] {
-        return slurm_command(arguments_.config, arguments_.changes, arguments_.output, arguments_.slurm, engines_,
-                             terminal_);
+void add_slurm(CommandLine& line) {
+    SlurmSettings& settings = line.arguments().slurm;
+    CLI::App* slurm = line.command("slurm", "Writes the script that runs a config on a Slurm cluster", [&line] {
+        return slurm_command(line.arguments().config, line.arguments().changes, line.arguments().output,
+                             line.arguments().slurm, line.engines(), line.terminal());
     });
-    slurm->add_option("config", arguments_.config, config_help)->required();
+    slurm->add_option("config", line.arguments().config, config_help)->required();
     slurm->add_option("sbatch", settings.options, "After --: options of sbatch for all jobs, such as --partition=long")
         ->check(option_of_sbatch);
-    slurm->add_option("-o,--output", arguments_.output,
+    slurm->add_option("-o,--output", line.arguments().output,
                       "Folder for the script, its logs and the results (default: results/<name>), which all nodes see");
     slurm
         ->add_option("--shards", settings.parts,
@@ -52,7 +51,7 @@ void CommandLine::add_slurm() {
                      "Seconds of CPU time that a cell or a reference may take; by default as many as it needs")
         ->check(CLI::PositiveNumber);
     slurm->add_flag("--submit", settings.submit, "Submit it as well");
-    add_changes(*slurm);
+    line.add_changes(*slurm);
     slurm->footer(
         "It writes DIR/config.json, the config as resolved, and DIR/submit.sh: a job for the references, an array of\n"
         "parts after it, and a merge. To submit it again is to go on.");

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver/cli/line.hpp"
+
+namespace kreisel {
+
+void add_run() {}
+
+}  // namespace kreisel
