@@ -13,7 +13,7 @@
 #include "plots/figures/spec.hpp"
 #include "plots/wanting.hpp"
 #include "records/folder/derived_files.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "records/sums/sum_list.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"

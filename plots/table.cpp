@@ -11,9 +11,9 @@
 #include "plots/tables/names.hpp"
 #include "plots/tables/table.hpp"
 #include "records/folder/derived_files.hpp"
+#include "records/reading/read_results.hpp"
 #include "records/remarks/lost_integrals.hpp"
 #include "records/remarks/past_horizon.hpp"
-#include "records/rows/read_results.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
 

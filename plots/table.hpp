@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "plots/tables/choice.hpp"
+#include "records/reading/read_results.hpp"
 #include "records/results.hpp"
-#include "records/rows/read_results.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

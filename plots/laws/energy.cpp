@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plots/laws/energy.hpp"
 
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "records/fits/order.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "records/fits/fit.hpp"
+#include "records/reading/trajectory_table.hpp"
 #include "records/results.hpp"
-#include "records/rows/trajectory_table.hpp"
 
 namespace kreisel {
 

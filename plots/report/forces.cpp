@@ -9,7 +9,7 @@
 
 #include "records/json/lists.hpp"
 #include "records/json/writer.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 #include "support/base64.hpp"
 
 namespace kreisel {

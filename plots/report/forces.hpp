@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "records/geometry.hpp"
+#include "records/reading/trajectory_table.hpp"
 #include "records/results.hpp"
-#include "records/rows/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -12,7 +12,7 @@
 #include "records/geometry.hpp"
 #include "records/json/lists.hpp"
 #include "records/json/writer.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -14,9 +14,9 @@
 #include "records/folder/derived_files.hpp"
 #include "records/json/writer.hpp"
 #include "records/manifest.hpp"
+#include "records/reading/read_results.hpp"
 #include "records/remarks/lost_integrals.hpp"
 #include "records/remarks/past_horizon.hpp"
-#include "records/rows/read_results.hpp"
 #include "records/sums/sum_list.hpp"
 #include "support/files.hpp"
 

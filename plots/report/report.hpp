@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
+#include "records/reading/read_results.hpp"
 #include "records/results.hpp"
-#include "records/rows/read_results.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {

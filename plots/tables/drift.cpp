@@ -6,7 +6,7 @@
 #include "plots/laws/growth.hpp"
 #include "plots/tables/cells.hpp"
 #include "plots/tables/table.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

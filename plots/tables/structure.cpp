@@ -2,7 +2,7 @@
 //
 // What methods preserve: one row per method, problem, formulation and projection.
 #include "plots/laws/structure.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 #include <fmt/format.h>
 

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "records/reading/read_results.hpp"
+#include "records/reading/trajectory_table.hpp"
 #include "records/results.hpp"
-#include "records/rows/read_results.hpp"
-#include "records/rows/trajectory_table.hpp"
 #include "tests/campaign/acceptance.hpp"
 #include "tests/campaign/program.hpp"
 

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "plots/laws/convergence.hpp"
+#include "records/reading/read_results.hpp"
 #include "records/results.hpp"
-#include "records/rows/read_results.hpp"
 #include "tests/campaign/program.hpp"
 
 using namespace kreisel;

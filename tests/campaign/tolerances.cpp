@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "plots/laws/proportionality.hpp"
+#include "records/reading/read_results.hpp"
+#include "records/reading/trajectory_table.hpp"
 #include "records/results.hpp"
-#include "records/rows/read_results.hpp"
-#include "records/rows/trajectory_table.hpp"
 #include "support/files.hpp"
 #include "tests/campaign/program.hpp"
 

@@ -4,8 +4,8 @@
 // in results, and do not run where they are wrong.
 #include <catch2/catch.hpp>
 
+#include "records/reading/read_results.hpp"
 #include "records/results.hpp"
-#include "records/rows/read_results.hpp"
 #include "support/files.hpp"
 #include "tests/campaign/program.hpp"
 

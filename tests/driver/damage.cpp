@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "records/diff/recorded_folder.hpp"
+#include "records/reading/read_results.hpp"
+#include "records/reading/trajectory_table.hpp"
 #include "records/results.hpp"
-#include "records/rows/read_results.hpp"
-#include "records/rows/trajectory_table.hpp"
 #include "records/sums/sum_list.hpp"
 #include "records/sums/summed_text.hpp"
 #include "support/errors.hpp"

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "plots/tables/choice.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "support/errors.hpp"
 #include "tests/plots/folder.hpp"
 

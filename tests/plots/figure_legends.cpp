@@ -7,7 +7,7 @@
 
 #include "plots/figures/cells/select.hpp"
 #include "plots/figures/kinds/curve_kind.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"
 

@@ -15,8 +15,8 @@
 #include "plots/report/poses.hpp"
 #include "records/geometry.hpp"
 #include "records/json/exact.hpp"
-#include "records/rows/read_results.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/read_results.hpp"
+#include "records/reading/trajectory_table.hpp"
 #include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"
 

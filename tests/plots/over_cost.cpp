@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "plots/laws/abscissa.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"
 

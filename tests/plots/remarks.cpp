@@ -9,7 +9,7 @@
 
 #include "plots/table.hpp"
 #include "plots/tables/names.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "tests/plots/folder.hpp"
 #include "tests/plots/named_tables.hpp"
 

@@ -8,7 +8,7 @@
 #include "plots/report/figures.hpp"
 #include "plots/report/page.hpp"
 #include "plots/report/report.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "support/base64.hpp"
 #include "support/sha256.hpp"
 #include "tests/plots/drawn.hpp"

@@ -5,7 +5,7 @@
 
 #include "plots/laws/scaling.hpp"
 #include "records/cell/line.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"
 #include "tests/plots/named_tables.hpp"

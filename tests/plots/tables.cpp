@@ -7,10 +7,10 @@
 #include "plots/laws/growth.hpp"
 #include "plots/table.hpp"
 #include "plots/tables/names.hpp"
+#include "records/reading/read_results.hpp"
+#include "records/reading/trajectory_table.hpp"
 #include "records/remarks/lost_integrals.hpp"
 #include "records/remarks/past_horizon.hpp"
-#include "records/rows/read_results.hpp"
-#include "records/rows/trajectory_table.hpp"
 #include "support/errors.hpp"
 #include "tests/plots/folder.hpp"
 

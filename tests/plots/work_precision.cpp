@@ -2,7 +2,7 @@
 //
 // What an accuracy costs: interpolated on curves with known crossings, tabulated and drawn; tolerance proportionality.
 #include "plots/laws/work_precision.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

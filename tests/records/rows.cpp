@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "records/reading/read_results.hpp"
 #include "records/results.hpp"
-#include "records/rows/read_results.hpp"
 #include "tests/plots/folder.hpp"
 
 using namespace kreisel;

@@ -12,7 +12,7 @@
 #include "driver/cli/catalogue/methods.hpp"
 #include "plots/tables/latex.hpp"
 #include "plots/tables/table.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "support/files.hpp"
 
 namespace kreisel {

@@ -11,8 +11,8 @@
 #include "driver/config/shipped.hpp"
 #include "records/json/strict.hpp"
 #include "records/provenance.hpp"
+#include "records/reading/read_results.hpp"
 #include "records/reference_store.hpp"
-#include "records/rows/read_results.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {

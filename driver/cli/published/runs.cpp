@@ -11,7 +11,7 @@
 #include "driver/config/shipped.hpp"
 #include "plots/laws/convergence.hpp"
 #include "records/json/strict.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "support/csv.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"

@@ -7,7 +7,7 @@
 
 #include "plots/figures/cells/cell_value.hpp"
 #include "plots/tables/names.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

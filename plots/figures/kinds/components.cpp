@@ -11,7 +11,7 @@
 #include "plots/figures/kind.hpp"
 #include "plots/figures/kinds/abscissa_value.hpp"
 #include "plots/figures/kinds/panel_kind.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -9,7 +9,7 @@
 #include "plots/figures/kinds/sample_kind.hpp"
 #include "plots/laws/abscissa.hpp"
 #include "plots/laws/growth.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -2,7 +2,7 @@
 //
 // The largest energy error so far at the largest step of each method, with the law that all of its steps follow.
 #include "plots/laws/energy.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kinds/sample_kind.hpp"
 #include "plots/laws/abscissa.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

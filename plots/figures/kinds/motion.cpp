@@ -11,7 +11,7 @@
 #include "plots/figures/kinds/space_kind.hpp"
 #include "plots/mechanism/outline.hpp"
 #include "records/geometry.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -7,7 +7,7 @@
 
 #include "plots/figures/cells/legends.hpp"
 #include "plots/figures/cells/select.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plots/figures/kinds/panel_kind.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -2,7 +2,7 @@
 //
 // Phase portraits.
 #include "plots/figures/kinds/phase_kind.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

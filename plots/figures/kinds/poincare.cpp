@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "plots/figures/kinds/phase_kind.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

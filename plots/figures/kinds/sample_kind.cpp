@@ -6,7 +6,7 @@
 #include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kinds/abscissa_value.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "plots/figures/kinds/curve_kind.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -7,7 +7,7 @@
 
 #include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 #include "support/files.hpp"
 
 namespace kreisel {

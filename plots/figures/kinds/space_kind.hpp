@@ -8,7 +8,7 @@
 
 #include "plots/figures/kind.hpp"
 #include "plots/figures/kinds/drawn_top.hpp"
-#include "records/rows/trajectory_table.hpp"
+#include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "plots/figures/layout.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "support/errors.hpp"
 #include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"

@@ -2,7 +2,7 @@
 //
 // Heat maps and figures in space as the page of a report holds them.
 #include "plots/report/places.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "plots/plot.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"
 

@@ -7,7 +7,7 @@
 #include "plots/figures/cells/joined.hpp"
 #include "plots/figures/overlay/overlay_files.hpp"
 #include "plots/plot.hpp"
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 #include "tests/plots/drawn.hpp"
 #include "tests/plots/folder.hpp"
 

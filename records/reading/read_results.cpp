@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "records/rows/read_results.hpp"
+#include "records/reading/read_results.hpp"
 
 #include <fmt/format.h>
 
