@@ -81,7 +81,7 @@ macro(kreisel_numerics precision)
                                                           $<TARGET_OBJECTS:kreisel_parts>)
   target_sources(kreisel_${precision} INTERFACE $<TARGET_OBJECTS:kreisel_parts>)
   kreisel_layer(${precision} problems ${CMAKE_SOURCE_DIR}/problems/*.cpp ${CMAKE_SOURCE_DIR}/problems/*/*.cpp)
-  file(GLOB methods_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/methods/*.cpp ${CMAKE_SOURCE_DIR}/methods/*/*.cpp)
+  file(GLOB_RECURSE methods_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/methods/*.cpp)
   list(FILTER methods_sources EXCLUDE REGEX "/methods/conditions/")
   kreisel_layer(${precision} methods ${methods_sources})
   kreisel_layer(${precision} engine ${CMAKE_SOURCE_DIR}/engine/*.cpp ${CMAKE_SOURCE_DIR}/engine/*/*.cpp

@@ -13,7 +13,7 @@
 #include "methods/contract/integrator.hpp"
 #include "methods/implicit/block_mass.hpp"
 #include "methods/implicit/motion_scale.hpp"
-#include "methods/implicit/newton.hpp"
+#include "methods/implicit/newton/newton.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

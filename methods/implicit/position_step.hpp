@@ -10,14 +10,14 @@
 // The unknown of the iteration is x. A guess gives q+, v+ and the forces there, and the KKT matrix at (t+, q+) the next
 // one,
 //   [M C+^T; C+ 0] (x', h lambda) = (h Q, C+ x - Phi / (h b)),
-// a contraction by O(h) where nothing is stiff (methods/implicit/newton.hpp). What the form costs is round-off:
+// a contraction by O(h) where nothing is stiff (methods/implicit/newton/newton.hpp). What the form costs is round-off:
 // positions are known to eps |q|, hence v to eps |q| / h and multipliers to eps M |q| / h^2 [arnold2015].
 #pragma once
 
 #include <vector>
 
 #include "methods/implicit/motion_scale.hpp"
-#include "methods/implicit/newton.hpp"
+#include "methods/implicit/newton/newton.hpp"
 #include "methods/implicit/position_weights.hpp"
 #include "methods/implicit/predictor.hpp"
 #include "methods/implicit/stabilised_equations.hpp"

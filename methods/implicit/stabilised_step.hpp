@@ -13,13 +13,13 @@
 // KKT matrix at (t+, q+) two solves give the next one,
 //   [M C+^T; C+ 0] (x', h lambda) = (h Q, -(b+ + C+ v^) / a),
 //   [M C+^T; C+ 0] (., eta - eta') = (0, C+ b (x' - x) + Phi / h),
-// a contraction by O(h) where nothing is stiff; methods/implicit/newton.hpp takes it from there. Nothing of this is
+// a contraction by O(h) where nothing is stiff; methods/implicit/newton/newton.hpp takes it from there. Nothing of this is
 // more than linear in the bodies of a tree, redundant rows are those of System::solve_kkt, and sizes keep theirs as h
 // goes to zero.
 #pragma once
 
 #include "methods/implicit/motion_scale.hpp"
-#include "methods/implicit/newton.hpp"
+#include "methods/implicit/newton/newton.hpp"
 #include "methods/implicit/position_weights.hpp"
 #include "methods/implicit/predictor.hpp"
 #include "methods/implicit/stabilised_equations.hpp"

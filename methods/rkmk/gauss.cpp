@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods/rkmk/gauss.hpp"
 
-#include "methods/implicit/gauss_coefficients.hpp"
+#include "methods/implicit/stages/gauss_coefficients.hpp"
 #include "methods/rkmk/implicit_rkmk.hpp"
 
 namespace kreisel {

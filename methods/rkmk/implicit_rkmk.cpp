@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "methods/contract/integrator.hpp"
-#include "methods/implicit/implicit_stages.hpp"
+#include "methods/implicit/stages/implicit_stages.hpp"
 #include "methods/tableaus/bound_tableau.hpp"
 
 namespace kreisel {

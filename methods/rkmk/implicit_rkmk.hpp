@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Munthe-Kaas lifts of implicit Runge-Kutta methods to TG, or to the group that acts on states in its place
-// (methods/implicit/implicit_stages.hpp): with s stages, on TG,
+// (methods/implicit/stages/implicit_stages.hpp): with s stages, on TG,
 //   k_i = dexp^{-1}_{-u_i}(V_i),   f_i = v' of the index-1 form at (t + c_i h, q exp(u_i), V_i),
 //   u_i = h sum_j a_ij k_j,   V_i = v + h sum_j a^_ij f_j,   q+ = q exp(h sum_j b_j k_j),   v+ = v + h sum_j b_j f_j,
 // in coordinates around q or around the middle of the step. They have the order of their tableau [munthekaas1999]; a

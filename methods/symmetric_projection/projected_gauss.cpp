@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "methods/symmetric_projection/projected_gauss.hpp"
 
-#include "methods/implicit/gauss_coefficients.hpp"
+#include "methods/implicit/stages/gauss_coefficients.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

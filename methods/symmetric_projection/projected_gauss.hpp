@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "methods/implicit/implicit_stages.hpp"
+#include "methods/implicit/stages/implicit_stages.hpp"
 #include "methods/symmetric_projection/projected_step.hpp"
 
 namespace kreisel {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "methods/contract/integrator.hpp"
-#include "methods/implicit/newton.hpp"
+#include "methods/implicit/newton/newton.hpp"
 #include "methods/implicit/position_weights.hpp"
 #include "methods/implicit/predictor.hpp"
 #include "methods/symmetric_projection/projected_step.hpp"

@@ -12,7 +12,7 @@
 #include "mechanics/system.hpp"
 #include "methods/contract/integrator.hpp"
 #include "methods/implicit/motion_scale.hpp"
-#include "methods/implicit/newton.hpp"
+#include "methods/implicit/newton/newton.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "methods/implicit/motion_scale.hpp"
-#include "methods/implicit/newton.hpp"
+#include "methods/implicit/newton/newton.hpp"
 #include "methods/implicit/position_weights.hpp"
 #include "methods/implicit/predictor.hpp"
 #include "methods/variational/rattle_equations.hpp"

@@ -160,9 +160,14 @@ std::size_t capacity_of(const std::string& folder) {
     static const Names registries = {"problems",         "engine/metrics",    "mechanics/parts/joints",
                                      "mechanics/forces", "records/kinds",     "plots/figures/kinds",
                                      "plots/tables",     "tests/judges/steps"};
-    const bool registry =
-        folder.starts_with("methods/") || std::find(registries.begin(), registries.end(), folder) != registries.end();
-    return registry ? 40 : 20;
+    // What families share.
+    static const Names shared = {"methods/conditions", "methods/contract", "methods/control", "methods/implicit",
+                                 "methods/tableaus"};
+    const bool is_family =
+        folder.starts_with("methods/") &&
+        std::none_of(shared.begin(), shared.end(), [&](const std::string& place) { return lies_in(folder, place); });
+    const bool is_registry = std::find(registries.begin(), registries.end(), folder) != registries.end();
+    return is_family || is_registry ? 40 : 20;
 }
 
 const Names& outbuildings() {

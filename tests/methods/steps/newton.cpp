@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The Newton iteration by itself: where it converges, and how it fails.
-#include "methods/implicit/newton.hpp"
+#include "methods/implicit/newton/newton.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "methods/implicit/inverse_jacobian.hpp"
+#include "methods/implicit/newton/inverse_jacobian.hpp"
 
 #include <algorithm>
 

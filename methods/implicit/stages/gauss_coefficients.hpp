@@ -3,7 +3,7 @@
 // The Gauss methods with 2 and 3 stages, of order 4 and 6, in closed form [hairer2006, II.1.3].
 #pragma once
 
-#include "methods/implicit/implicit_stages.hpp"
+#include "methods/implicit/stages/implicit_stages.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

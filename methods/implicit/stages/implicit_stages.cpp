@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "methods/implicit/implicit_stages.hpp"
+#include "methods/implicit/stages/implicit_stages.hpp"
 
 #include <utility>
 
 #include "mechanics/actions/acted_upon.hpp"
-#include "methods/implicit/acted_stages.hpp"
-#include "methods/implicit/tangent_stages.hpp"
+#include "methods/implicit/stages/acted_stages.hpp"
+#include "methods/implicit/stages/tangent_stages.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -5,9 +5,9 @@
 // enter H as well.
 #pragma once
 
-#include "methods/implicit/directions.hpp"
-#include "methods/implicit/inverse_jacobian.hpp"
-#include "methods/implicit/weighted_equations.hpp"
+#include "methods/implicit/newton/directions.hpp"
+#include "methods/implicit/newton/inverse_jacobian.hpp"
+#include "methods/implicit/newton/weighted_equations.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

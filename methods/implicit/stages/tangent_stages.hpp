@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Implicit stages in TG, where velocities are additive (methods/implicit/implicit_stages.hpp).
+// Implicit stages in TG, where velocities are additive (methods/implicit/stages/implicit_stages.hpp).
 #pragma once
 
 #include <vector>
 
-#include "methods/implicit/implicit_stages.hpp"
+#include "methods/implicit/stages/implicit_stages.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

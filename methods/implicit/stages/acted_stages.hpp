@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "methods/contract/state_space.hpp"
-#include "methods/implicit/implicit_stages.hpp"
+#include "methods/implicit/stages/implicit_stages.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

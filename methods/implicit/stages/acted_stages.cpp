@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "methods/implicit/acted_stages.hpp"
+#include "methods/implicit/stages/acted_stages.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "methods/implicit/newton_step.hpp"
+#include "methods/implicit/newton/newton_step.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "methods/implicit/newton.hpp"
+#include "methods/implicit/newton/newton.hpp"
 
 #include <algorithm>
 

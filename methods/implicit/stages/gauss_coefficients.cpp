@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "methods/implicit/gauss_coefficients.hpp"
+#include "methods/implicit/stages/gauss_coefficients.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
