@@ -90,8 +90,8 @@ struct Reference {
     double horizon = 0;        ///< s
     std::string route;         ///< how it was computed, for the manifest
     bool interrupted = false;  ///< it was asked to stop; all else is empty
-    /// At t_0 + (t_end - t_0) k / K, k = 1 ... K, if it was asked for K samples. `error` then has also the largest uncertainty of all
-    /// samples, error.*.max, where each has one: no maximum over the samples is less certain.
+    /// At t_0 + (t_end - t_0) k / K, k = 1 ... K, if it was asked for K samples. `error` then has also the largest
+    /// uncertainty of all samples, error.*.max, where each has one: no maximum over the samples is less certain.
     std::vector<ReferenceSample> samples = {};
 };
 
@@ -281,8 +281,8 @@ class Engine {
     /// A further round of a timed or repeated cell: mean CPU time of its runs, s; nothing if they do not come to the
     /// end.
     virtual std::optional<double> run_time(const Cell&, const std::stop_token&) const = 0;
-    /// The reference solution of a problem at `t_end`, and at so many equidistant samples on the way, from its start, or
-    /// from `begin` where it is not null; requested only from the quad engine.
+    /// The reference solution of a problem at `t_end`, and at so many equidistant samples on the way, from its start,
+    /// or from `begin` where it is not null; requested only from the quad engine.
     virtual Reference reference(const std::string& problem, const ParameterValues&, const BeginState* begin,
                                 double t_end, long samples, const std::stop_token&) const = 0;
     Reference reference(const std::string& problem, const ParameterValues& parameters, double t_end, long samples,

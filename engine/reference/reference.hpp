@@ -61,9 +61,9 @@ struct ReferenceSolution {
     bool interrupted = false;            ///< it was asked to stop; all else is empty
 };
 
-/// Integrates from the start of a model at t_begin to t_end (s), which may be less: once with big steps chosen by their local error, and once
-/// with each of these halved; samples by a shorter step of each run. A stop request is checked after each big step and
-/// each sample. Throws std::invalid_argument if t_end is not finite.
+/// Integrates from the start of a model at t_begin to t_end (s), which may be less: once with big steps chosen by their
+/// local error, and once with each of these halved; samples by a shorter step of each run. A stop request is checked
+/// after each big step and each sample. Throws std::invalid_argument if t_end is not finite.
 ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop = {},
                                      long samples = 0, const Real& t_begin = 0);
 

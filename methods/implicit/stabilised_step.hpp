@@ -13,9 +13,9 @@
 // KKT matrix at (t+, q+) two solves give the next one,
 //   [M C+^T; C+ 0] (x', h lambda) = (h Q, -(b+ + C+ v^) / a),
 //   [M C+^T; C+ 0] (., eta - eta') = (0, C+ b (x' - x) + Phi / h),
-// a contraction by O(h) where nothing is stiff; methods/implicit/newton/newton.hpp takes it from there. Nothing of this is
-// more than linear in the bodies of a tree, redundant rows are those of System::solve_kkt, and sizes keep theirs as h
-// goes to zero.
+// a contraction by O(h) where nothing is stiff; methods/implicit/newton/newton.hpp takes it from there. Nothing of this
+// is more than linear in the bodies of a tree, redundant rows are those of System::solve_kkt, and sizes keep theirs as
+// h goes to zero.
 #pragma once
 
 #include "methods/implicit/motion_scale.hpp"

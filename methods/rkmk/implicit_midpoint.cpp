@@ -9,10 +9,10 @@
 //    1/2 | 1/2
 //   -----+----
 //        |  1
-// The unknown of the iteration w = h f (methods/implicit/newton/newton.hpp) is w = v+ - v, and its last f makes the step: what
-// is linear in the constraints then holds to the round-off of one solve. Where another group acts on states the first
-// line is the method, and the unknown is k (methods/implicit/stages/acted_stages.hpp). Sources: midpoint rule [hairer2006], lift
-// [munthekaas1998].
+// The unknown of the iteration w = h f (methods/implicit/newton/newton.hpp) is w = v+ - v, and its last f makes the
+// step: what is linear in the constraints then holds to the round-off of one solve. Where another group acts on states
+// the first line is the method, and the unknown is k (methods/implicit/stages/acted_stages.hpp). Sources: midpoint rule
+// [hairer2006], lift [munthekaas1998].
 #include "mechanics/actions/acted_upon.hpp"
 #include "mechanics/system.hpp"
 #include "methods/contract/integrator.hpp"

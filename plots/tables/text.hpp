@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A table as text: aligned for a terminal, Markdown and CSV; LaTeX is in plots/tables/latex.hpp. Every cell is data: each
-// writer escapes characters that its format would read as syntax.
+// A table as text: aligned for a terminal, Markdown and CSV; LaTeX is in plots/tables/latex.hpp. Every cell is data:
+// each writer escapes characters that its format would read as syntax.
 #pragma once
 
 #include <filesystem>

@@ -14,8 +14,8 @@
 
 namespace kreisel {
 
-/// What cells that differ in their steps, or in the values of parameters of one entry, have in common, so that a plan of
-/// many cells stays small.
+/// What cells that differ in their steps, or in the values of parameters of one entry, have in common, so that a plan
+/// of many cells stays small.
 struct PlannedRun {
     std::shared_ptr<const ProblemSeries> problems;
     std::shared_ptr<const SystemSummary> system;  ///< of these in this formulation

@@ -52,8 +52,8 @@ std::vector<Finding> check_precision_namespace(const std::vector<Source>& tree);
 /// `class`: no two files of the program define a class of one name in one namespace (class_names.cpp).
 std::vector<Finding> check_class_names(const std::vector<Source>& tree);
 
-/// `kind`: no file but those that register kinds of experiments, figures and tables names a kind, and none compares with
-/// one (kinds.cpp).
+/// `kind`: no file but those that register kinds of experiments, figures and tables names a kind, and none compares
+/// with one (kinds.cpp).
 std::vector<Finding> check_kinds(const std::vector<Source>& tree);
 
 /// `cite`: every key in `.cites = {...}`, and every bracketed key (author and year) in a comment, is in the

@@ -5,10 +5,10 @@
 //
 // G is what a structured solve makes of a guess, so that the Jacobian of r is the identity up to O(h) where nothing is
 // stiff. x <- x - H r with H = I is the fixed point iteration; every step teaches H what r did along it, and what H
-// knows is kept from solve to solve (methods/implicit/newton/inverse_jacobian.hpp). Where that gains too little, as with stiff
-// springs, Newton steps take over (methods/implicit/newton/newton_step.hpp), whose directions enter H as well. `forget` drops
-// H: whoever must not depend on earlier steps calls that. Cost and storage are linear in the unknowns where these are
-// many; all storage is sized in advance.
+// knows is kept from solve to solve (methods/implicit/newton/inverse_jacobian.hpp). Where that gains too little, as
+// with stiff springs, Newton steps take over (methods/implicit/newton/newton_step.hpp), whose directions enter H as
+// well. `forget` drops H: whoever must not depend on earlier steps calls that. Cost and storage are linear in the
+// unknowns where these are many; all storage is sized in advance.
 //
 // Unknowns are compared by weights that give them one unit. No constant of the iteration has a unit.
 #pragma once

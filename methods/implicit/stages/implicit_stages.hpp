@@ -9,8 +9,8 @@
 // of multistep methods. Where another group acts on states (mechanics/actions/state_action.hpp), y takes the place of
 // q, (k_i, f_i) are the two halves of a slope in its algebra, and brackets reach both (acted_stages.hpp).
 //
-// Unknowns of the iteration are the slopes k_i and w_i = h f_i (methods/implicit/newton/newton.hpp); the last f_i make the
-// step: what is linear in the constraints then holds to the round-off of one solve.
+// Unknowns of the iteration are the slopes k_i and w_i = h f_i (methods/implicit/newton/newton.hpp); the last f_i make
+// the step: what is linear in the constraints then holds to the round-off of one solve.
 #pragma once
 
 #include <memory>
