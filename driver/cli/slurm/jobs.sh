@@ -27,14 +27,16 @@ start_again() {
 }
 
 # compute NAME ARGUMENT...: what kreisel run does with these arguments, once what a lost node may still compute of it
-# is at an end. The signal that announces the time limit comes to this shell, which passes it on.
+# is at an end. The signal that announces the time limit comes to this shell, which passes it on. kreisel ends with this
+# shell where setpriv can say so: not every Slurm finds what a killed shell leaves.
 compute() {
-    local code=0 child before memory
+    local code=0 child before memory with_shell=(setpriv --pdeathsig KILL)
+    "${with_shell[@]}" true 2>/dev/null || with_shell=()
     before=$(achieved)
     memory=${SLURM_MEM_PER_NODE:-$((${SLURM_MEM_PER_CPU:-0} * ${SLURM_CPUS_ON_NODE:-1}))}  # MB; 0: no limit is told
     [[ $memory -eq 0 ]] || limits+=(--max-memory "$((memory * 8 / 10))MB")
-    flock --no-fork "$folder/slurm/$1.lock" "$kreisel" run "$folder/config.json" -o "$folder" --resume \
-        -j "${SLURM_CPUS_PER_TASK:-1}" "${limits[@]}" "${@:2}" &
+    "${with_shell[@]}" flock --no-fork "$folder/slurm/$1.lock" "$kreisel" run "$folder/config.json" -o "$folder" \
+        --resume -j "${SLURM_CPUS_PER_TASK:-1}" "${limits[@]}" "${@:2}" &
     child=$!
     # The child may have ended by itself when the signal comes: its exit code is what counts, below.
     trap 'kill -TERM "$child" 2>/dev/null || true' TERM
@@ -51,7 +53,10 @@ compute() {
 # What the killed shell of a task or a lost node has left running writes to the folder until it is ended too.
 put_together() {
     local code=0 part
-    for ((part = 1; part <= parts; ++part)); do flock "$folder/slurm/part-$part.lock" true; done
+    for ((part = 1; part <= parts; ++part)); do
+        flock --nonblock "$folder/slurm/part-$part.lock" true || echo "waiting for part $part, which still computes" >&2
+        flock "$folder/slurm/part-$part.lock" true
+    done
     "$kreisel" merge "$folder" || code=$?
     [[ $code -le 1 ]] || { printf 'go on with: bash %q\n' "$folder/submit.sh" >&2; exit "$code"; }
     exit 0
