@@ -33,7 +33,7 @@ struct Arguments {
     DiffSettings diff;
     SlurmSettings slurm;
     TableChoice table;
-    bool json = false, is_long = false, mixed = false;
+    bool json = false, is_long = false, mixed = false, with_parent = false;
     std::size_t cells = 20;
     unsigned seed = 1;
 };

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -18,6 +17,7 @@
 
 #include "driver/campaign/workers/control.hpp"
 #include "driver/campaign/workers/limits.hpp"
+#include "driver/campaign/workers/parent.hpp"
 #include "driver/campaign/workers/worker_process.hpp"
 #include "support/errors.hpp"
 

@@ -2,13 +2,13 @@
 #include "driver/campaign/workers/worker_process.hpp"
 
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <csignal>
 
 #include "driver/campaign/workers/limits.hpp"
+#include "driver/campaign/workers/parent.hpp"
 
 #ifdef KREISEL_COVERAGE
 extern "C" void __gcov_dump();  // NOLINT(bugprone-reserved-identifier): the compiler's
@@ -51,11 +51,6 @@ void dump_no_core() {
 }
 
 }  // namespace
-
-void die_with(pid_t parent) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) { ::_exit(1); }
-}
 
 void ignore_signals(std::initializer_list<int> signals) {
     for (const int signal : signals) {

@@ -12,8 +12,6 @@
 
 namespace kreisel {
 
-/// This process is killed when its parent ends, or at once if that was no longer `parent`.
-void die_with(pid_t parent);
 void ignore_signals(std::initializer_list<int> signals);
 
 /// Sets descriptors, signals and limits, works, and ends the process.

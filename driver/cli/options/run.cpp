@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "driver/campaign/campaign.hpp"
+#include "driver/campaign/workers/parent.hpp"
 #include "records/provenance.hpp"
 
 namespace kreisel {
@@ -54,6 +55,7 @@ void add_limits(CommandLine& line, CLI::App& run) {
 void add_run(CommandLine& line) {
     CLI::App* run = line.command(
         "run", "Runs configs: one journal line per finished cell, then results.jsonl and results.csv", [&line] {
+            if (line.arguments().with_parent) { die_with(::getppid()); }
             read_shard(line.arguments().shard, line.arguments().settings);
             line.arguments().settings.build = build_id();
             line.arguments().settings.terminal = isatty(STDERR_FILENO) != 0;
@@ -72,6 +74,8 @@ void add_run(CommandLine& line) {
                     "I/N: run only the I-th of N parts; kreisel merge puts them together");
     run->add_flag("--references-only", settings.references_only,
                   "Compute the reference solutions that cells need, and no cell");
+    run->add_flag("--with-parent", line.arguments().with_parent,
+                  "End when the process that has started it does, even by kill -9; --resume goes on");
     line.add_references(*run);
     add_limits(line, *run);
     line.add_changes(*run);

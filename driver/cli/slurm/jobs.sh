@@ -28,15 +28,14 @@ start_again() {
 
 # compute NAME ARGUMENT...: what kreisel run does with these arguments, once what a lost node may still compute of it
 # is at an end. The signal that announces the time limit comes to this shell, which passes it on. kreisel ends with this
-# shell where setpriv can say so: not every Slurm finds what a killed shell leaves.
+# shell: not every Slurm finds what a killed shell has left.
 compute() {
-    local code=0 child before memory with_shell=(setpriv --pdeathsig KILL)
-    "${with_shell[@]}" true 2>/dev/null || with_shell=()
+    local code=0 child before memory
     before=$(achieved)
     memory=${SLURM_MEM_PER_NODE:-$((${SLURM_MEM_PER_CPU:-0} * ${SLURM_CPUS_ON_NODE:-1}))}  # MB; 0: no limit is told
     [[ $memory -eq 0 ]] || limits+=(--max-memory "$((memory * 8 / 10))MB")
-    "${with_shell[@]}" flock --no-fork "$folder/slurm/$1.lock" "$kreisel" run "$folder/config.json" -o "$folder" \
-        --resume -j "${SLURM_CPUS_PER_TASK:-1}" "${limits[@]}" "${@:2}" &
+    flock --no-fork "$folder/slurm/$1.lock" "$kreisel" run "$folder/config.json" -o "$folder" --resume \
+        --with-parent -j "${SLURM_CPUS_PER_TASK:-1}" "${limits[@]}" "${@:2}" &
     child=$!
     # The child may have ended by itself when the signal comes: its exit code is what counts, below.
     trap 'kill -TERM "$child" 2>/dev/null || true' TERM

@@ -44,7 +44,7 @@ class SharedCount {
 /// At most 1000 numbers.
 class SharedNumbers {
   public:
-    void push_back(long number) { numbers_->values.at(numbers_->count++) = number; }
+    void push_back(long number) const { numbers_->values.at(numbers_->count++) = number; }
     std::size_t size() const { return numbers_->count; }
     long operator[](std::size_t i) const { return numbers_->values.at(i); }
     const long* begin() const { return numbers_->values.data(); }

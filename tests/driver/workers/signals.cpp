@@ -10,6 +10,7 @@
 #include "tests/driver/command_line.hpp"
 #include "tests/driver/workers/program_process.hpp"
 #include "tests/driver/workers/saboteurs.hpp"
+#include "tests/driver/workers/shared_count.hpp"
 
 using namespace kreisel;
 
@@ -88,6 +89,36 @@ TEST_CASE("kill -9 of a run leaves no process behind") {
     CHECK(
         run_program({"run", config, "-o", (scratch / "out").string(), "--resume", "--filter", "methods=rkmk/*"}, engine)
             .code == 0);
+}
+
+TEST_CASE("a run that is told so ends with its parent, and no other does") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("c.json", of_method("sabotage/sleep"));
+    for (const bool told : {true, false}) {
+        const Saboteurs engine;
+        const SharedNumbers programs;
+        std::vector<std::string> words = {"run", config, "-o", (scratch / std::to_string(told)).string(), "-j", "2"};
+        if (told) { words.emplace_back("--with-parent"); }
+        const pid_t parent = ::fork();
+        if (parent == 0) {
+            const ProgramProcess program(words, engine, [&] { programs.push_back(::getpid()), say_nothing(); });
+            pause_for(1000);
+        }
+        REQUIRE(comes_true([&] { return engine.processes.size() == 2; }));
+        ::kill(parent, SIGKILL);
+        ::waitpid(parent, nullptr, 0);
+        const long program = programs[0];
+        if (told) {
+            CHECK(comes_true([program] { return !runs(program); }));
+        } else {
+            pause_for(0.3);
+            CHECK(runs(program));
+            ::kill(static_cast<pid_t>(program), SIGKILL);
+        }
+        for (const long process : engine.processes) {
+            CHECK(comes_true([process] { return !runs(process); }));
+        }
+    }
 }
 
 TEST_CASE("an interrupted run of several configs says how those that are left are computed, in quotes where needed") {
