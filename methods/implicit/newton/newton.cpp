@@ -62,7 +62,10 @@ Status Newton::iterate() {
     keep_best();
     for (int i = 0; i < most_iterations && progress.newton_steps <= most_newton_steps; ++i) {
         assess(progress);
-        if (converged(progress)) return Status::ok;
+        if (converged(progress)) {
+            if (progress.newton_steps > 0 || !hides_residual(progress)) return Status::ok;
+            progress.slow = 3;
+        }
         progress.newton_step = progress.slow > (stiff_ ? 0 : 2);
         if (progress.newton_step)
             if (const Status status = plan_newton_step(progress); status != Status::ok) return status;
@@ -105,6 +108,16 @@ bool Newton::converged(const Progress& progress) const {
     // After a fresh Newton step it is the residual's own round-off, of terms as large as the Jacobian makes them.
     const Real noise = unit * max(Real(stagnant), Real(close * newton_.gain()));
     return now <= (progress.newton_step ? noise : Real(64 * epsilon)) * size;
+}
+
+/// Broyden's second method can make H singular, and directions learnt near round-off do so little by little. Corrections
+/// are then small although the residual is larger than round-off and has not changed by much in the last step.
+bool Newton::hides_residual(const Progress& progress) const {
+    if (!(progress.before > 0)) return false;
+    const Real visible = large_gain * max(progress.correction, round_off(close));
+    if (residual_ <= newton_.gain() * visible) return false;
+    const Real changed = (r_ - before_).lpNorm<Eigen::Infinity>();
+    return residual_ * progress.before > changed * visible;
 }
 
 Status Newton::plan_newton_step(Progress& progress) {

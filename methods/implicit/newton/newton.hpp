@@ -27,8 +27,8 @@ class Newton {
 
     /// Solves r(x) = 0 from the guess x, in place; `weights` (positive, one per unknown) are to stay the same until
     /// `forget`. Converged if the last correction to x is a few units of round-off, or a few thousand and no
-    /// longer decreasing. Returns `non_finite` if the first residual is not finite, and `newton_failed` if the
-    /// iteration does not converge; x is then meaningless.
+    /// longer decreasing, unless the residual shows that H has lost a direction. Returns `non_finite` if the first
+    /// residual is not finite, and `newton_failed` if the iteration does not converge; x is then meaningless.
     Status solve(Equations& equations, const VecX& weights, Real* x);
     /// Discards all information on the Jacobian.
     void forget();
@@ -52,6 +52,8 @@ class Newton {
     /// Counts the last step if it gained little.
     void assess(Progress& progress) const;
     bool converged(const Progress& progress) const;
+    /// Whether H makes less of the residual than any Jacobian would of the steps seen so far.
+    bool hides_residual(const Progress& progress) const;
     /// g_ becomes a Newton step.
     Status plan_newton_step(Progress& progress);
     /// x_ -= g_, where g_ = H r_ or a Newton step; r_ and g_ are then those of the new point.

@@ -28,6 +28,17 @@ class Squares final : public Equations {
     VecX c_;
 };
 
+/// r(x) = (-x_2, x_1): steps are orthogonal to what they change, after which Broyden's second method knows one direction
+/// only, and makes nothing of a residual across it.
+class QuarterTurn final : public Equations {
+  public:
+    Status residual(const Real* x, Real* r) override {
+        r[0] = -x[1], r[1] = x[0];
+        return Status::ok;
+    }
+    Real size() const override { return 1; }
+};
+
 }  // namespace
 
 TEST_CASE("Newton's iteration ends at round-off, and keeps what it knows of the Jacobian", "[methods]") {
@@ -40,6 +51,14 @@ TEST_CASE("Newton's iteration ends at round-off, and keeps what it knows of the 
     equations.calls = 0;
     REQUIRE(newton.solve(equations, weights, x) == Status::ok);
     CHECK(equations.calls <= 2);
+}
+
+TEST_CASE("Newton's iteration does not end where its inverse Jacobian hides the residual", "[methods]") {
+    QuarterTurn equations;
+    Newton newton(2);
+    Real x[2] = {sqrt(epsilon) / 16, 0};
+    REQUIRE(newton.solve(equations, VecX::Ones(2), x) == Status::ok);
+    for (const Real& unknown : x) CHECK(abs(unknown) <= 8 * epsilon);
 }
 
 TEST_CASE("Newton's iteration says why it fails", "[methods]") {
