@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "records/cell/line.hpp"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
 
 #include "records/cell/fields.hpp"
@@ -37,7 +35,7 @@ ReferenceNote note_of(const Reference& reference, double t_end) {
     return note;
 }
 
-Number counted(long count) { return {static_cast<double>(count), fmt::format("{}", count)}; }
+Number counted(long count) { return {static_cast<double>(count), std::to_string(count)}; }
 
 // A cell of constant steps has the counts that it has always had, unless its kind is about costs.
 std::vector<std::pair<std::string, Number>> counts_of(const PlannedCell& planned, const Cost& cost) {
@@ -88,10 +86,10 @@ std::string result_text(const CellRecord& record) { return line_of(record, LineK
 std::string result_line(CellIdentity identity, std::string_view journal_line) {
     ObjectWriter object;
     add_identity(std::move(identity), object);
-    const std::vector<WrittenMember> members = members_of(journal_line);
+    WrittenObject members(journal_line);
     for (const RecordField& field : record_fields()) {
         const std::string_view json =
-            field.part == FieldPart::outcome ? value_of(members, field.name) : std::string_view();
+            field.part == FieldPart::outcome ? members.value_of(field.name) : std::string_view();
         if (json.empty()) { continue; }
         field.of_result == nullptr ? object.member(field.name, json) : object.member(field.name, field.of_result(json));
     }

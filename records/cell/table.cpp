@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "records/cell/codec.hpp"
-#include "records/cell/state_entries.hpp"
+#include "records/cell/state_names.hpp"
+#include "records/cell/written_state.hpp"
 #include "records/json/written/written.hpp"
 #include "support/csv.hpp"
 
@@ -26,17 +26,16 @@ class FieldCells {
                 with_title(member.name, [&] { put_value(member.json, unit_of(std::string(member.name))); });
             }
         } else {
-            put_text("", text_of(json));
+            put_text("", text_of(json, unescaped_));
         }
     }
 
   private:
     void put_final_state(std::string_view json) {
-        ReportedState final;
-        decode(parse_exactly(json), final);
+        const WrittenState final = written_state(json);
         if (final.bodies.size() > most_bodies_in_table) { return; }
-        for_each_state_entry(final, [&](const StateEntryName& entry, const Number& number) {
-            with_title(entry.name, [&] { put_text(entry.unit, number.text); });
+        name_state(final, final.turns, [&](const StateEntryName& entry, std::string_view number) {
+            with_title(entry.name, [&] { put_text(entry.unit, number); });
         });
     }
 
@@ -48,7 +47,7 @@ class FieldCells {
                 with_title("." + std::to_string(++index), [&] { put_value(element, unit); });
             }
         } else if (!json.starts_with('{') && json != "null") {
-            put_text(unit, text_of(json));
+            put_text(unit, text_of(json, unescaped_));
         }
     }
 
@@ -78,7 +77,7 @@ class FieldCells {
     const RecordField& field_;
     const Units* units_;  // of its columns, where it has any
     ColumnGroup& columns_;
-    std::string title_;
+    std::string title_, unescaped_;
 };
 
 /// The fields that have columns, in the order of these.
@@ -124,18 +123,20 @@ std::string ResultsTable::header() const {
 }
 
 std::string ResultsTable::row(std::string_view line) {
-    const std::vector<WrittenMember> members = members_of(line);
-    const std::string problem = text_of(value_of(members, "problem"));
+    WrittenObject members(line);
+    const std::string problem = text_of(members.value_of("problem"));
     std::string row;
+    row.reserve(line.size());
     for (Group& group : groups_) {
         group.columns.begin_row();
-        const std::string_view json = value_of(members, group.field->name);
+        const std::string_view json = members.value_of(group.field->name);
         if (!json.empty()) {
             FieldCells(*group.field, units_of(*group.field, problem, units_), group.columns).put(json);
         }
         for (const std::string& text : group.columns.texts()) { append_field(row, text); }
     }
-    return row + "\n";
+    row += '\n';
+    return row;
 }
 
 }  // namespace kreisel

@@ -12,7 +12,6 @@
 #include "records/cell/table.hpp"
 #include "records/journal.hpp"
 #include "records/json/strict.hpp"
-#include "records/json/written/written.hpp"
 #include "records/reference_store.hpp"
 #include "records/sums/summed_text.hpp"
 #include "support/errors.hpp"
@@ -141,29 +140,6 @@ TEST_CASE("a line of the journal is passed on as what the record says, with the 
             CHECK_FALSE(is_line_of(journalled, std::string(16, '0')));
             CHECK_THROWS_AS(result_line(record->identity, journalled.substr(0, 200)), std::invalid_argument);
         }
-    }
-}
-
-TEST_CASE("JSON is taken apart where it is passed on, and refused where it does not fit together") {
-    const std::string object = R"({"a":1,"b \"c\"":"x,}\\","d":{"e":[1,{}]},"f":[]})";
-    const auto members = members_of(object);
-    REQUIRE(members.size() == 4);
-    CHECK(text_of(members[1].json) == "x,}\\");
-    CHECK(value_of(members, "d") == R"({"e":[1,{}]})");
-    CHECK(value_of(members, "e").empty());
-    CHECK(elements_of(value_of(members_of(value_of(members, "d")), "e")) == std::vector<std::string_view>{"1", "{}"});
-    CHECK(elements_of("[]").empty());
-    CHECK(members_of("{}").empty());
-    CHECK(text_of("-0.5") == "-0.5");
-    CHECK(text_of("\"\"").empty());
-    CHECK(text_of("null").empty());
-    for (std::size_t i = 0; i < object.size(); ++i) {
-        CHECK_THROWS_AS(members_of(object.substr(0, i)), std::invalid_argument);
-    }
-    for (const char* text :
-         {"[1]", R"({"a"1})", R"({"a":})", R"({"a":1,})", R"({a:1})", R"({"a":1}})", R"({"a":[}]})"}) {
-        INFO(text);
-        CHECK_THROWS_AS(members_of(text), std::invalid_argument);
     }
 }
 

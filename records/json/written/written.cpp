@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "records/json/exact.hpp"
@@ -12,10 +13,15 @@ namespace kreisel {
 
 namespace {
 
-constexpr std::size_t usual_parts = 4;
+constexpr std::size_t usual_scalars = 9;                   // of a matrix
+constexpr std::size_t usual_parts = 4, usual_member = 32;  // characters of a member in a large object
 
-/// Most characters of values are digits and letters.
-constexpr bool is_inside_word(char c) { return (c > ',' && c < '[') || (c >= 'a' && c <= 'z'); }
+/// What values are taken apart at: most of their characters are others.
+constexpr auto is_mark = [] {
+    std::array<bool, 256> marks{};
+    for (const char c : std::string_view("\"{}[],")) { marks[static_cast<unsigned char>(c)] = true; }
+    return marks;
+}();
 
 class Taker {
   public:
@@ -23,15 +29,7 @@ class Taker {
 
     template <class TakePart>
     void take_all(char begin, char end, const TakePart& take_part) {
-        expect(begin);
-        if (peek() != end) {
-            take_part();
-            while (peek() == ',') {
-                ++at_;
-                take_part();
-            }
-        }
-        expect(end);
+        take_list(begin, end, take_part);
         if (at_ != text_.size()) { fail("nothing more"); }
     }
 
@@ -50,8 +48,8 @@ class Taker {
     std::string_view value() {
         const std::size_t start = at_;
         for (int depth = 0;; ++at_) {
+            at_ = next_mark(at_);
             const char c = peek();
-            if (is_inside_word(c)) { continue; }
             const bool opens = c == '{' || c == '[', closes = c == '}' || c == ']';
             if (depth == 0 && (closes || c == ',')) { break; }
             depth += opens ? 1 : closes ? -1 : 0;
@@ -61,10 +59,37 @@ class Taker {
         return text_.substr(start, at_ - start);
     }
 
+    /// A value that is no list, or the elements of one.
+    void take_scalars(std::vector<std::string_view>& scalars) {
+        if (peek() != '[') { return scalars.push_back(value()); }
+        take_list('[', ']', [&] { scalars.push_back(value()); });
+    }
+
   private:
+    template <class TakePart>
+    void take_list(char begin, char end, const TakePart& take_part) {
+        expect(begin);
+        if (peek() != end) {
+            take_part();
+            while (peek() == ',') {
+                ++at_;
+                take_part();
+            }
+        }
+        expect(end);
+    }
+
+    std::size_t next_mark(std::size_t at) const {
+        while (at < text_.size() && !is_mark[static_cast<unsigned char>(text_[at])]) { ++at; }
+        return at;
+    }
+
     /// Moves from the first quote of a string to its last.
     void skip_string() {
-        for (++at_; peek() != '"'; ++at_) { at_ += peek() == '\\' ? 1U : 0U; }
+        std::size_t at = at_ + 1;
+        while (at < text_.size() && text_[at] != '"') { at += text_[at] == '\\' ? 2U : 1U; }
+        at_ = at;
+        peek();
     }
 
     void expect(char c) {
@@ -89,7 +114,7 @@ class Taker {
 
 std::vector<WrittenMember> members_of(std::string_view object) {
     std::vector<WrittenMember> members;
-    members.reserve(usual_parts);
+    members.reserve(usual_parts + object.size() / usual_member);
     Taker taker(object);
     taker.take_all('{', '}', [&] {
         const std::string_view name = taker.name();
@@ -106,16 +131,33 @@ std::vector<std::string_view> elements_of(std::string_view list) {
     return elements;
 }
 
-std::string_view value_of(const std::vector<WrittenMember>& members, std::string_view name) {
+std::vector<std::string_view> scalars_of(std::string_view list) {
+    std::vector<std::string_view> scalars;
+    scalars.reserve(usual_scalars);
+    Taker taker(list);
+    taker.take_all('[', ']', [&] { taker.take_scalars(scalars); });
+    return scalars;
+}
+
+std::string_view WrittenObject::value_of(std::string_view name) {
+    const auto fits = [&](const WrittenMember& member) { return member.name == name; };
+    const auto next = members_.begin() + static_cast<std::ptrdiff_t>(next_);
     const auto found =
-        std::find_if(members.begin(), members.end(), [&](const WrittenMember& member) { return member.name == name; });
-    return found == members.end() ? std::string_view() : found->json;
+        next != members_.end() && fits(*next) ? next : std::find_if(members_.begin(), members_.end(), fits);
+    if (found == members_.end()) { return {}; }
+    next_ = static_cast<std::size_t>(found - members_.begin()) + 1;
+    return found->json;
 }
 
 std::string text_of(std::string_view json) {
+    std::string unescaped;
+    return std::string(text_of(json, unescaped));
+}
+
+std::string_view text_of(std::string_view json, std::string& unescaped) {
     const bool plain = json.find('\\') == std::string_view::npos;
-    if (!plain || json == "null") { return parse_exactly(json).text; }
-    return std::string(json.starts_with('"') ? json.substr(1, json.size() - 2) : json);
+    if (!plain || json == "null") { return unescaped = parse_exactly(json).text; }
+    return json.starts_with('"') ? json.substr(1, json.size() - 2) : json;
 }
 
 }  // namespace kreisel

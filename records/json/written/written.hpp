@@ -19,11 +19,24 @@ struct WrittenMember {
 /// brackets and commas do not fit together; values are not looked at.
 std::vector<WrittenMember> members_of(std::string_view object);
 std::vector<std::string_view> elements_of(std::string_view list);
+/// What stands in a list that is no list, and in the lists in it, in their order. Throws as these.
+std::vector<std::string_view> scalars_of(std::string_view list);
 
-/// The value of the member of that name; empty where there is none.
-std::string_view value_of(const std::vector<WrittenMember>& members, std::string_view name);
+/// Finds the members of an object by name, at once where they are asked for in their order. Throws as members_of.
+class WrittenObject {
+  public:
+    explicit WrittenObject(std::string_view object) : members_(members_of(object)) {}
+    /// The value of the member of that name; empty where there is none.
+    std::string_view value_of(std::string_view name);
+
+  private:
+    std::vector<WrittenMember> members_;
+    std::size_t next_ = 0;
+};
 
 /// A text without quotes and escapes, a number or flag as written; nothing of null.
 std::string text_of(std::string_view json);
+/// The same as a part of `json`, or where something is escaped, of `unescaped`.
+std::string_view text_of(std::string_view json, std::string& unescaped);
 
 }  // namespace kreisel
