@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -23,9 +24,15 @@ std::string json_map(const Values& values) {
     return object.text();
 }
 
-/// Whether nothing of a text is escaped or checked: most are names.
+/// The characters that are neither escaped nor checked: most texts are names.
+constexpr auto plain_characters = [] {
+    std::array<bool, 256> plain{};
+    for (unsigned char c = ' '; c <= '~'; ++c) { plain[c] = c != '"' && c != '\\'; }
+    return plain;
+}();
+
 bool is_plain(std::string_view text) {
-    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+    return std::all_of(text.begin(), text.end(), [](unsigned char c) { return plain_characters[c]; });
 }
 
 void append_number(std::string& json, const Number& number, bool quad) {

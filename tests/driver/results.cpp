@@ -36,11 +36,14 @@ CellRecord finished(const PlannedCell& planned) {
     return record_of(planned, plain_engine.run(planned.cell(), &reference, {}), &reference);
 }
 
+/// An object without its closing one.
+std::string without_brace(const std::string& object) { return object.substr(0, object.size() - 1); }
+
 std::string written_table(const std::vector<CellRecord>& records, const TableUnits& units) {
     ResultsTable table(units);
-    for (const CellRecord& record : records) { table.row(result_text(record)); }
+    for (const CellRecord& record : records) { table.row(field_values(result_text(record))); }
     std::string text = table.header();
-    for (const CellRecord& record : records) { text += table.row(result_text(record)); }
+    for (const CellRecord& record : records) { text += table.row(field_values(result_text(record))); }
     return text;
 }
 
@@ -131,14 +134,17 @@ TEST_CASE("a line of the journal is passed on as what the record says, with the 
             record_of(plan.cells[0], Outcome{.status = "skipped", .detail = "it does not apply"}, nullptr);
         for (CellRecord* record : {&failed, &timed, &skipped}) {
             const std::string journalled = journal_line(*record, "b");
+            CHECK(ResultLine(record->identity, journalled).text() == with_sum(without_brace(result_text(*record))));
             record->identity.label = "another, \"label\"";
-            const std::string line = result_line(record->identity, journalled);
+            const ResultLine passed_on(record->identity, journalled);
+            const std::string& line = passed_on.text();
+            CHECK(passed_on.values() == field_values(line));
             CHECK(std::string(before_sum(line)) + "}" == result_text(*record));
             CHECK(sum_state(line) == SumState::holds);
             CHECK(line.find("cpu_s") == std::string::npos);
             CHECK(is_line_of(journalled, record->identity.cell));
             CHECK_FALSE(is_line_of(journalled, std::string(16, '0')));
-            CHECK_THROWS_AS(result_line(record->identity, journalled.substr(0, 200)), std::invalid_argument);
+            CHECK_THROWS_AS(ResultLine(record->identity, journalled.substr(0, 200)), std::invalid_argument);
         }
     }
 }

@@ -42,6 +42,15 @@ Entries entries_written(const std::string& json) {
     return entries;
 }
 
+// What stands in a value, with its place in "m".
+Entries places_in(std::string_view json) {
+    Entries entries;
+    std::string path = "m";
+    for_each_scalar(json, path, [&](std::string_view scalar) { entries.push_back({path, std::string(scalar)}); });
+    CHECK(path == "m");
+    return entries;
+}
+
 const std::string body = R"({"name":"rod \"1\"","x":[-0,1e-05,3],"R":[[1,0,0],[0,1,0],[0,0,1]],"v":[1,2,3],)"
                          R"("omega":[4,5,6]})";
 const std::string quad = R"({"t":"1","bodies":[{"name":"a","x":["-0","1e-05","3"],)"
@@ -64,11 +73,25 @@ TEST_CASE("JSON is taken apart where it is passed on, and refused where it does 
     CHECK(written.value_of("d") == R"({"e":[1,{}]})");
     CHECK(written.value_of("e").empty());
     CHECK(elements_of(WrittenObject(written.value_of("d")).value_of("e")) == std::vector<std::string_view>{"1", "{}"});
+    const auto names_behind = [&](std::string_view begin, std::string_view text) {
+        std::vector<std::string_view> names;
+        for (const WrittenMember& member : members_behind(begin, text)) { names.push_back(member.name); }
+        return names;
+    };
+    using Names = std::vector<std::string_view>;
+    CHECK(names_behind(R"({"a":1,"b \"c\"":"x,}\\")", object) == Names{"d", "f"});
+    CHECK(names_behind(object.substr(0, object.size() - 1), object).empty());
+    CHECK(names_behind(R"({"a":1)", R"({"a":15,"b":2})") == Names{"a", "b"});
+    CHECK(names_behind(R"({"a":2)", R"({"a":1,"b":2})") == Names{"a", "b"});
+    CHECK_THROWS_AS(names_behind(R"({"a":1)", R"({"a":1,"b":2)"), std::invalid_argument);
     CHECK(elements_of("[]").empty());
     CHECK(scalars_of("[]").empty());
     CHECK(scalars_of(R"([[1,"a]"],[],2,{"b":[3]}])") ==
           std::vector<std::string_view>{"1", R"("a]")", "2", R"({"b":[3]})"});
     CHECK(members_of("{}").empty());
+    CHECK(places_in("7") == Entries{{"m", "7"}});
+    CHECK(places_in(R"([[1,"a]"],[],{"b":[3]},[[4]]])") ==
+          Entries{{"m.1.1", "1"}, {"m.1.2", R"("a]")"}, {"m.3", R"({"b":[3]})"}, {"m.4.1.1", "4"}});
     CHECK(text_of("-0.5") == "-0.5");
     CHECK(text_of("\"\"").empty());
     CHECK(text_of("null").empty());
@@ -86,6 +109,7 @@ TEST_CASE("JSON is taken apart where it is passed on, and refused where it does 
     for (const char* text : {"1", "[1", "[[1]", "[1]]", "[[1}]", "[1,]"}) {
         INFO(text);
         CHECK_THROWS_AS(scalars_of(text), std::invalid_argument);
+        if (text[0] == '[') { CHECK_THROWS_AS(places_in(text), std::invalid_argument); }
     }
 }
 

@@ -16,10 +16,15 @@ namespace {
 constexpr std::size_t usual_scalars = 9;                   // of a matrix
 constexpr std::size_t usual_parts = 4, usual_member = 32;  // characters of a member in a large object
 
-/// What values are taken apart at: most of their characters are others.
-constexpr auto is_mark = [] {
-    std::array<bool, 256> marks{};
-    for (const char c : std::string_view("\"{}[],")) { marks[static_cast<unsigned char>(c)] = true; }
+/// What values are taken apart at: most of their characters are none of these.
+enum class Mark : unsigned char { none, comma, quote, opens, closes };
+
+constexpr auto marks = [] {
+    std::array<Mark, 256> marks{};
+    marks[','] = Mark::comma;
+    marks['"'] = Mark::quote;
+    marks['{'] = marks['['] = Mark::opens;
+    marks['}'] = marks[']'] = Mark::closes;
     return marks;
 }();
 
@@ -30,31 +35,39 @@ class Taker {
     template <class TakePart>
     void take_all(char begin, char end, const TakePart& take_part) {
         take_list(begin, end, take_part);
-        if (at_ != text_.size()) { fail("nothing more"); }
+        expect_end();
     }
 
-    /// A name without its quotes.
-    std::string_view name() {
-        const std::size_t start = at_ + 1;
-        if (peek() != '"') { fail("a name"); }
-        skip_string();
-        const std::string_view name = text_.substr(start, at_ - start);
-        ++at_;
-        expect(':');
-        return name;
+    /// The members of an object behind those that are known.
+    template <class TakePart>
+    void take_behind(std::size_t known, const TakePart& take_part) {
+        at_ = known;
+        take_more('}', take_part);
+        expect_end();
+    }
+
+    WrittenMember member() {
+        const std::string_view key = name();
+        return {key, value()};
     }
 
     /// All up to the comma or bracket behind a value.
     std::string_view value() {
         const std::size_t start = at_;
-        for (int depth = 0;; ++at_) {
-            at_ = next_mark(at_);
-            const char c = peek();
-            const bool opens = c == '{' || c == '[', closes = c == '}' || c == ']';
-            if (depth == 0 && (closes || c == ',')) { break; }
-            depth += opens ? 1 : closes ? -1 : 0;
-            if (c == '"') { skip_string(); }
+        std::size_t at = at_;
+        for (int depth = 0; at < text_.size(); ++at) {
+            const Mark mark = marks[static_cast<unsigned char>(text_[at])];
+            if (mark == Mark::none || (mark == Mark::comma && depth > 0)) { continue; }
+            if (mark == Mark::quote) {
+                at = end_of_string(at);
+            } else if (mark == Mark::opens) {
+                ++depth;
+            } else if (depth-- == 0) {
+                break;
+            }
         }
+        at_ = at;
+        peek();
         if (at_ == start) { fail("a value"); }
         return text_.substr(start, at_ - start);
     }
@@ -65,31 +78,53 @@ class Taker {
         take_list('[', ']', [&] { scalars.push_back(value()); });
     }
 
+    /// What stands in a list, with its place behind the path.
+    void take_scalars(std::string& path, const std::function<void(std::string_view)>& visit) {
+        const std::size_t size = path.size();
+        std::size_t index = 0;
+        take_list('[', ']', [&] {
+            path.append(".").append(std::to_string(++index));
+            peek() == '[' ? take_scalars(path, visit) : visit(value());
+            path.resize(size);
+        });
+    }
+
+    void expect_end() const {
+        if (at_ != text_.size()) { fail("nothing more"); }
+    }
+
   private:
+    /// Without its quotes.
+    std::string_view name() {
+        const std::size_t start = at_ + 1;
+        if (peek() != '"') { fail("a name"); }
+        at_ = end_of_string(at_);
+        const std::string_view name = text_.substr(start, at_ - start);
+        ++at_;
+        expect(':');
+        return name;
+    }
+
     template <class TakePart>
     void take_list(char begin, char end, const TakePart& take_part) {
         expect(begin);
-        if (peek() != end) {
+        if (peek() != end) { take_part(); }
+        take_more(end, take_part);
+    }
+
+    template <class TakePart>
+    void take_more(char end, const TakePart& take_part) {
+        while (peek() == ',') {
+            ++at_;
             take_part();
-            while (peek() == ',') {
-                ++at_;
-                take_part();
-            }
         }
         expect(end);
     }
 
-    std::size_t next_mark(std::size_t at) const {
-        while (at < text_.size() && !is_mark[static_cast<unsigned char>(text_[at])]) { ++at; }
+    /// From the first quote of a string to its last, or the end of all.
+    std::size_t end_of_string(std::size_t at) const {
+        for (++at; at < text_.size() && text_[at] != '"'; ++at) { at += text_[at] == '\\' ? 1U : 0U; }
         return at;
-    }
-
-    /// Moves from the first quote of a string to its last.
-    void skip_string() {
-        std::size_t at = at_ + 1;
-        while (at < text_.size() && text_[at] != '"') { at += text_[at] == '\\' ? 2U : 1U; }
-        at_ = at;
-        peek();
     }
 
     void expect(char c) {
@@ -116,10 +151,19 @@ std::vector<WrittenMember> members_of(std::string_view object) {
     std::vector<WrittenMember> members;
     members.reserve(usual_parts + object.size() / usual_member);
     Taker taker(object);
-    taker.take_all('{', '}', [&] {
-        const std::string_view name = taker.name();
-        members.push_back({name, taker.value()});
-    });
+    taker.take_all('{', '}', [&] { members.push_back(taker.member()); });
+    return members;
+}
+
+std::vector<WrittenMember> members_behind(std::string_view begin, std::string_view object) {
+    const std::size_t size = begin.size();  // behind which a number might go on
+    const bool begins =
+        object.starts_with(begin) && object.size() > size && (object[size] == ',' || object[size] == '}');
+    if (!begins) { return members_of(object); }
+    std::vector<WrittenMember> members;
+    members.reserve(usual_parts + (object.size() - size) / usual_member);
+    Taker taker(object);
+    taker.take_behind(size, [&] { members.push_back(taker.member()); });
     return members;
 }
 
@@ -137,6 +181,13 @@ std::vector<std::string_view> scalars_of(std::string_view list) {
     Taker taker(list);
     taker.take_all('[', ']', [&] { taker.take_scalars(scalars); });
     return scalars;
+}
+
+void for_each_scalar(std::string_view json, std::string& path, const std::function<void(std::string_view)>& visit) {
+    if (!json.starts_with('[')) { return visit(json); }
+    Taker taker(json);
+    taker.take_scalars(path, visit);
+    taker.expect_end();
 }
 
 std::string_view WrittenObject::value_of(std::string_view name) {
