@@ -32,7 +32,8 @@ std::string csv_field(const std::string& text) {
 }
 
 void append_csv_field(std::string& row, std::string_view text) {
-    const auto needs_quotes = [](char c) { return c == ',' || c == '"' || c == '\n' || c == '\r'; };
+    // Digits and letters come behind the comma.
+    const auto needs_quotes = [](char c) { return c <= ',' && (c == ',' || c == '"' || c == '\n' || c == '\r'); };
     if (std::none_of(text.begin(), text.end(), needs_quotes)) {
         row += text;
         return;

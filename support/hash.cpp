@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/hash.hpp"
 
-#include <fmt/format.h>
-
 namespace kreisel {
 
 std::uint64_t hash64(std::string_view text, std::uint64_t start) {
@@ -11,7 +9,13 @@ std::uint64_t hash64(std::string_view text, std::uint64_t start) {
     return hash;
 }
 
-std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+std::string hash_text(std::uint64_t hash) {
+    std::string text(16, '0');
+    for (auto digit = text.rbegin(); digit != text.rend(); ++digit, hash >>= 4U) {
+        *digit = "0123456789abcdef"[hash & 0xfU];
+    }
+    return text;
+}
 
 std::string hash_text(std::string_view text) { return hash_text(hash64(text)); }
 

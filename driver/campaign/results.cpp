@@ -34,8 +34,8 @@ class TableFile {
   public:
     TableFile(const TableUnits& units, std::filesystem::path path) : table_(units), path_(std::move(path)) {}
 
-    void add(const std::string& line) {
-        const std::string row = table_.row(line);
+    void add(const ResultLine& line) {
+        const std::string row = table_.row(line.values());
         if (!file_) { begin_again(); }
         if (is_whole()) { file_->add(row); }
     }
@@ -60,7 +60,7 @@ class TableFile {
 template <class Visit>
 void for_each_line_of(const Plan& plan, const FinishedCells& finished, const Visit& visit) {
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-        if (finished.has(i)) { visit(result_line(plan.cells[i].identity(), finished.line(i))); }
+        if (finished.has(i)) { visit(ResultLine(plan.cells[i].identity(), finished.line(i))); }
     }
 }
 
@@ -70,8 +70,8 @@ void write_results(const Plan& plan, const FinishedCells& finished, const TableU
                    const std::filesystem::path& folder) {
     AtomicFile lines(folder / "results.jsonl");
     TableFile table(units, folder / "results.csv");
-    for_each_line_of(plan, finished, [&](const std::string& line) {
-        lines.add(line);
+    for_each_line_of(plan, finished, [&](const ResultLine& line) {
+        lines.add(line.text());
         lines.add("\n");
         table.add(line);
     });
@@ -79,7 +79,7 @@ void write_results(const Plan& plan, const FinishedCells& finished, const TableU
     announce_files(folder, {"results.csv"});
     if (!table.is_whole()) {
         table.begin_again();
-        for_each_line_of(plan, finished, [&](const std::string& line) { table.add(line); });
+        for_each_line_of(plan, finished, [&](const ResultLine& line) { table.add(line); });
     }
     table.keep();
     record_sums(folder, {"results.csv"});

@@ -73,8 +73,8 @@ ReportedReaction decoded_reaction(const JsonValue& json) {
 }  // namespace
 
 std::string encoded(const std::string& text) { return json_text(text); }
-std::string encoded(long count) { return fmt::format("{}", count); }
-std::string encoded(int count) { return fmt::format("{}", count); }
+std::string encoded(long count) { return std::to_string(count); }
+std::string encoded(int count) { return std::to_string(count); }
 std::string encoded(double number) { return json_number(number); }
 std::string encoded(const JsonValue& value) { return json_value(value); }
 std::string encoded(const OptionValues& options) { return json_value(options); }

@@ -35,4 +35,7 @@ struct RecordField {
 /// In the order of a line.
 const std::vector<RecordField>& record_fields();
 
+/// The JSON of the members of a line, by the place of their field; empty where there is none.
+using FieldValues = std::vector<std::string_view>;
+
 }  // namespace kreisel

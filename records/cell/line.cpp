@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "records/cell/line.hpp"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
 
 #include "records/cell/fields.hpp"
@@ -28,6 +26,27 @@ ObjectWriter line_of(const CellRecord& record, LineKind kind) {
     return object;
 }
 
+/// Writes the members of a line, and keeps in mind where the value of each field is.
+class PlacedMembers {
+  public:
+    void add(const RecordField& field, std::string_view json) {
+        if (!json.empty()) { object_.member(field.name, json); }
+        places_.emplace_back(open_text().size() - json.size(), json.size());
+    }
+    const std::string& open_text() const { return object_.open_text(); }
+    /// In a text that begins with the members.
+    FieldValues values_in(std::string_view text) const {
+        FieldValues values;
+        values.reserve(places_.size());
+        for (const auto& [begin, size] : places_) { values.push_back(text.substr(begin, size)); }
+        return values;
+    }
+
+  private:
+    ObjectWriter object_;
+    std::vector<std::pair<std::size_t, std::size_t>> places_;
+};
+
 ReferenceNote note_of(const Reference& reference, double t_end) {
     ReferenceNote note;
     // References are computed in quad whatever the cell's precision: their bounds are given as rounded decimals.
@@ -37,7 +56,7 @@ ReferenceNote note_of(const Reference& reference, double t_end) {
     return note;
 }
 
-Number counted(long count) { return {static_cast<double>(count), fmt::format("{}", count)}; }
+Number counted(long count) { return {static_cast<double>(count), std::to_string(count)}; }
 
 // A cell of constant steps has the counts that it has always had, unless its kind is about costs.
 std::vector<std::pair<std::string, Number>> counts_of(const PlannedCell& planned, const Cost& cost) {
@@ -85,17 +104,28 @@ CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const R
 
 std::string result_text(const CellRecord& record) { return line_of(record, LineKind::result).text(); }
 
-std::string result_line(CellIdentity identity, std::string_view journal_line) {
-    ObjectWriter object;
-    add_identity(std::move(identity), object);
-    const std::vector<WrittenMember> members = members_of(journal_line);
+ResultLine::ResultLine(CellIdentity identity, std::string_view journal_line) {
+    const CellRecord told{std::move(identity), {}, {}};
+    PlacedMembers members;
     for (const RecordField& field : record_fields()) {
-        const std::string_view json =
-            field.part == FieldPart::outcome ? value_of(members, field.name) : std::string_view();
-        if (json.empty()) { continue; }
-        field.of_result == nullptr ? object.member(field.name, json) : object.member(field.name, field.of_result(json));
+        if (field.part == FieldPart::identity) { members.add(field, field.write(told, LineKind::result)); }
     }
-    return with_sum(object.open_text());
+    WrittenObject journalled(members_behind(members.open_text(), journal_line));
+    for (const RecordField& field : record_fields()) {
+        if (field.part == FieldPart::identity) { continue; }
+        const std::string_view json = journalled.value_of(field.name);
+        const bool changes = field.of_result != nullptr && !json.empty();
+        changes ? members.add(field, field.of_result(json)) : members.add(field, json);
+    }
+    text_ = with_sum(members.open_text());
+    values_ = members.values_in(text_);
+}
+
+FieldValues field_values(std::string_view line) {
+    WrittenObject members(line);
+    FieldValues values;
+    for (const RecordField& field : record_fields()) { values.push_back(members.value_of(field.name)); }
+    return values;
 }
 
 void add_identity(CellIdentity identity, ObjectWriter& object) {

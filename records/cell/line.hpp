@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "records/cell/fields.hpp"
 #include "records/cell/planned.hpp"
 #include "records/cell/record.hpp"
 #include "records/json/writer.hpp"
@@ -21,9 +22,27 @@ CellRecord record_of(const PlannedCell& planned, const Outcome& outcome, const R
 /// What a result line says, the same bytes on every run of one build. Throws std::logic_error if the record holds a
 /// number that is not finite.
 std::string result_text(const CellRecord& record);
+
 /// The line of results.jsonl: that with its sum. What was run is told apart, and how it ended by the cell's line of the
-/// journal, which is not read but passed on. Throws std::invalid_argument if that is none.
-std::string result_line(CellIdentity identity, std::string_view journal_line);
+/// journal, which is not read but passed on.
+class ResultLine {
+  public:
+    /// Throws std::invalid_argument if that is none.
+    ResultLine(CellIdentity identity, std::string_view journal_line);
+    ResultLine(const ResultLine&) = delete;
+    ResultLine& operator=(const ResultLine&) = delete;
+
+    const std::string& text() const { return text_; }
+    /// Parts of the text.
+    const FieldValues& values() const { return values_; }
+
+  private:
+    std::string text_;
+    FieldValues values_;
+};
+
+/// The values in a line, as parts of it. Throws std::invalid_argument where it is none.
+FieldValues field_values(std::string_view line);
 
 /// Adds the members of what was run, with which a line begins.
 void add_identity(CellIdentity identity, ObjectWriter& object);

@@ -95,21 +95,23 @@ ParameterValues ProblemSeries::parameters(std::size_t point) const {
 }
 
 std::string ProblemSeries::parameters_text(std::size_t point) const {
-    std::string text;
+    std::string text = "{";
     for (const Text& one : texts_) {
-        text += (text.empty() ? "" : ",") + one.json;
+        if (text.size() > 1) { text += ','; }
+        text += one.json;
         if (!one.varying) { continue; }
         const VaryingParameter& varying = varying_[*one.varying];
         text += varying.text(place(point, varying.axis()));
     }
-    return "{" + text + "}";
+    text += '}';
+    return text;
 }
 
 std::string ProblemSeries::label(std::size_t point) const {
     std::string text = common_.label;
     for (const VaryingParameter& one : varying_) {
         if (one.distinct() == 1) { continue; }
-        text += fmt::format(", {} = {}", one.name(), one.label(place(point, one.axis())));
+        text.append(", ").append(one.name()).append(" = ").append(one.label(place(point, one.axis())));
     }
     return text;
 }

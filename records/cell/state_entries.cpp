@@ -3,67 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <span>
 #include <stdexcept>
 #include <string_view>
+
+#include "records/cell/state_names.hpp"
 
 namespace kreisel {
 
 namespace {
-
-/// Names are made in one place: a table has a row of them for each cell.
-class EntryVisitor {
-  public:
-    explicit EntryVisitor(const VisitStateEntry& visit) : visit_(visit) {}
-
-    void add(std::string_view name, std::string_view family, std::string_view unit, const Number& number) {
-        name_ = name;
-        visit_({name_, family, unit}, number);
-    }
-    /// NAME.1, NAME.2, ...
-    template <class Numbers>
-    void add_all(std::string_view name, std::string_view family, std::string_view unit, const Numbers& numbers) {
-        name_ = name;
-        const std::size_t size = name_.size();
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            name_.resize(size);
-            name_.append(".").append(std::to_string(i + 1));
-            visit_({name_, family, unit}, numbers[i]);
-        }
-    }
-    void add_body(const ReportedBody& body) {
-        add_all(body.name + ".x", "x", "m", body.x);
-        for (std::size_t row = 0; row < 3; ++row) {
-            const std::string name = body.name + ".R." + std::to_string(row + 1);
-            add_all(name, "R", "1", std::span(body.R).subspan(3 * row, 3));
-        }
-        add_all(body.name + ".v", "v", "m/s", body.v);
-        add_all(body.name + ".omega", "omega", "rad/s", body.omega);
-    }
-    /// Names are "lambda.pin.2 [N]", or missing in lines of older versions.
-    void add_multipliers(const ReportedState& state) {
-        for (std::size_t i = 0; i < state.multipliers.size(); ++i) {
-            const bool named = i < state.multiplier_names.size();
-            const std::string title = named ? state.multiplier_names[i] : fmt::format("lambda.{}", i + 1);
-            const auto end = std::min(title.rfind(" ["), title.size());
-            const std::string unit = end == title.size() ? "" : title.substr(end + 2, title.size() - end - 3);
-            add(title.substr(0, end), "multipliers" + title.substr(end), unit, state.multipliers[i]);
-        }
-    }
-    void add_reaction(const ReportedReaction& reaction) {
-        add_all("reaction." + reaction.joint + ".force", "reaction.force", "N", reaction.force);
-        add_all("reaction." + reaction.joint + ".torque", "reaction.torque", "N m", reaction.torque);
-        const std::string drive = "drive." + reaction.joint;
-        if (reaction.driving_force) { add(drive + ".force", "drive.force", "N", *reaction.driving_force); }
-        if (reaction.driving_torque) { add(drive + ".torque", "drive.torque", "N m", *reaction.driving_torque); }
-    }
-
-  private:
-    const VisitStateEntry& visit_;
-    std::string name_;
-};
 
 /// "rod", "R", {2, 3} of "rod.R.2.3": a name, a quantity and one or two indices, counted from 0.
 struct EntryName {
@@ -141,22 +89,11 @@ ReportedState state_of(const std::vector<StateEntry>& entries) {
     return state;
 }
 
-void for_each_state_entry(const ReportedState& state, const VisitStateEntry& visit) {
-    EntryVisitor visitor(visit);
-    visitor.add("t", "t", "s", state.t);
-    for (const ReportedBody& body : state.bodies) { visitor.add_body(body); }
-    visitor.add_multipliers(state);
-    for (const ReportedReaction& reaction : state.reactions) { visitor.add_reaction(reaction); }
-    visitor.add_all("theta", "theta", "rad", state.theta);
-    for (std::size_t i = 0; i < state.turns.size(); ++i) {
-        const Number turns{static_cast<double>(state.turns[i]), fmt::format("{}", state.turns[i])};
-        visitor.add(fmt::format("turns.{}", i + 1), "turns", "1", turns);
-    }
-}
-
 std::vector<StateEntry> state_entries(const ReportedState& state) {
+    std::vector<Number> turns;
+    for (const long count : state.turns) { turns.push_back({static_cast<double>(count), std::to_string(count)}); }
     std::vector<StateEntry> all;
-    for_each_state_entry(state, [&](const StateEntryName& entry, const Number& number) {
+    name_state(state, turns, [&](const StateEntryName& entry, const Number& number) {
         all.push_back({std::string(entry.name), std::string(entry.family), std::string(entry.unit), number});
     });
     return all;

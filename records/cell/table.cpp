@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "records/cell/codec.hpp"
-#include "records/cell/state_entries.hpp"
+#include "records/cell/state_names.hpp"
+#include "records/cell/written_state.hpp"
 #include "records/json/written/written.hpp"
 #include "support/csv.hpp"
 
@@ -23,33 +23,27 @@ class FieldCells {
             put_final_state(json);
         } else if (json.starts_with('{')) {
             for (const WrittenMember& member : members_of(json)) {
-                with_title(member.name, [&] { put_value(member.json, unit_of(std::string(member.name))); });
+                with_title(member.name, [&] { put_numbers(member.json, unit_of(std::string(member.name))); });
             }
         } else {
-            put_text("", text_of(json));
+            put_text("", text_of(json, unescaped_));
         }
     }
 
   private:
     void put_final_state(std::string_view json) {
-        ReportedState final;
-        decode(parse_exactly(json), final);
+        const WrittenState final = written_state(json);
         if (final.bodies.size() > most_bodies_in_table) { return; }
-        for_each_state_entry(final, [&](const StateEntryName& entry, const Number& number) {
-            with_title(entry.name, [&] { put_text(entry.unit, number.text); });
+        name_state(final, final.turns, [&](const StateEntryName& entry, std::string_view number) {
+            with_title(entry.name, [&] { put_text(entry.unit, number); });
         });
     }
 
     /// A scalar, or the numbers of a vector or matrix; lists of bodies, joints and forces are in JSON lines only.
-    void put_value(std::string_view json, std::string_view unit) {
-        if (json.starts_with('[')) {
-            std::size_t index = 0;
-            for (const std::string_view element : elements_of(json)) {
-                with_title("." + std::to_string(++index), [&] { put_value(element, unit); });
-            }
-        } else if (!json.starts_with('{') && json != "null") {
-            put_text(unit, text_of(json));
-        }
+    void put_numbers(std::string_view json, std::string_view unit) {
+        for_each_scalar(json, title_, [&](std::string_view scalar) {
+            if (!scalar.starts_with('{') && scalar != "null") { put_text(unit, text_of(scalar, unescaped_)); }
+        });
     }
 
     std::string unit_of(const std::string& name) const {
@@ -78,17 +72,25 @@ class FieldCells {
     const RecordField& field_;
     const Units* units_;  // of its columns, where it has any
     ColumnGroup& columns_;
-    std::string title_;
+    std::string title_, unescaped_;
 };
 
-/// The fields that have columns, in the order of these.
-std::vector<const RecordField*> column_fields() {
-    std::vector<const RecordField*> fields;
-    for (const RecordField& field : record_fields()) {
-        if (!field.column.empty()) { fields.push_back(&field); }
+/// The places of the fields that have columns, in the order of these.
+std::vector<std::size_t> column_fields() {
+    std::vector<std::size_t> places, last;
+    for (std::size_t place = 0; place < record_fields().size(); ++place) {
+        const std::string& column = record_fields()[place].column;
+        if (!column.empty()) { (column == "final." ? last : places).push_back(place); }
     }
-    std::stable_partition(fields.begin(), fields.end(), [](const auto* field) { return field->column != "final."; });
-    return fields;
+    places.insert(places.end(), last.begin(), last.end());
+    return places;
+}
+
+std::size_t field_named(const std::string& name) {
+    const auto& fields = record_fields();
+    return static_cast<std::size_t>(
+        std::find_if(fields.begin(), fields.end(), [&](const RecordField& field) { return field.name == name; }) -
+        fields.begin());
 }
 
 void append_field(std::string& line, std::string_view text) {
@@ -106,7 +108,7 @@ const Units* units_of(const RecordField& field, const std::string& problem, cons
 }  // namespace
 
 ResultsTable::ResultsTable(TableUnits units) : units_(std::move(units)) {
-    for (const RecordField* field : column_fields()) { groups_.push_back({field}); }
+    for (const std::size_t field : column_fields()) { groups_.push_back({field}); }
 }
 
 std::size_t ResultsTable::columns() const {
@@ -123,19 +125,31 @@ std::string ResultsTable::header() const {
     return line + "\n";
 }
 
-std::string ResultsTable::row(std::string_view line) {
-    const std::vector<WrittenMember> members = members_of(line);
-    const std::string problem = text_of(value_of(members, "problem"));
+std::string ResultsTable::row(const FieldValues& values) {
+    static const std::size_t problem_field = field_named("problem");
+    const std::string problem = text_of(values.at(problem_field));
     std::string row;
     for (Group& group : groups_) {
-        group.columns.begin_row();
-        const std::string_view json = value_of(members, group.field->name);
-        if (!json.empty()) {
-            FieldCells(*group.field, units_of(*group.field, problem, units_), group.columns).put(json);
-        }
-        for (const std::string& text : group.columns.texts()) { append_field(row, text); }
+        const std::string_view json = values.at(group.field);
+        if (json != group.json || problem != problem_) { put(json, problem, group); }
+        row += group.texts;
     }
-    return row + "\n";
+    problem_ = problem;
+    if (!row.empty()) { row.pop_back(); }
+    row += '\n';
+    return row;
+}
+
+void ResultsTable::put(std::string_view json, const std::string& problem, Group& group) const {
+    const RecordField& field = record_fields()[group.field];
+    group.json = json;
+    group.columns.begin_row();
+    if (!json.empty()) { FieldCells(field, units_of(field, problem, units_), group.columns).put(json); }
+    group.texts.clear();
+    for (const std::string& text : group.columns.texts()) {
+        append_csv_field(group.texts, text);
+        group.texts += ',';
+    }
 }
 
 }  // namespace kreisel

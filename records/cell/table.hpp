@@ -30,20 +30,24 @@ class ResultsTable {
   public:
     explicit ResultsTable(TableUnits units);
     /// The row of a line of results.jsonl, with its end; adds the columns that it has and the table has not. Throws
-    /// std::invalid_argument on a line that is not one.
-    std::string row(std::string_view line);
+    /// std::invalid_argument where a value is not one of a line.
+    std::string row(const FieldValues& values);
     /// The line of titles, with its end.
     std::string header() const;
     std::size_t columns() const;
 
   private:
+    /// Most values are those of the row before, and so are their columns.
     struct Group {
-        const RecordField* field;
+        std::size_t field;  ///< its place in record_fields
         ColumnGroup columns = {};
+        std::string json = {}, texts = {};  ///< of the row before; each text with a comma behind it
     };
+    void put(std::string_view json, const std::string& problem, Group& group) const;
 
     TableUnits units_;
     std::vector<Group> groups_;
+    std::string problem_;  // of the row before
 };
 
 }  // namespace kreisel

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -23,9 +24,22 @@ std::string json_map(const Values& values) {
     return object.text();
 }
 
-/// Whether nothing of a text is escaped or checked: most are names.
+/// The characters that are neither escaped nor checked: most texts are names.
+constexpr auto plain_characters = [] {
+    std::array<bool, 256> plain{};
+    for (unsigned char c = ' '; c <= '~'; ++c) { plain[c] = c != '"' && c != '\\'; }
+    return plain;
+}();
+
 bool is_plain(std::string_view text) {
-    return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+    return std::all_of(text.begin(), text.end(), [](unsigned char c) { return plain_characters[c]; });
+}
+
+void append_number(std::string& json, const Number& number, bool quad) {
+    if (!std::isfinite(number.value)) { throw std::logic_error("the engine reported a number that is not finite"); }
+    if (quad) { json += '"'; }
+    json += number.text;
+    if (quad) { json += '"'; }
 }
 
 void append_text(std::string& json, std::string_view text) {
@@ -47,11 +61,15 @@ std::string json_text(std::string_view text) {
 }
 
 ObjectWriter& ObjectWriter::member(std::string_view key, std::string_view json) {
+    value(key) += json;
+    return *this;
+}
+
+std::string& ObjectWriter::value(std::string_view key) {
     if (text_.size() > 1) { text_ += ','; }
     append_text(text_, key);
     text_ += ':';
-    text_ += json;
-    return *this;
+    return text_;
 }
 
 std::string json_number(double value) {
@@ -100,33 +118,39 @@ std::string json_value(const ParameterValues& values) { return json_map(values);
 std::string json_value(const std::vector<std::string>& texts) { return json_list(texts, json_text); }
 
 std::string json_value(const Number& number, bool quad) {
-    if (!std::isfinite(number.value)) { throw std::logic_error("the engine reported a number that is not finite"); }
-    return quad ? json_text(number.text) : number.text;
+    std::string json;
+    append_number(json, number, quad);
+    return json;
 }
 
 std::string json_value(const ReportedState& state, bool quad) {
     const auto write = [quad](const Number& number) { return json_value(number, quad); };
+    const auto append = [quad](std::string& json, const Number& number) { append_number(json, number, quad); };
     const auto write_body = [&](const ReportedBody& body) {
         ObjectWriter object;
-        object.member("name", json_text(body.name)).member("x", json_list(body.x, write));
-        object.member("R", json_rows(body.R, write)).member("v", json_list(body.v, write));
-        return object.member("omega", json_list(body.omega, write)).text();
+        append_text(object.value("name"), body.name);
+        append_list(object.value("x"), body.x, append);
+        append_rows(object.value("R"), body.R, append);
+        append_list(object.value("v"), body.v, append);
+        append_list(object.value("omega"), body.omega, append);
+        return object.text();
     };
     ObjectWriter object;
     object.member("t", write(state.t)).member("bodies", json_list(state.bodies, write_body));
-    if (!state.multipliers.empty()) { object.member("multipliers", json_list(state.multipliers, write)); }
+    if (!state.multipliers.empty()) { append_list(object.value("multipliers"), state.multipliers, append); }
     if (!state.multiplier_names.empty()) { object.member("multiplier_names", json_value(state.multiplier_names)); }
     const auto write_reaction = [&](const ReportedReaction& reaction) {
         ObjectWriter one;
-        one.member("joint", json_text(reaction.joint)).member("force", json_list(reaction.force, write));
-        one.member("torque", json_list(reaction.torque, write));
+        append_text(one.value("joint"), reaction.joint);
+        append_list(one.value("force"), reaction.force, append);
+        append_list(one.value("torque"), reaction.torque, append);
         if (reaction.driving_force) { one.member("driving_force", write(*reaction.driving_force)); }
         if (reaction.driving_torque) { one.member("driving_torque", write(*reaction.driving_torque)); }
         return one.member("unique", reaction.unique ? "true" : "false").text();
     };
     if (!state.reactions.empty()) { object.member("reactions", json_list(state.reactions, write_reaction)); }
     if (!state.turns.empty()) {
-        object.member("theta", json_list(state.theta, write));
+        append_list(object.value("theta"), state.theta, append);
         object.member("turns", json_list(state.turns, [](long turns) { return std::to_string(turns); }));
     }
     return object.text();

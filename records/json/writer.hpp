@@ -28,6 +28,8 @@ std::string json_value(const ReportedState& state, bool quad);
 class ObjectWriter {
   public:
     ObjectWriter& member(std::string_view key, std::string_view json);
+    /// Begins a member; its value is to be added to the text.
+    std::string& value(std::string_view key);
     std::string text() const { return text_ + "}"; }
     /// Without the closing brace.
     const std::string& open_text() const { return text_; }

@@ -54,9 +54,11 @@ CellNaming::CellNaming(const PlannedRun& run) {
 }
 
 std::uint64_t CellNaming::name(const std::string& parameters, long steps, double tolerance) const {
-    std::string rest = fmt::format("{}{}{}{}", parameters, before_steps_, steps, after_steps_);
-    if (tolerance > 0) { rest += ",\"tolerance\":" + json_number(tolerance) + of_tolerance_; }
-    return hash64(rest + of_times_, before_parameters_);
+    std::uint64_t hash = hash64(parameters, before_parameters_);
+    hash = hash64(std::to_string(steps), hash64(before_steps_, hash));
+    hash = hash64(after_steps_, hash);
+    if (tolerance > 0) { hash = hash64(",\"tolerance\":" + json_number(tolerance) + of_tolerance_, hash); }
+    return hash64(of_times_, hash);
 }
 
 }  // namespace kreisel

@@ -14,7 +14,8 @@ std::string text_of(const SystemSummary& system) {
                                    constraints.rows, constraints.rank, constraints.directions);
     for (const std::string& row : constraints.redundant) { text += row + "\n"; }
     for (const IntegralDescription& integral : system.integrals) {
-        text += fmt::format("\n{}\t{}\t{}", integral.name, integral.unit, integral.reason);
+        text.append("\n").append(integral.name).append("\t").append(integral.unit);
+        text.append("\t").append(integral.reason);
     }
     return text;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "records/json/exact.hpp"
@@ -12,10 +13,20 @@ namespace kreisel {
 
 namespace {
 
-constexpr std::size_t usual_parts = 4;
+constexpr std::size_t usual_scalars = 9;                   // of a matrix
+constexpr std::size_t usual_parts = 4, usual_member = 32;  // characters of a member in a large object
 
-/// Most characters of values are digits and letters.
-constexpr bool is_inside_word(char c) { return (c > ',' && c < '[') || (c >= 'a' && c <= 'z'); }
+/// What values are taken apart at: most of their characters are none of these.
+enum class Mark : unsigned char { none, comma, quote, opens, closes };
+
+constexpr auto marks = [] {
+    std::array<Mark, 256> marks{};
+    marks[','] = Mark::comma;
+    marks['"'] = Mark::quote;
+    marks['{'] = marks['['] = Mark::opens;
+    marks['}'] = marks[']'] = Mark::closes;
+    return marks;
+}();
 
 class Taker {
   public:
@@ -23,48 +34,97 @@ class Taker {
 
     template <class TakePart>
     void take_all(char begin, char end, const TakePart& take_part) {
-        expect(begin);
-        if (peek() != end) {
-            take_part();
-            while (peek() == ',') {
-                ++at_;
-                take_part();
+        take_list(begin, end, take_part);
+        expect_end();
+    }
+
+    /// The members of an object behind those that are known.
+    template <class TakePart>
+    void take_behind(std::size_t known, const TakePart& take_part) {
+        at_ = known;
+        take_more('}', take_part);
+        expect_end();
+    }
+
+    WrittenMember member() {
+        const std::string_view key = name();
+        return {key, value()};
+    }
+
+    /// All up to the comma or bracket behind a value.
+    std::string_view value() {
+        const std::size_t start = at_;
+        std::size_t at = at_;
+        for (int depth = 0; at < text_.size(); ++at) {
+            const Mark mark = marks[static_cast<unsigned char>(text_[at])];
+            if (mark == Mark::none || (mark == Mark::comma && depth > 0)) { continue; }
+            if (mark == Mark::quote) {
+                at = end_of_string(at);
+            } else if (mark == Mark::opens) {
+                ++depth;
+            } else if (depth-- == 0) {
+                break;
             }
         }
-        expect(end);
+        at_ = at;
+        peek();
+        if (at_ == start) { fail("a value"); }
+        return text_.substr(start, at_ - start);
+    }
+
+    /// A value that is no list, or the elements of one.
+    void take_scalars(std::vector<std::string_view>& scalars) {
+        if (peek() != '[') { return scalars.push_back(value()); }
+        take_list('[', ']', [&] { scalars.push_back(value()); });
+    }
+
+    /// What stands in a list, with its place behind the path.
+    void take_scalars(std::string& path, const std::function<void(std::string_view)>& visit) {
+        const std::size_t size = path.size();
+        std::size_t index = 0;
+        take_list('[', ']', [&] {
+            path.append(".").append(std::to_string(++index));
+            peek() == '[' ? take_scalars(path, visit) : visit(value());
+            path.resize(size);
+        });
+    }
+
+    void expect_end() const {
         if (at_ != text_.size()) { fail("nothing more"); }
     }
 
-    /// A name without its quotes.
+  private:
+    /// Without its quotes.
     std::string_view name() {
         const std::size_t start = at_ + 1;
         if (peek() != '"') { fail("a name"); }
-        skip_string();
+        at_ = end_of_string(at_);
         const std::string_view name = text_.substr(start, at_ - start);
         ++at_;
         expect(':');
         return name;
     }
 
-    /// All up to the comma or bracket behind a value.
-    std::string_view value() {
-        const std::size_t start = at_;
-        for (int depth = 0;; ++at_) {
-            const char c = peek();
-            if (is_inside_word(c)) { continue; }
-            const bool opens = c == '{' || c == '[', closes = c == '}' || c == ']';
-            if (depth == 0 && (closes || c == ',')) { break; }
-            depth += opens ? 1 : closes ? -1 : 0;
-            if (c == '"') { skip_string(); }
-        }
-        if (at_ == start) { fail("a value"); }
-        return text_.substr(start, at_ - start);
+    template <class TakePart>
+    void take_list(char begin, char end, const TakePart& take_part) {
+        expect(begin);
+        if (peek() != end) { take_part(); }
+        take_more(end, take_part);
     }
 
-  private:
-    /// Moves from the first quote of a string to its last.
-    void skip_string() {
-        for (++at_; peek() != '"'; ++at_) { at_ += peek() == '\\' ? 1U : 0U; }
+    template <class TakePart>
+    void take_more(char end, const TakePart& take_part) {
+        while (peek() == ',') {
+            ++at_;
+            take_part();
+        }
+        expect(end);
+    }
+
+    /// From the first quote of a string to its last, or the end of all.
+    std::size_t end_of_string(std::size_t at) const {
+        for (++at; at < text_.size() && text_[at] != '"'; ++at) { at += text_[at] == '\\' ? 1U : 0U; }
+        return at;
     }
 
     void expect(char c) {
@@ -89,12 +149,21 @@ class Taker {
 
 std::vector<WrittenMember> members_of(std::string_view object) {
     std::vector<WrittenMember> members;
-    members.reserve(usual_parts);
+    members.reserve(usual_parts + object.size() / usual_member);
     Taker taker(object);
-    taker.take_all('{', '}', [&] {
-        const std::string_view name = taker.name();
-        members.push_back({name, taker.value()});
-    });
+    taker.take_all('{', '}', [&] { members.push_back(taker.member()); });
+    return members;
+}
+
+std::vector<WrittenMember> members_behind(std::string_view begin, std::string_view object) {
+    const std::size_t size = begin.size();  // behind which a number might go on
+    const bool begins =
+        object.starts_with(begin) && object.size() > size && (object[size] == ',' || object[size] == '}');
+    if (!begins) { return members_of(object); }
+    std::vector<WrittenMember> members;
+    members.reserve(usual_parts + (object.size() - size) / usual_member);
+    Taker taker(object);
+    taker.take_behind(size, [&] { members.push_back(taker.member()); });
     return members;
 }
 
@@ -106,16 +175,40 @@ std::vector<std::string_view> elements_of(std::string_view list) {
     return elements;
 }
 
-std::string_view value_of(const std::vector<WrittenMember>& members, std::string_view name) {
+std::vector<std::string_view> scalars_of(std::string_view list) {
+    std::vector<std::string_view> scalars;
+    scalars.reserve(usual_scalars);
+    Taker taker(list);
+    taker.take_all('[', ']', [&] { taker.take_scalars(scalars); });
+    return scalars;
+}
+
+void for_each_scalar(std::string_view json, std::string& path, const std::function<void(std::string_view)>& visit) {
+    if (!json.starts_with('[')) { return visit(json); }
+    Taker taker(json);
+    taker.take_scalars(path, visit);
+    taker.expect_end();
+}
+
+std::string_view WrittenObject::value_of(std::string_view name) {
+    const auto fits = [&](const WrittenMember& member) { return member.name == name; };
+    const auto next = members_.begin() + static_cast<std::ptrdiff_t>(next_);
     const auto found =
-        std::find_if(members.begin(), members.end(), [&](const WrittenMember& member) { return member.name == name; });
-    return found == members.end() ? std::string_view() : found->json;
+        next != members_.end() && fits(*next) ? next : std::find_if(members_.begin(), members_.end(), fits);
+    if (found == members_.end()) { return {}; }
+    next_ = static_cast<std::size_t>(found - members_.begin()) + 1;
+    return found->json;
 }
 
 std::string text_of(std::string_view json) {
+    std::string unescaped;
+    return std::string(text_of(json, unescaped));
+}
+
+std::string_view text_of(std::string_view json, std::string& unescaped) {
     const bool plain = json.find('\\') == std::string_view::npos;
-    if (!plain || json == "null") { return parse_exactly(json).text; }
-    return std::string(json.starts_with('"') ? json.substr(1, json.size() - 2) : json);
+    if (!plain || json == "null") { return unescaped = parse_exactly(json).text; }
+    return json.starts_with('"') ? json.substr(1, json.size() - 2) : json;
 }
 
 }  // namespace kreisel
