@@ -44,6 +44,7 @@ struct Config {
     bool metrics_given = false;  ///< false: the defaults of the kind apply
     std::string figure;          ///< as written, JSON; empty if absent
     std::vector<std::string> warnings;
+    std::shared_ptr<const Config> whole;  ///< what --filter left a part of; null: this is all
     /// True if cells measure the time and memory of their steps, and nothing else.
     bool is_timed() const;
     /// True if cells are run again for the time of their steps.

@@ -10,6 +10,7 @@
 
 #include "driver/config/model.hpp"
 #include "driver/config/values.hpp"
+#include "records/json/diagnostics.hpp"
 #include "records/json/model_keys.hpp"
 #include "records/json/writer.hpp"
 
@@ -161,12 +162,21 @@ std::vector<Together> zipped(const Axes& all) {
     return groups;
 }
 
+// An axis alone in its zip is crossed with all others, which its name does not look like.
+void warn_of_lonely(const Together& axes) {
+    const Axis& first = *axes.front();
+    if (first.zip.empty() || axes.size() > 1) { return; }
+    first.node.warn(
+        fmt::format("no other axis here has the zip {}: this one is crossed with the others", in_quotes(first.zip)));
+}
+
 // Axes without values, or that do not fit together, have been told; they make no problems.
 void vary(Axes all, ReadParameters& parameters) {
     std::map<std::string, std::size_t> axis_of;  // by parameter
     for (const Together& some : zipped(all)) {
         const std::size_t count = some.front()->values.size();
         if (count == 0 || !fit_together(some)) { continue; }
+        warn_of_lonely(some);
         for (const Axis* axis : some) { axis_of[axis->name] = parameters.axes.size(); }
         parameters.axes.push_back(count);
     }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "records/begin.hpp"
@@ -51,15 +52,20 @@ std::vector<std::string> all_texts(const ProblemSeries& problems, const VaryingP
     return texts;
 }
 
-// A list of numbers, or an axis that varies with all others.
+bool varies_with_others(const ProblemSeries& problems) {
+    const auto& all = problems.varying();
+    return std::count_if(all.begin(), all.end(), [](const auto& one) { return one.distinct() > 1; }) > 1;
+}
+
+// A list of numbers, or an axis that varies with all others, if there are any.
 std::string varying_text(const ProblemSeries& problems, const VaryingParameter& varying, bool crossed) {
     const auto as_it_is = [](const std::string& text) { return text; };
     if (varying.distinct() == 1) { return written_text(problems, varying, 0); }
     if (crossed) { return list_text(distinct_texts(problems, varying), as_it_is); }
-    return ObjectWriter()
-        .member("axis", list_text(all_texts(problems, varying), as_it_is))
-        .member("zip", json_text("all"))
-        .text();
+    ObjectWriter axis;
+    axis.member("axis", list_text(all_texts(problems, varying), as_it_is));
+    if (varies_with_others(problems)) { axis.member("zip", json_text("all")); }
+    return axis.text();
 }
 
 // The problems of one entry as that entry.

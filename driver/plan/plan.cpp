@@ -8,7 +8,8 @@
 
 #include "driver/plan/begins.hpp"
 #include "driver/plan/cells/crossing.hpp"
-#include "driver/plan/figures.hpp"
+#include "driver/plan/figures/figures.hpp"
+#include "driver/plan/figures/narrowed_figures.hpp"
 #include "driver/plan/metrics.hpp"
 #include "records/json/diagnostics.hpp"
 #include "records/kinds/kind.hpp"
@@ -139,10 +140,15 @@ Plan make_plan(const Document& document, const Config& config, const Engines& en
     check_begins(engines, sink, plan);
     const auto metrics = known_metrics(plan);
     check_metrics(metrics, sink, plan);
-    check_figures(document, plan, metrics, engines.binary64, sink);
+    const auto check = config.whole ? check_filtered_figures : check_figures;
+    check(document, plan, metrics, engines.binary64, sink);
     cross_axes(engines, sink, plan);
     sink.raise();
-    check_selections(document, plan, sink);
+    if (config.whole) {
+        narrow_figures(metrics, engines.binary64, plan);
+    } else {
+        check_selections(document, plan, sink);
+    }
     sink.raise();
     warn(plan);
     return plan;

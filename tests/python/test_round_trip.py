@@ -190,7 +190,8 @@ class Samples(unittest.TestCase):
         results = results_of("orders")
         cells = results.cells
         for cell in cells.index[cells["trajectory"].notna()]:
-            titles, *rows = list(csv.reader((results.folder / cells.at[cell, "trajectory"]).open(newline="")))
+            with (results.folder / cells.at[cell, "trajectory"]).open(newline="") as file:
+                titles, *rows = list(csv.reader(file))
             samples = results.trajectory(cell)
             self.assertEqual(samples.attrs["units"], dict(map(split_title, titles)))
             quad = cells.at[cell, "precision"] == "quad"

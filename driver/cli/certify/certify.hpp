@@ -15,8 +15,8 @@ namespace kreisel {
 /// what steps preserve, energy over 10,000 steps (if `is_long`, over a million), constraints and first integrals, cost,
 /// and as remarks the properties that were seen and are not declared. With an `output` folder writes it there too, as
 /// text, Markdown and LaTeX. Returns Exit::cells_failed, and says so, if an observed order falls short of the declared
-/// one, a declared property is not there, or a cell fails. Throws UsageError, with the nearest name, for an unknown
-/// method.
+/// one, a declared property is not there or has no cell that could show it, or a cell fails. Throws UsageError, with
+/// the nearest name, for an unknown method.
 Exit certify_command(const std::string& method, bool is_long, const std::filesystem::path& output,
                      const Engines& engines, const Terminal& terminal);
 

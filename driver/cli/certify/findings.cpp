@@ -75,6 +75,18 @@ std::map<Domain, bool> seen_on(const Results& results, Property property) {
     return seen;
 }
 
+// Declared of a class of which no cell tells, or of its largest part that trials have.
+std::vector<std::string> claims_not_seen(const MethodDescription& method, Property property,
+                                         const std::map<Domain, bool>& seen) {
+    std::vector<std::string> complaints;
+    for (const Claim& claim : method.preserves) {
+        if (claim.property != property || seen.contains(std::min(claim.domain, Domain::constrained))) { continue; }
+        complaints.push_back(fmt::format("it declares to be {} on {} systems, and no cell shows it", name(property),
+                                         name(claim.domain)));
+    }
+    return complaints;
+}
+
 // On a class and on all that are parts of it.
 std::optional<Domain> largest_domain(const std::map<Domain, bool>& seen) {
     std::optional<Domain> largest;
@@ -98,6 +110,8 @@ Findings structure_findings(const MethodDescription& method, const Results& resu
                     fmt::format("it declares to be {} on {} systems, and is not", name(property), name(domain)));
             }
         }
+        const auto not_seen = claims_not_seen(method, property, seen);
+        findings.complaints.insert(findings.complaints.end(), not_seen.begin(), not_seen.end());
         const auto largest = largest_domain(seen);
         if (largest && !method.claims(property, *largest)) {
             findings.remarks.push_back(fmt::format("{} on {} systems, as far as was seen; this is not declared",

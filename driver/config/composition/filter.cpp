@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
 
 #include "records/json/diagnostics.hpp"
@@ -73,6 +74,7 @@ void apply_filter(const std::string& filter, Config& config) {
 }  // namespace
 
 void apply_filters(const std::vector<std::string>& filters, Config& config) {
+    if (!filters.empty()) { config.whole = std::make_shared<const Config>(config); }
     for (const std::string& filter : filters) { apply_filter(filter, config); }
 }
 

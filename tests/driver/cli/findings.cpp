@@ -60,7 +60,21 @@ TEST_CASE("what is declared and not seen is a complaint, and what is seen is not
     CHECK(found.complaints == std::vector<std::string>{"it declares to be symmetric on free systems, and is not",
                                                        "it declares to be energy-preserving on potential systems, "
                                                        "and is not"});
-    CHECK(structure_findings(bold, {}).complaints.empty());
+}
+
+TEST_CASE("what is declared of a class without cells is a complaint") {
+    Results free_alone;
+    add_cells(free_alone, "free_top", "SO3", 1e-33);
+    MethodDescription bold{.name = "some/method"};
+    bold.preserves = {{Property::symplectic, Domain::potential}, {Property::energy, Domain::free}};
+    const std::vector<std::string> expected = {
+        "it declares to be symplectic on potential systems, and no cell shows it"};
+    CHECK(structure_findings(bold, free_alone).complaints == expected);
+    CHECK(structure_findings(bold, {}).complaints.size() == 2);
+    // Of autonomous systems jointed ones are the most that trials have.
+    bold.preserves = {{Property::symplectic, Domain::autonomous}};
+    CHECK(structure_findings(bold, structure_results(1e-33, 1e-3)).complaints.empty());
+    CHECK(structure_findings(bold, free_alone).complaints.size() == 1);
 }
 
 TEST_CASE("remarks stand below the tables of a sheet in every format") {

@@ -119,6 +119,25 @@ TEST_CASE("a parameter of any kind can be an axis, and axes can vary together") 
     for (std::size_t i = 0; i < 4; ++i) { CHECK(again.cells[i].identity() == plan.cells[i].identity()); }
 }
 
+TEST_CASE("an axis alone in its zip gives a warning, and is crossed") {
+    const auto plan_of_zips = [](const std::string& of_mass, const std::string& of_lever) {
+        return plan_from(R"({"name": "n", "kind": "drift", "methods": ["rkmk/rk4"], "time": {"end": 1, "steps": 4},
+            "problems": [{"name": "heavy_top", "parameters": {
+                "mass": {"axis": [1, 8], "zip": ")" +
+                         of_mass + R"("},
+                "lever": {"axis": [[0, 0, 1], [0, 0, 2]], "zip": ")" +
+                         of_lever + "\"}}}]}");
+    };
+    CHECK(plan_of_zips("size", "size").warnings.empty());
+    const Plan lonely = plan_of_zips("size", "sizes");
+    CHECK(lonely.cells.size() == 4);
+    CHECK(lonely.warnings ==
+          std::vector<std::string>{"/problems/0/parameters/mass: no other axis here has the zip \"size\": this one is "
+                                   "crossed with the others",
+                                   "/problems/0/parameters/lever: no other axis here has the zip \"sizes\": this one "
+                                   "is crossed with the others"});
+}
+
 TEST_CASE("lists of bodies on an axis are told apart by their numbers") {
     const auto bodies = [](double mass) {
         return fmt::format(R"([{{"name": "a", "mass": {}, "inertia": [1, 1, 1], "x": [0, 0, 0]}}])", mass);
@@ -130,6 +149,7 @@ TEST_CASE("lists of bodies on an axis are told apart by their numbers") {
     REQUIRE(plan.cells.size() == 2);
     CHECK(plan.cells[0].label() == "multibody, bodies = #1");
     CHECK(plan.cells[1].label() == "multibody, bodies = #2");
+    CHECK(plan_from(resolved_config(plan.config)).warnings.empty());
 }
 
 TEST_CASE("what does not apply is skipped with the reason") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "driver/plan/curve_names.hpp"
+#include "driver/plan/figures/curve_names.hpp"
 
 #include <fmt/format.h>
 

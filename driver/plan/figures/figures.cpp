@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "driver/plan/figures.hpp"
+#include "driver/plan/figures/figures.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,8 @@
 #include <map>
 #include <set>
 
-#include "driver/plan/curve_names.hpp"
+#include "driver/plan/figures/curve_names.hpp"
+#include "driver/plan/figures/selected_names.hpp"
 #include "plots/figures/cells/cell_value.hpp"
 #include "plots/figures/kind.hpp"
 #include "plots/figures/spec.hpp"
@@ -24,43 +25,11 @@ bool in_list(const std::vector<std::string>& list, const std::string& value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-std::vector<std::string> entry_names(const std::vector<OptionedEntry>& entries) {
-    std::vector<std::string> names;
-    names.reserve(entries.size());
-    for (const OptionedEntry& entry : entries) { names.push_back(entry.name); }
-    return names;
-}
-
-// The values `select` may name under a key; nothing if the values are not known before the run (names with options).
-std::vector<std::string> selectable(const std::string& key, const Config& config) {
-    std::vector<std::string> values;
-    if (key == "steps") {
-        for (const long steps : config.steps) { values.push_back(fmt::format("{}", steps)); }
-    }
-    if (key == "results") { values = {config.name}; }
-    if (key == "problem") {
-        for (const ProblemPoint& problem : config.problems) {
-            values.insert(values.end(), {problem.label(), problem.series_label(), problem.name()});
-        }
-    }
-    if (key == "tolerance") {
-        for (const double tolerance : config.tolerances) { values.push_back(fmt::format("{}", tolerance)); }
-    }
-    if (key == "formulation") { values = config.formulations; }
-    if (key == "precision") { values = config.precisions; }
-    if (key == "method") { values = entry_names(config.methods); }
-    if (key == "projection") { values = entry_names(config.projections); }
-    return values;
-}
-
 bool is_selected(const Figure& figure, const std::string& key, const std::vector<std::string>& names) {
     const auto wanted = figure.select.find(key);
     if (wanted == figure.select.end()) { return true; }
-    return std::any_of(wanted->second.begin(), wanted->second.end(), [&](const std::string& value) {
-        // What a method with options is called is not known before the run.
-        const bool with_options = (key == "method" || key == "projection") && value.find(' ') != std::string::npos;
-        return with_options || in_list(names, value);
-    });
+    return std::any_of(wanted->second.begin(), wanted->second.end(),
+                       [&](const std::string& value) { return has_options(key, value) || in_list(names, value); });
 }
 
 // Whether it selects by parameters or options.
@@ -127,27 +96,20 @@ class FigureCheck {
         const FigureKind& kind = *find_figure_kind(figure.kind);
         const std::vector<std::string> drawn = figure.drawn_metrics();
         for (std::size_t i = 0; i < drawn.size(); ++i) {
-            if (kind.metrics.empty()) { check_metric(drawn[i], place(figure.pointer + "/metric", i)); }
+            if (kind.metrics.empty()) {
+                check_metric(drawn[i], place_of_entry(document_, figure.pointer + "/metric", i));
+            }
         }
         check_axes(figure, kind);
         check_body(figure);
         check_until(figure);
-        for (const auto& [key, values] : figure.select) {
-            for (std::size_t i = 0; i < values.size(); ++i) { check_selection(figure, key, values[i], i); }
-        }
+        check_selected_names(document_, config_.whole ? *config_.whole : config_, figure, sink_);
     }
 
   private:
     void refuse(Rule rule, const std::string& pointer, const std::string& expected, const std::string& got,
                 const std::string& suggestion = "") {
         sink_.add({.pointer = pointer, .expected = expected, .got = got, .suggestion = suggestion, .rule = rule});
-    }
-
-    // The place of entry i under a key that holds one value or a list, or is left out.
-    std::string place(const std::string& pointer, std::size_t i) const {
-        const nlohmann::json::json_pointer path(pointer);
-        if (!document_.value.contains(path)) { return pointer.substr(0, pointer.rfind('/')); }
-        return document_.value.at(path).is_array() ? fmt::format("{}/{}", pointer, i) : pointer;
     }
 
     void check_metric(const std::string& metric, const std::string& pointer) {
@@ -174,7 +136,7 @@ class FigureCheck {
             if (key.name == "x" || key.name == "y") { axes.push_back(key.value(figure)); }
         }
         if (axes.size() < 2 || axes.front() != axes.back()) { return; }
-        refuse(Rule::each_once, place(figure.pointer + "/y", 0), "another axis than that of x",
+        refuse(Rule::each_once, place_of_entry(document_, figure.pointer + "/y", 0), "another axis than that of x",
                axes.back().dump() + " again");
     }
 
@@ -193,29 +155,12 @@ class FigureCheck {
                fmt::format("{}", *figure.drawn_until()));
     }
 
-    void check_selection(const Figure& figure, const std::string& key, const std::string& value, std::size_t i) {
-        if (is_cell_value(key)) { return; }  // known when the cells are
-        const auto values = selectable(key, config_);
-        const bool with_options = (key == "method" || key == "projection") && value.find(' ') != std::string::npos;
-        if (in_list(values, value) || with_options) { return; }
-        refuse(Rule::figure_selection, place(fmt::format("{}/select/{}", figure.pointer, key), i),
-               fmt::format("a {} of this experiment", key),
-               key == "steps" || key == "tolerance" ? value : in_quotes(value), nearest_name(value, values));
-    }
-
     const Document& document_;
     const Config& config_;
     const std::vector<std::string>& metrics_;
     const Engine& engine_;
     Diagnostics& sink_;
 };
-
-// Their shape was checked when the config was read.
-std::vector<std::unique_ptr<Figure>> figures_in(const Document& document, const Plan& plan) {
-    if (plan.config.figure.empty()) { return {}; }
-    Diagnostics quiet(document);
-    return read_figures(Node(document.value.at("figure"), "/figure", quiet), plan.config.name);
-}
 
 // False, with errors, where `select` names parameters or options, or values of these, that no cell has.
 bool check_cell_values(const Figure& figure, const Plan& plan, Diagnostics& sink) {
@@ -249,6 +194,12 @@ std::vector<ResultRow> drawn_rows(const Figure& figure, const Plan& plan) {
 }
 
 }  // namespace
+
+std::vector<std::unique_ptr<Figure>> figures_in(const Document& document, const Plan& plan) {
+    if (plan.config.figure.empty()) { return {}; }
+    Diagnostics quiet(document);
+    return read_figures(Node(document.value.at("figure"), "/figure", quiet), plan.config.name);
+}
 
 void check_figures(const Document& document, const Plan& plan, const std::vector<std::string>& metrics,
                    const Engine& engine, Diagnostics& sink) {
