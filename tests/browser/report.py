@@ -200,6 +200,10 @@ def check_filled(browser):
         parts = extent(browser)
         assert all(low > 0.03 and high < 0.97 for low, high in parts), f"{view}: the motion leaves the picture, {parts}"
         assert max(high - low for low, high in parts) > 0.7, f"{view}: the motion fills little of the picture, {parts}"
+    browser.driver.set_window_size(640, 1400)
+    parts = extent(browser)
+    browser.driver.set_window_size(1280, 1400)
+    assert all(low > 0.03 and high < 0.97 for low, high in parts), f"a narrow page cuts the motion, {parts}"
     seen, made = browser.run("""return [performance.getEntriesByName('first-contentful-paint'),
         performance.getEntriesByName('motion')].map((list) => list[0].startTime)""")
     assert seen < made, f"the page is seen {seen} ms after its start, the motion is begun after {made} ms"

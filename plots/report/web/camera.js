@@ -15,7 +15,7 @@ const filledPart = 0.86;  // of the picture, which a motion may take
 
 class Camera {
   constructor(changed) {
-    Object.assign(this, {changed, azimuth: -0.95, elevation: 0.36, distance: 1, target: [0, 0, 0]});
+    Object.assign(this, {changed, azimuth: -0.95, elevation: 0.36, distance: 1, target: [0, 0, 0], isFramed: false});
   }
   direction() {
     const {azimuth, elevation} = this, across = Math.cos(elevation);
@@ -44,21 +44,26 @@ class Camera {
       this.target = add3(this.target, axis, (least + most) / 2);
       this.distance = Math.max(this.distance, (most - least) / (2 * k));
     }
+    this.isFramed = true;
+    this.changed();
+  }
+  moved() {
+    this.isFramed = false;
     this.changed();
   }
   turn(azimuth, elevation) {
     this.azimuth += azimuth;
     this.elevation = Math.min(1.5, Math.max(-1.5, this.elevation + elevation));
-    this.changed();
+    this.moved();
   }
   zoom(factor) {
     this.distance *= factor;
-    this.changed();
+    this.moved();
   }
   shift(right, up) {
     const z = this.direction(), x = unit3(cross3([0, 0, 1], z)), y = cross3(z, x);
     this.target = add3(add3(this.target, x, -right * this.distance), y, up * this.distance);
-    this.changed();
+    this.moved();
   }
   // The wheel scrolls the page unless the picture has the focus.
   listen(canvas) {

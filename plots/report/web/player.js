@@ -111,7 +111,8 @@ class Player {
       this.toggle();
     });
     document.addEventListener('themechange', () => { this.readColours(); this.paint(); });
-    new ResizeObserver(() => this.paint()).observe(this.canvas);  // it has no size before it stands in the page
+    // What nobody has turned stays as large as it fits.
+    new ResizeObserver(() => (this.camera.isFramed ? this.frame() : this.paint())).observe(this.canvas);
   }
   readColours() {
     const names = {page: '--page', grid: '--line', ground: '--guide', joint: '--faint', spring: '--guide',
