@@ -14,21 +14,27 @@ _kreisel_help() { "$kreisel" ${2:+"$2"} --help | sed -n "/^$1:/,/^\$/p"; }
 
 _kreisel_options() { _kreisel_help Options "$1" | _kreisel_rows | tr , '\n'; }
 
+# What an argument or an option may be, where the help of the command lists that in braces.
+_kreisel_values() {
+    "$kreisel" "$command" --help | sed -n "s/^  \(.*,\)\?$1 [A-Z]*:{\([a-z,]*\)}.*/\2/p" | tr , '\n'
+}
+
 # What an argument, by its name in the help, or the value of an option may be.
 _kreisel_candidates() {
     case $1 in
         config) _kreisel_names configs ;;
         method) _kreisel_names methods ;;
-        topic) _kreisel_topics ;;
         name) _kreisel_topics | grep -vx configs | while read -r topic; do _kreisel_names "$topic"; done ;;
         --family) _kreisel_names methods | sed 's|/.*||' ;;
+        --table) _kreisel_names tables ;;
+        *) _kreisel_values "$1" ;;
     esac
 }
 
 _kreisel_files() {
     case $1 in
-        config) compgen -d -- "$cur"; compgen -f -X '!*.json' -- "$cur" ;;
-        folder | A | B) compgen -d -- "$cur" ;;
+        config | --figure) compgen -d -- "$cur"; compgen -f -X '!*.json' -- "$cur" ;;
+        folder | A | B | --references) compgen -d -- "$cur" ;;
         -o | --output | --csv) compgen -f -- "$cur" ;;
     esac
 }

@@ -77,8 +77,10 @@ NR == 1 {
     say($0)
     next
 }
+/^$/ { open = 0 }
+# A paragraph, whose lines follow each other.
 /^[^ ]/ {
-    print ".PP"
+    if (!open++) { print ".PP" }
     say($0)
 }
 

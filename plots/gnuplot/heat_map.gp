@@ -9,22 +9,23 @@ scripts = ARG3
 load scripts . '/style.gp'
 load settings
 data = 'plotdata/' . figure_name . '.dat'
-character_cm = 0.125
-right_cm = 2.9
-place_width = 1.1
-least_height = 2.8  # of the scale of colours
-place_height = 0.62 * |y_value| < least_height ? least_height / |y_value| : 0.62
-left_cm = 1.0 + character_cm * widest_y
-slanted = character_cm * widest_x > place_width
-bottom_cm = slanted ? 1.0 + 0.75 * character_cm * widest_x : 1.1
-title_cm = (strlen(figure_title) ? 0.5 : 0) + (strlen(figure_note) ? 0.5 : 0)
+letter_scale = font_size / 7.5
+least_height = 2.8 * letter_scale  # of the scale of colours
+place_height = 0.62 * letter_scale
+if (place_height * |y_value| < least_height) { place_height = least_height / |y_value| }
+if (axes_height > 0) { place_height = axes_height / |y_value| }
+slanted = widest_x_cm > 0.95 * place_width
+bottom_cm = slanted ? 1.0 * letter_scale + 0.65 * widest_x_cm : 1.1 * letter_scale
+title_cm = ((strlen(figure_title) ? 0.5 : 0) + (strlen(figure_note) ? 0.5 : 0)) * letter_scale
 top_cm = 0.35
 maps = |value_label|
 page_width = left_cm + place_width * |x_value| + right_cm
 map_height = bottom_cm + place_height * |y_value| + top_cm
 page_height = maps * map_height + title_cm
+values_fit = place_width > 0.85 * letter_scale && place_height > 0.25 * letter_scale
 full_title = figure_title
 if (strlen(figure_note)) { full_title = figure_title . (strlen(figure_title) ? "\n" : '') . '{/*0.85 ' . figure_note . '}' }
+value_font = sprintf(',%g', 5.5 * letter_scale)
 # White letters on dark places, black ones on bright.
 array middle[maps]
 do for [m = 1:maps] {
@@ -66,12 +67,13 @@ do for [format in 'pdf svg png'] {
         set tmargin at screen (below(m) + map_height - top_cm) / page_height
         if (m == 1 && strlen(full_title)) { set title full_title } else { unset title }
         set label 1 x_label at screen (left_cm / page_width + 1 - right_cm / page_width) / 2, \
-            screen (below(m) + 0.3) / page_height center
-        set label 2 y_label at screen 0.35 / page_width, \
+            screen (below(m) + 0.3 * letter_scale) / page_height center
+        set label 2 y_label at screen 0.35 * letter_scale / page_width, \
             screen (below(m) + (bottom_cm + map_height - top_cm) / 2) / page_height center rotate by 90
         set cblabel value_label[m] offset 2, 0
         plot data index m - 1 using 1:2:(0.5):(0.5):3 with boxxyerror lc palette, \
-             data index m - 1 using 1:2:(strcol(4)):(letter($3, m)) with labels font ',5.5' tc rgb variable
+             data index m - 1 using 1:2:(values_fit ? strcol(4) : ''):(letter($3, m)) \
+             with labels font value_font tc rgb variable
     }
     if (maps > 1) { unset multiplot }
     unset output

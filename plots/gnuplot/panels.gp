@@ -40,6 +40,18 @@ do for [format in 'pdf svg png'] {
             set logscale y
             set format y '10^{%L}'
         }
+        # Of a short axis powers of ten alone would label one place or none.
+        set xtics autofreq
+        decades = log_x[p] ? log10(x_high[p] / x_low[p]) : 0
+        if (decades > 0 && (panel_right[p] - panel_left[p]) * width_cm > 4 * letter_scale * decades) {
+            set xtics ()
+            do for [k = floor(log10(x_low[p])):ceil(log10(x_high[p]))] {
+                power = sprintf('10^{%s%d}', k < 0 ? '−' : '', abs(k))
+                set xtics add (power 10.0 ** k)
+                do for [m in '2 5'] { set xtics add (m . '·' . power real(m) * 10.0 ** k) }
+                do for [m in '3 4 6 7 8 9'] { set xtics add ('' real(m) * 10.0 ** k 1) }
+            }
+        }
         set xrange [x_low[p]:x_high[p]]
         set yrange [y_low[p]:y_high[p]]
         unset label

@@ -10,8 +10,8 @@ load scripts . '/style.gp'
 load settings
 load scripts . '/space.gp'
 data = 'plotdata/' . figure_name
-page_width = 8.5
-page_height = 7.6
+page_width = width_cm
+page_height = 7.6 / 8.5 * width_cm
 do for [format in 'pdf svg png'] {
     load scripts . '/terminal.gp'
     splot data . '.shadow.dat' using 1:2:3 with lines ls 101, \

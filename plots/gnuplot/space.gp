@@ -5,15 +5,20 @@ set xrange [low_1:high_1]
 set yrange [low_2:high_2]
 set zrange [low_3:high_3]
 set cbrange [t_first:t_last]
-set view elevation, azimuth, 1.2
+set view elevation, azimuth, 1.12
 set view equal xyz
 set xyplane at low_3
 set border 127 + 256 + 512 lw 0.5 lc rgb '#999999'
 set grid x y ls 101
 set tics nomirror scale 0.5 textcolor rgb 'black'
-set xtics 0.5
-set ytics 0.5
-set ztics 0.5
+# Some four intervals of 1, 2 or 5 times a power of ten.
+quarter = (high_1 - low_1) / 4
+power = 10 ** floor(log10(quarter))
+leading = quarter / power
+interval = power * (leading < 1.5 ? 1 : leading < 3.5 ? 2 : leading < 7.5 ? 5 : 10)
+set xtics interval
+set ytics interval
+set ztics interval
 set xlabel 'x_1 [m]' offset 0, -0.3
 set ylabel 'x_2 [m]' offset 0, -0.3
 set label 2 'x_3 [m]' at screen 0.14, screen 0.8 center

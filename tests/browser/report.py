@@ -44,6 +44,9 @@ MOTION = {
 }
 
 
+MOTION_IS_MADE = "return !document.querySelector('.motion-place') || document.documentElement.dataset.motion === 'true'"
+
+
 def report_of(program, folder, config):
     """Runs a config and writes its report."""
     file = folder / (config["name"] + ".json")
@@ -61,11 +64,13 @@ def written(program, results, page):
 
 
 def ready(browser, page):
-    """Opens a page; the seconds until it is complete."""
+    """Opens a page; the seconds until it is complete, but for the motion, for which it waits then."""
     start = time.monotonic()
     browser.open(page)
     assert browser.run("return document.documentElement.dataset.ready") == "true", "the script did not come to its end"
-    return time.monotonic() - start
+    seconds = time.monotonic() - start
+    wait_until(lambda: browser.run(MOTION_IS_MADE), "the motion is not made")
+    return seconds
 
 
 def check_quiet(browser, what):
@@ -164,6 +169,46 @@ def clock(browser):
     return float(browser.run("return document.querySelector('#motion .clock').textContent").split()[2])
 
 
+def extent(browser):
+    """Over which parts of the width and of the height of the left pane something moves, [[low, high], [low, high]]."""
+    return browser.run("""
+        const canvas = document.querySelector('#motion canvas'), [width, height] = [300, 215];
+        const context = Object.assign(document.createElement('canvas'), {width, height})
+            .getContext('2d', {willReadFrequently: true});
+        const clock = document.querySelector('#motion input[type=range]'), at = [[1, 0], [1, 0]];
+        for (let time = 0; time < clock.max; time += clock.max / 16) {
+            clock.value = time;
+            clock.dispatchEvent(new Event('input'));
+            context.drawImage(canvas, 0, 0, canvas.width / 2, canvas.height, 0, 0, width, height);
+            const {data} = context.getImageData(0, 0, width, height);
+            for (let i = 0; i < data.length; i += 4) {
+                const colours = [data[i], data[i + 1], data[i + 2]];
+                if (Math.max(...colours) - Math.min(...colours) < 30) continue;  // page, floor and joints are grey
+                [(i / 4) % width / width, Math.floor(i / 4 / width) / height].forEach((part, k) => {
+                    at[k] = [Math.min(at[k][0], part), Math.max(at[k][1], part)];
+                });
+            }
+        }
+        return at;""")
+
+
+def check_filled(browser):
+    """A motion is in sight as a whole and fills the picture; the rest of the page came before it."""
+    for view in ("front", "view"):
+        browser.run("""[...document.querySelectorAll('#motion [aria-label="View"] button')]
+            .find((one) => one.textContent === arguments[0]).click()""", view)
+        parts = extent(browser)
+        assert all(low > 0.03 and high < 0.97 for low, high in parts), f"{view}: the motion leaves the picture, {parts}"
+        assert max(high - low for low, high in parts) > 0.7, f"{view}: the motion fills little of the picture, {parts}"
+    browser.driver.set_window_size(640, 1400)
+    parts = extent(browser)
+    browser.driver.set_window_size(1280, 1400)
+    assert all(low > 0.03 and high < 0.97 for low, high in parts), f"a narrow page cuts the motion, {parts}"
+    seen, made = browser.run("""return [performance.getEntriesByName('first-contentful-paint'),
+        performance.getEntriesByName('motion')].map((list) => list[0].startTime)""")
+    assert seen < made, f"the page is seen {seen} ms after its start, the motion is begun after {made} ms"
+
+
 def check_motion(browser):
     # It is first painted when the page is laid out, which may be after its script has come to its end.
     wait_until(lambda: pixels(browser)[0] > 3000, "the picture is blank")
@@ -206,6 +251,11 @@ def check_forces(browser):
         text = browser.run(said)
         assert meaning in text and "An arrow of " in text and " N" in text, text
     assert len(set(seen)) == 3, "switching forces does not change the picture"
+    scale = browser.run(said)
+    put(browser, "#motion [aria-label='Length of arrows']", "5")
+    assert pixels(browser)[1] != seen[-1] and browser.run(said) != scale, "arrows do not become longer"
+    put(browser, "#motion [aria-label='Length of arrows']", "1")
+    assert pixels(browser)[1] == seen[-1] and browser.run(said) == scale
     check_springs(browser, boxes["springs, dampers, attractions"], seen[-1])
     for box in filter(lambda one: one.is_selected(), boxes.values()):
         box.send_keys(Keys.SPACE)
@@ -331,7 +381,7 @@ def check_own(program):
             assert '"output": {"samples": 500}' in said, said
             check_quiet(browser, "orders")
             ready(browser, motion)
-            for check in (check_motion, check_places, check_forces, check_stopped, check_access):
+            for check in (check_motion, check_filled, check_places, check_forces, check_stopped, check_access):
                 check(browser)
             check_quiet(browser, "motion")
             check_control(browser, orders)

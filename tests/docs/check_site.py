@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Builds the site by tools/docs and checks it: check_site.py PROGRAM, or check_site.py -s SITE of one that is built.
 
-Every link leads to a page and a heading, nothing is loaded from elsewhere, and the reference has a section for every
-name that the program lists. Skipped by name without mkdocs and Doxygen, unless KREISEL_REQUIRE has `docs`.
+Every link leads to a page and a heading, nothing is loaded from elsewhere or is missing, no page shows a control
+character, and the reference has a section for every name that the program lists. Skipped by name without mkdocs and Doxygen, unless KREISEL_REQUIRE has `docs`.
 """
 import functools
 import hashlib
@@ -70,14 +70,26 @@ def dead_links(file, site):
             yield f"{link}: there is no such heading"
 
 
+def unloadable(file, addresses):
+    """Addresses of what comes from elsewhere, or is not there."""
+    for address in addresses:
+        path = re.split("[?#]", urllib.parse.unquote(address))[0]
+        if address.startswith("data:") or not (path or is_external(address)):
+            continue
+        if is_external(address):
+            yield f"loads {address}"
+        elif not (file.parent / path).is_file():
+            yield f"loads {address}, which is not there"
+
+
 def findings(site):
     for file in sorted(file for suffix in ("*.html", "*.css") for file in site.rglob(suffix)):
         place = file.relative_to(site)
-        for address in loads(file):
-            if is_external(address) and not address.startswith("data:"):
-                yield f"{place}: loads {address}"
+        yield from (f"{place}: {finding}" for finding in unloadable(file, loads(file)))
         if file.suffix == ".html" and place.parts[0] != "api":  # Doxygen's links are its own affair
             yield from (f"{place}: {finding}" for finding in dead_links(file, site))
+            if re.search("[\\x00-\\x08]", file.read_text(encoding="utf-8")):
+                yield f"{place}: shows a control character"
 
 
 def names(program, topic):

@@ -41,6 +41,8 @@ SITE = {'<a href="none.html">': "no such page",
         '<link rel="stylesheet" href="http://a.example/x.css">': "loads",
         "@import 'https://a.example/x.css'": "loads",
         "a { background: url(https://a.example/x.png) }": "loads",
+        '<script src="js/none.js">': "which is not there",
+        "<p>drift\x0295\x03heavy": "control character",
         '<a href="https://a.example">': "",
         '<a href="page.html#here">': "",
         '<img src="page.png">': "",
@@ -80,6 +82,7 @@ class Controls(unittest.TestCase):
                 self.assertEqual(len(list(check_links.broken_links(self.page(text), self.root))), count)
 
     def test_faults_of_sites_are_found(self):
+        (self.root / "page.png").write_bytes(b"")
         for text, expected in SITE.items():
             check_site.read.cache_clear()
             (self.root / "page.html").write_text('<p id="here">' + (text if text[0] == "<" else ""))

@@ -27,6 +27,11 @@ LINES = (
     ("kreisel run my_top.json -j ", (), ("my_top.json", "orders_heavy_top")),
     ("kreisel run my_top.json --filter methods=rkmk/rk", ("rkmk/rk4",), ("rkmk/euler",)),
     ("kreisel table re", ("results",), ("my_top.json",)),
+    ("kreisel table results --table er", ("errors",), ("orders", "my_top.json")),
+    ("kreisel table results --table errors --format l", ("latex",), ("csv",)),
+    ("kreisel plot results --figure my", ("my_top.json",), ("notes.txt",)),
+    ("kreisel new ", ("method", "problem", "experiment"), ("rkmk/rk4", "my_top.json")),
+    ("kreisel run my_top.json --references re", ("results",), ("my_top.json",)),
     ("kreisel diff re", ("results",), ("my_top.json",)),
     ("kreisel plot ", ("results",), ("orders_heavy_top", "heavy_top", "my_top.json")),
 )

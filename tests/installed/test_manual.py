@@ -19,6 +19,7 @@ class Manual(Scratch):
             self.assertRegex(text, rf"(?m)^ +{command}$")
             for option in re.findall(r"^  (-\S+)", say(PROGRAM, command, "--help"), flags=re.M):
                 self.assertIn(option, re.split(r"\n   \S", text.split(f" kreisel {command} [OPTIONS]")[1])[0])
+        self.assertIn("an array of parts after it", re.sub(r"\s+", " ", text.replace("\n\n", "\n.\n")))
         self.assertIn(say(PROGRAM, "--version").split()[1], text)
         for code in ("0", "1", "2", "3", "4", "130"):
             self.assertRegex(text.split("EXIT STATUS")[1], rf"(?m)^ +{code} ")

@@ -3,6 +3,7 @@
 // The contents of the page, in each of the three formats: every entry of a legend and every label, within the page and
 // apart from each other. Text is read from SVG with its place, from PDF by pdftotext; of a PNG only the size is
 // checked, which is that of the page all three share.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
@@ -169,4 +170,19 @@ TEST_CASE("control: a lost entry, one beyond the page and two in one place are s
     std::string twice = svg;
     twice.replace(twice.find(labels[2]), labels[2].size(), labels[1]);
     CHECK(fault(twice + svg, {labels[1]}, 5) == labels[1] + ": on top of " + labels[1]);
+}
+
+TEST_CASE("of a short logarithmic axis twos and fives are labelled, too, where they find space") {
+    const ResultFolder folder;
+    folder.write("results.jsonl", convergence_lines(4));  // h over a decade and a half
+    const auto is_labelled = [&](int width) {
+        folder.manifest({{"name", "f"},
+                         {"kind", "convergence"},
+                         {"figure", {{"kind", "convergence"}, {"name", "f"}, {"width", width}}}});
+        REQUIRE(plot_command({.folders = {folder.path()}, .figure = {}, .output = {}}) == Exit::ok);
+        const std::vector<PlacedText> texts = texts_of(folder.read("figures/f.svg"));
+        return std::any_of(texts.begin(), texts.end(), [](const auto& one) { return one.text == "2·10−3"; });
+    };
+    CHECK(is_labelled(120));
+    CHECK_FALSE(is_labelled(85));
 }

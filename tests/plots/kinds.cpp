@@ -47,6 +47,7 @@ TEST_CASE("a kind of figures has a script, keys of its own, and defaults that it
                 CHECK(key.value(*read) == value);
             }
         }
+        CHECK((names.contains("width") && names.contains("font_size")));  // every figure must fit a page
     }
 }
 

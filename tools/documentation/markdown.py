@@ -2,7 +2,8 @@
 """Markdown of texts that are none."""
 import re
 
-SPECIAL = re.compile(r"([\\`*_{}\[\]<>|#])")
+# An underscore within a word is none: of an escaped one in a heading mkdocs 1.4 shows a control character in its menu.
+SPECIAL = re.compile(r"([\\`*{}\[\]<>|#]|(?<![^\W_])_|_(?![^\W_]))")
 
 
 def escaped(text):

@@ -43,7 +43,7 @@ def stage(root, folder):
     files = [root / name for name in ROOT_PAGES] + sorted((root / "docs").rglob("*")) + sorted(root.glob("plots/*.png"))
     for file in files:
         path = file.relative_to(root).as_posix()
-        if not file.is_file() or place_in_site(path) is None or file.name in ("mkdocs.yml", "Doxyfile"):
+        if not file.is_file() or place_in_site(path) is None or file.name in ("mkdocs.yml", "Doxyfile", "main.html"):
             continue
         target = folder / place_in_site(path)
         target.parent.mkdir(parents=True, exist_ok=True)

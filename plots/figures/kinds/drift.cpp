@@ -54,7 +54,10 @@ class DriftFigure final : public SampleKind {
         if (law && x == "t") { drawn.guide = growth_line(*law); }
         return drawn;
     }
-    std::string lacking() const override { return "such defect"; }
+    std::string lacking() const override {
+        return "such defect: where there are no constraints, the figure {\"kind\": \"invariants\"} shows first "
+               "integrals";
+    }
 };
 
 }  // namespace

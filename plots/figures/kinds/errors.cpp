@@ -47,7 +47,9 @@ class ErrorsFigure final : public SampleKind {
         for (Point& point : points) { largest = point.y = point.y > largest ? point.y : largest; }
     }
     std::string lacking() const override {
-        return "such errors at samples, which experiments have that measure \"error.*.max\"";
+        return "such errors at samples, which experiments have that measure \"error.*.max\", up to the horizon of "
+               "their "
+               "references";
     }
 };
 

@@ -11,6 +11,7 @@
 #include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kinds/curve_kind.hpp"
+#include "plots/figures/panels.hpp"
 #include "plots/figures/settings.hpp"
 #include "support/files.hpp"
 #include "support/nearest.hpp"
@@ -62,6 +63,10 @@ struct Place {
     double value = 0;
 };
 
+// Centimetres on the page, for letters of the standard size.
+constexpr double mm_per_cm = 10, character = 0.16, beside_names = 1.0, colours_width = 2.9;
+constexpr double standard_place = 1.1, least_place = 0.3;
+
 figure_value::Type<std::string> map_axis() {
     auto names = CellNames::figure_axes();
     names.insert(names.end(), sizes().begin(), sizes().end());
@@ -85,6 +90,8 @@ class HeatMap final : public HeatMapKind {
   public:
     std::vector<std::string> metrics = {"error.position"};
     std::string x = "h", y = "method", scale = "log";
+    std::optional<double> width, height;    // of the page and of the axes of a map, mm
+    double font_size = standard_font_size;  // points
 
     std::vector<std::string> drawn_metrics() const override { return metrics; }
 
@@ -177,9 +184,25 @@ class HeatMap final : public HeatMapKind {
         const auto escaped = [](const std::string& text) { return gnuplot_quoted(enhanced_escape(text)); };
         settings.array("x_value", drawn.x_values, escaped);
         settings.array("y_value", drawn.y_values, escaped);
-        settings.number("widest_x", static_cast<double>(widest(drawn.x_values)));
-        settings.number("widest_y", static_cast<double>(widest(drawn.y_values)));
+        settings.number("font_size", font_size);
+        write_widths(drawn, settings);
+        settings.number("axes_height", height.value_or(0) / mm_per_cm);
         write_atomically(folder / "plotdata" / (name + ".gp"), settings.text());
+    }
+    void write_widths(const HeatMapData& drawn, Settings& settings) const {
+        const double letters = font_size / standard_font_size, count = static_cast<double>(drawn.x_values.size());
+        const double left = letters * (beside_names + character * static_cast<double>(widest(drawn.y_values)));
+        const double right = letters * colours_width;
+        const double place = width ? (*width / mm_per_cm - left - right) / count : letters * standard_place;
+        if (place < least_place) {
+            throw FigureError(fmt::format(
+                "{}: {} places beside each other need a \"width\" of {:.0f} mm, got {:.0f} mm", name,
+                drawn.x_values.size(), std::ceil(mm_per_cm * (left + right + count * least_place)), *width));
+        }
+        settings.number("left_cm", left);
+        settings.number("right_cm", right);
+        settings.number("place_width", place);
+        settings.number("widest_x_cm", letters * character * static_cast<double>(widest(drawn.x_values)));
     }
     static std::string axis_label(const std::string& axis) {
         if (axis == "h") { return "h [s]"; }
@@ -194,15 +217,22 @@ class HeatMap final : public HeatMapKind {
 
 }  // namespace
 
-KREISEL_FIGURE(HeatMap, {.name = "heat_map",
-                         .summary = "metrics as colours of the places between two axes",
-                         .script = "heat_map",
-                         .keys = {figure_key("metric", &HeatMap::metrics,
-                                             figure_value::metrics({"error.", "defect.", "invariant.", "structure."}),
-                                             "what the colours show, a map each"),
-                                  figure_key("x", &HeatMap::x, map_axis(), "the axis to the right"),
-                                  figure_key("y", &HeatMap::y, map_axis(), "the axis upwards"),
-                                  figure_key("scale", &HeatMap::scale, figure_value::choice("scale", {"log", "linear"}),
-                                             "the scale of colours")}});
+KREISEL_FIGURE(HeatMap,
+               {.name = "heat_map",
+                .summary = "metrics as colours of the places between two axes",
+                .script = "heat_map",
+                .keys = {figure_key("metric", &HeatMap::metrics,
+                                    figure_value::metrics({"error.", "defect.", "invariant.", "structure."}),
+                                    "what the colours show, a map each"),
+                         figure_key("x", &HeatMap::x, map_axis(), "the axis to the right"),
+                         figure_key("y", &HeatMap::y, map_axis(), "the axis upwards"),
+                         figure_key("scale", &HeatMap::scale, figure_value::choice("scale", {"log", "linear"}),
+                                    "the scale of colours"),
+                         figure_key("width", &HeatMap::width, figure_value::page_width(), "width of the figure",
+                                    "11 mm for each place and what the texts take"),
+                         figure_key("height", &HeatMap::height, figure_value::between(10, 250, "a height in mm"),
+                                    "height of the axes of a map", "6.2 mm for each place, 28 mm at least"),
+                         figure_key("font_size", &HeatMap::font_size, figure_value::between(4, 20, "a size in points"),
+                                    "size of letters on the page")}});
 
 }  // namespace kreisel

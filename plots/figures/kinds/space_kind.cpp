@@ -53,6 +53,8 @@ std::string settings_text(const SpaceKind& figure, const SpaceData& data) {
         text += fmt::format("low_{0} = {1}\nhigh_{0} = {2}\n", i + 1, data.low[i], data.high[i]);
     }
     text += fmt::format("t_first = {}\nt_last = {}\n", data.path.t.front(), data.path.t.back());
+    constexpr double mm_per_cm = 10;
+    text += fmt::format("width_cm = {}\nfont_size = {}\n", figure.width / mm_per_cm, figure.font_size);
     return text + fmt::format("elevation = {}\nazimuth = {}\n", data.view[0], data.view[1]);
 }
 
@@ -116,7 +118,10 @@ std::vector<FigureKey> space_keys() {
         figure_key("view", &SpaceKind::view, figure_value::numbers<2>("two angles in degrees, [elevation, azimuth]"),
                    "from where it is seen"),
         figure_key("until", &SpaceKind::until, figure_value::positive("a time greater than 0, s"), "up to which time",
-                   "all")};
+                   "all"),
+        figure_key("width", &SpaceKind::width, figure_value::page_width(), "width of the figure"),
+        figure_key("font_size", &SpaceKind::font_size, figure_value::between(4, 20, "a size in points"),
+                   "size of letters on the page")};
 }
 
 }  // namespace kreisel

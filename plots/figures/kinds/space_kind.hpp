@@ -8,6 +8,7 @@
 
 #include "plots/figures/kind.hpp"
 #include "plots/figures/kinds/drawn_top.hpp"
+#include "plots/figures/panels.hpp"
 #include "records/reading/trajectory_table.hpp"
 
 namespace kreisel {
@@ -38,6 +39,8 @@ class SpaceKind : public Figure {
     std::string body;
     std::array<double, 2> view = {65, 35};
     std::optional<double> until;
+    double width = 85;                      ///< of the page, mm
+    double font_size = standard_font_size;  ///< points
 
     std::string drawn_body() const override { return body; }
     std::optional<double> drawn_until() const override { return until; }

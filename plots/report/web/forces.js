@@ -124,12 +124,19 @@ const unitOf = {
   torque: 'N m'
 };
 
-// Boxes that switch groups of forces, and what the arrows mean. `changed` is called where a box is switched.
+// Boxes that switch groups of forces, how long the arrows are, and what they mean. `changed` is called where one is
+// switched.
 class ForceControls {
   constructor(changed) {
     const box = () => make('input', {type: 'checkbox', onchange: () => { this.say(); changed(); }});
     this.boxes = {joints: box(), between: box(), applied: box()};
-    this.labels = Object.entries(this.boxes).map(([group, node]) => make('label', {}, node, forceGroups[group]));
+    const options = [1, 2, 5, 10].map((value) => make('option', {value}, `${value}×`));
+    const rescale = () => { this.measure(this.stages); changed(); };
+    this.factor = make('select', {'aria-label': 'Length of arrows', onchange: rescale}, options);
+    this.labels = [
+      ...Object.entries(this.boxes).map(([group, node]) => make('label', {}, node, forceGroups[group])),
+      make('label', {}, 'arrows ', this.factor)
+    ];
     this.legend = make('p', {class: 'faint small forces', 'aria-live': 'polite', hidden: true});
     this.scale = null;
     this.stages = [];
@@ -141,7 +148,7 @@ class ForceControls {
   measure(stages) {
     this.stages = stages;
     const typical = (kind) => Math.max(...stages.map((stage) => stage.forces.typical[kind]));
-    const unit = (kind) => (typical(kind) > 0 ? roundAbove(typical(kind)) : 0);
+    const unit = (kind) => (typical(kind) > 0 ? roundAbove(typical(kind)) / Number(this.factor.value) : 0);
     const length = Math.max(...stages.map((stage) => stage.size)) / 4;
     this.scale = {force: unit('force'), torque: unit('torque'), length};
     this.say();

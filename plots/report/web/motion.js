@@ -132,27 +132,40 @@ function partsOf(mechanism, names, size) {
   return {parts, springs};
 }
 
-// The box that a motion takes, with all its parts.
-function boundsOf(motion, mechanism) {
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  const take = (p) => p.forEach((value, k) => {
-    if (Math.abs(value) < 1e6) {
-      low[k] = Math.min(low[k], value);
-      high[k] = Math.max(high[k], value);
+// Points that a motion reaches, and the box about them: mass centres at all instants, corners of bodies and points of
+// joints at some sixty.
+function reachOf(motion, mechanism) {
+  const points = [], take = (p) => p.every((value) => Math.abs(value) < 1e6) && points.push(p);
+  const seen = motion.names.map(() => [[0, 0, 0]]), last = motion.t.length - 1, every = Math.ceil((last + 1) / 60);
+  for (const {name, shape, axes, sizes} of (mechanism && mechanism.bodies) || []) {
+    const body = motion.names.indexOf(name);
+    if (body < 0 || shape === 'point') continue;
+    for (let corner = 0; corner < 8; corner++) {
+      const part = (k) => times3(axes[k], ((corner >> k) & 1 ? 0.5 : -0.5) * sizes[k]);
+      seen[body].push(add3(add3(part(0), part(1)), part(2)));
     }
-  });
-  for (let i = 0; i < motion.t.length; i++)
-    for (let body = 0; body < motion.names.length; body++) take(motion.position(body, i));
-  let reach = 0;
-  for (const body of (mechanism && mechanism.bodies) || []) reach = Math.max(reach, length3(body.sizes) / 2);
+  }
   for (const link of (mechanism && mechanism.links) || [])
     link.between.forEach((name, side) => {
       if (!hasPlace(link, side)) return;
       if (name === 'ground') take(link.points[side]);
-      else reach = Math.max(reach, length3(link.points[side]));
+      else if (motion.names.includes(name)) seen[motion.names.indexOf(name)].push(link.points[side]);
     });
-  if (!(low[0] <= high[0])) return {low: [-1, -1, -1], high: [1, 1, 1]};
-  const spread = Math.max(...high.map((value, k) => value - low[k]));
-  const margin = spread > 0 ? Math.min(reach, spread) : reach || 1;
-  return {low: low.map((value) => value - margin), high: high.map((value) => value + margin)};
+  for (let i = 0; i <= last; i++)
+    seen.forEach((list, body) => {
+      if (i % every && i !== last) return take(motion.position(body, i));
+      const pose = motion.pose(body, motion.t[i]);
+      list.forEach((p) => take(apply4(pose, p)));
+    });
+  return {points, ...boxOf(points)};
+}
+function boxOf(points) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (const p of points)
+    for (let k = 0; k < 3; k++) {
+      low[k] = Math.min(low[k], p[k]);
+      high[k] = Math.max(high[k], p[k]);
+    }
+  const has = points.length && length3(add3(high, low, -1)) > 0, middle = points.length ? low : [0, 0, 0];
+  return has ? {low, high} : {low: middle.map((v) => v - 1), high: middle.map((v) => v + 1)};
 }

@@ -27,9 +27,9 @@ function endText(cell, motion, end) {
   const status = statusOf(cell.row), reached = column('reached'), reason = column('reason');
   if (status === 'ok' && motion.end >= end) return '';
   const time = (reached && reached.value(cell.row)) || motion.end, why = (reason && reason.value(cell.row)) || '';
+  const short = why.length > 150 ? `${why.slice(0, 150).replace(/\s+\S*$/, '')} …` : why;
   return status === 'ok' ? `ends at t = ${shortText(motion.end)} s` :
-                           `stopped at t = ${shortText(time)} s: ${status}${
-                               why ? `, ${why.length > 150 ? `${why.slice(0, 150)} …` : why}` : ''}`;
+                           `stopped at t = ${shortText(time)} s: ${status}${short && `, ${short}`}`;
 }
 
 // The distance of two motions as a plot with a line at the present instant, or a sentence.
@@ -60,12 +60,14 @@ const coarseText = 'Some body turns by more than a third of a turn from one inst
     'slower than it is. More samples show it.';
 
 class Player {
-  constructor(shown, canvas, scene) {
+  // Takes its place in the page.
+  constructor(shown, canvas, scene, place) {
     Object.assign(this, {shown, canvas, scene, names: cellNames(shown), motions: new Map(), stages: []});
     Object.assign(this, {time: 0, end: 1, last: 0, playing: false, plot: null});
     this.camera = new Camera(() => this.paint());
     this.makeControls();
     this.root = this.layout();
+    place.replaceChildren(this.root);  // what is framed has a size
     this.right.value = shown.findIndex((cell, i) => i > 0 && cell.mechanism === shown[0].mechanism);
     this.readColours();
     this.choose(true);
@@ -109,7 +111,8 @@ class Player {
       this.toggle();
     });
     document.addEventListener('themechange', () => { this.readColours(); this.paint(); });
-    new ResizeObserver(() => this.paint()).observe(this.canvas);  // it has no size before it stands in the page
+    // What nobody has turned stays as large as it fits.
+    new ResizeObserver(() => (this.camera.isFramed ? this.frame() : this.paint())).observe(this.canvas);
   }
   readColours() {
     const names = {page: '--page', grid: '--line', ground: '--guide', joint: '--faint', spring: '--guide',
@@ -138,8 +141,8 @@ class Player {
     this.seek(this.time);
   }
   frame(...angles) {
-    const bound = (side, pick) => [0, 1, 2].map((k) => pick(...this.stages.map((stage) => stage.bounds[side][k])));
-    this.camera.frame(bound('low', Math.min), bound('high', Math.max), ...angles);
+    const {canvas, stages} = this, aspect = canvas.clientWidth / stages.length / canvas.clientHeight;
+    this.camera.frame(stages.flatMap((stage) => stage.reach.points), aspect || 1, ...angles);
   }
   showDistance() {
     this.plot = this.stages.length === 2 ? distanceView(...this.stages.map((stage) => stage.motion)) : {nodes: []};
@@ -196,14 +199,34 @@ function motionView() {
         make('code', {}, '"output": {"samples": 500}'),
         ' in the config keeps 501 instants of every cell; it must divide the numbers of steps.');
   }
-  const canvas = make('canvas', {tabindex: 0, role: 'img', 'aria-label': `The mechanism in motion. ${help}`});
-  const scene = openScene(canvas);
-  if (!scene) {
-    return make('p', {class: 'alert'},
-        'This browser has no WebGL2: the motion is not shown. The figures and tables are complete without it.');
-  }
-  return make('div', {}, new Player(shown, canvas, scene).root, data.motions.remarks.map(small),
+  const wait = make('p', {class: 'faint', role: 'status'}, 'The picture is being made …');
+  const place = make('div', {class: 'motion-place'}, wait);
+  // A browser may take seconds to open a scene: what else is on the page is seen before.
+  afterPaint(() => startMotion(shown, place));
+  return make('div', {}, place, data.motions.remarks.map(small),
       small('Drag turns the view, shift-drag moves it, the wheel comes nearer once the picture is clicked. ' +
             'Bodies without a shape of their own are drawn as homogeneous solids of their mass and inertia; rods ' +
             'lead from mass centres to joints.'));
+}
+
+// Once the page is seen, if the browser tells.
+function afterPaint(what) {
+  if (!window.PerformanceObserver || !(PerformanceObserver.supportedEntryTypes || []).includes('paint'))
+    return requestAnimationFrame(() => setTimeout(what));
+  new PerformanceObserver((list, observer) => {
+    if (!list.getEntriesByName('first-contentful-paint').length) return;
+    observer.disconnect();
+    what();
+  }).observe({type: 'paint', buffered: true});
+}
+
+function startMotion(shown, place) {
+  performance.mark('motion');
+  const canvas = make('canvas', {tabindex: 0, role: 'img', 'aria-label': `The mechanism in motion. ${help}`});
+  const scene = openScene(canvas);
+  if (scene) new Player(shown, canvas, scene, place);
+  else
+    place.replaceChildren(make('p', {class: 'alert'},
+        'This browser has no WebGL2: the motion is not shown. The figures and tables are complete without it.'));
+  document.documentElement.dataset.motion = 'true';
 }

@@ -22,7 +22,15 @@ const outlineOf = (style) => outlines[(style - 1) % 9];
 
 const isDrawn = (x, y, log) => x !== null && y !== null && !(log.x && x <= 0) && !(log.y && y <= 0);
 
-// Ticks [value, label] of a range; the labels of powers are enhanced text.
+// A number as enhanced text: 0.05, 5·10^{−4}.
+function tickText(value) {
+  const [digits, power] = shortText(Number(value.toPrecision(12))).replace(/-/g, '−').split('e');
+  if (power === undefined) return digits;
+  const factor = digits.replace(/[.]?0+$/, ''), raised = `10^{${power.replace('+', '')}}`;
+  return factor === '1' ? raised : `${factor}·${raised}`;
+}
+
+// Ticks [value, label] of a range; the labels are enhanced text.
 function ticksOf([low, high], log) {
   if (log) {
     const first = Math.ceil(Math.log10(low) - 1e-9), last = Math.floor(Math.log10(high) + 1e-9);
@@ -32,12 +40,12 @@ function ticksOf([low, high], log) {
     if (ticks.length > 1) return ticks;
     const between =
         [1, 2, 5, 10, 20, 50].map((factor) => factor * 10 ** (first - 1)).filter((v) => v >= low && v <= high);
-    if (between.length > 1) return between.map((v) => [v, shortText(v).replace('-', '−')]);
+    if (between.length > 1) return between.map((v) => [v, tickText(v)]);
   }
   const rough = (high - low) / 5, power = 10 ** Math.floor(Math.log10(rough));
   const step = power * [1, 2, 5, 10].find((factor) => factor * power >= rough * 0.999), ticks = [];
   for (let k = Math.ceil(low / step); k <= Math.floor(high / step); k++)
-    ticks.push([k * step, shortText(Number((k * step).toPrecision(12))).replace(/-/g, '−')]);
+    ticks.push([k * step, tickText(k * step)]);
   return ticks;
 }
 

@@ -7,9 +7,8 @@ class Stage {
     this.scene = scene;
     this.cell = cell;
     this.motion = motion;
-    this.bounds = boundsOf(motion, mechanism);
-    const extent = add3(this.bounds.high, this.bounds.low, -1);
-    this.size = Math.max(...extent);
+    this.reach = reachOf(motion, mechanism);
+    this.size = Math.max(...add3(this.reach.high, this.reach.low, -1));
     this.forces = new Forces(mechanism, cell, motion);
     Object.assign(this, partsOf(mechanism, motion.names, this.size * 0.6));
     const few = motion.names.length <= 6;
@@ -21,8 +20,8 @@ class Stage {
     this.grid = scene.lines(this.gridLines());
   }
   gridLines() {
-    const {low, high} = this.bounds, lines = [], half = 0.62 * this.size,
-                middle = [0, 1].map((k) => (low[k] + high[k]) / 2), z = low[2];
+    const {low, high} = this.reach, lines = [], half = 0.62 * this.size,
+                middle = [0, 1].map((k) => (low[k] + high[k]) / 2), z = low[2] - 0.02 * this.size;
     for (let i = -6; i <= 6; i++) {
       const at = (i / 6) * half;
       lines.push(

@@ -168,3 +168,49 @@ TEST_CASE("cells are selected by parameters and options") {
     CHECK_THAT(looks::refusal(looks::convergence({{"select", {{"parameter.spin", nullptr}}}})),
                Catch::Contains("/figure/select/parameter.spin"));
 }
+
+TEST_CASE("what joints exert is drawn for all of them or one, forces and torques apart") {
+    const ResultFolder folder;
+    folder.write("results.jsonl", result_line("aa", 2, 0, {{"trajectory", "trajectories/aa.csv"}}).dump() + "\n");
+    folder.write("trajectories/aa.csv",
+                 "t [s],top.x1 [m],reaction.pin.force.1 [N],reaction.pin.torque.1 [N m],reaction.crank-rod.force.1 [N],"
+                 "drive.motor.torque [N m]\n0,0,1,2,3,4\n1,0,5,6,7,8\n");
+    const Results results = read_results(folder.path());
+    const auto drawn = [&](nlohmann::json more) {
+        more["kind"] = "components";
+        return panels_of(more, results);
+    };
+    const PanelFigure all = drawn({{"quantity", "reactions"}, {"width", 80}, {"legend", {{"pin.force.1", "push"}}}});
+    REQUIRE(all.panels.size() == 2);
+    CHECK(layout_of(all).width == Approx(8));
+    CHECK(all.panels[0].y_label == "F [N]");
+    REQUIRE(all.panels[0].curves.size() == 2);
+    CHECK(all.panels[0].curves[0].label == "push");
+    CHECK(all.panels[0].curves[1].label == "F_{crank-rod.1}");
+    CHECK(all.panels[0].curves[1].points.back().y == 7);
+    CHECK(all.panels[1].y_label == "τ [N m]");
+    const PanelFigure pin = drawn({{"quantity", "reactions"}, {"joint", "pin"}});
+    CHECK((pin.panels.size() == 2 && pin.panels[0].curves.size() == 1));
+    CHECK(drawn({{"quantity", "drives"}, {"joint", "motor"}}).panels.at(0).curves.at(0).label == "τ_{motor}");
+    CHECK_THROWS_WITH(drawn({{"quantity", "reactions"}, {"joint", "pim"}}),
+                      Catch::Contains("no reactions of \"pim\", but of pin, crank-rod; did you mean \"pin\"?"));
+    CHECK_THROWS_WITH(drawn({{"joint", "pin"}}), Catch::Contains("x is of a \"body\", not a \"joint\""));
+    CHECK_THROWS_WITH(drawn({{"quantity", "exerted"}}), Catch::Contains("no columns exerted.JOINT.1, ..."));
+}
+
+TEST_CASE("a heat map is as wide as its config says, if its places find space") {
+    const ResultFolder folder;
+    const Results results = looks::three_methods(folder);
+    const nlohmann::json select = {{"projection", "none"}};
+    const auto settings = [&](nlohmann::json more) {
+        more["kind"] = "heat_map", more["name"] = "f", more["select"] = select;
+        figure_read_from(more)->write(results, folder.path());
+        return folder.read("plotdata/f.gp");
+    };
+    // 20 letters of "crouch_grossman/cg3a", six places.
+    CHECK_THAT(settings(nlohmann::json::object()), Catch::Contains("left_cm = 4.2\nright_cm = 2.9\nplace_width = 1.1"));
+    CHECK_THAT(settings({{"width", "page"}}), Catch::Contains("place_width = 1.65"));
+    CHECK_THAT(settings({{"font_size", 15}}), Catch::Contains("left_cm = 8.4\nright_cm = 5.8\nplace_width = 2.2"));
+    CHECK_THROWS_WITH(settings({{"width", 85}}),
+                      Catch::Contains("6 places beside each other need a \"width\" of 89 mm, got 85 mm"));
+}
