@@ -52,6 +52,9 @@ class Newton {
     /// Counts the last step if it gained little.
     void assess(Progress& progress) const;
     bool converged(const Progress& progress) const;
+    /// Whether the correction at x_ is no more than what round-off of the residual makes of it: that of stiff forces is
+    /// relative to terms far larger than their sum, of which the equations know nothing.
+    bool is_noise();
     /// g_ becomes a Newton step.
     Status plan_newton_step(Progress& progress);
     /// x_ -= g_, where g_ = H r_ or a Newton step; r_ and g_ are then those of the new point.
