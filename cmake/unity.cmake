@@ -23,9 +23,9 @@ function(kreisel_unite target)
 endfunction()
 
 # For what takes longer to compile than it could gain: the driver, tests, and numerical code in quad, whose time goes into
-# the library's arithmetic. In double, numerical code keeps its flags.
+# the library's arithmetic. In double, numerical code keeps its flags. Small in a program that is to be copied.
 function(kreisel_compile_quickly target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:$<IF:$<BOOL:${KREISEL_STATIC}>,-Os,-O1>>)
 endfunction()
 
 # For what runs briefly: unit tests of the driver, of plots and of records.

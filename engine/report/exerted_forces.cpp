@@ -70,7 +70,7 @@ std::vector<std::string> names_of_forces(const Model& model) {
     std::map<std::string, int> used;
     each_force_between(model, [&](const auto& force, std::size_t) {
         const std::string name =
-            std::string(type_of(force)) + "." + model.name_of(force.first) + "-" + model.name_of(force.second);
+            std::string(force.type) + "." + model.name_of(force.first) + "-" + model.name_of(force.second);
         const int number = ++used[name];
         names.push_back(number == 1 ? name : name + "-" + std::to_string(number));
     });

@@ -22,15 +22,6 @@ void each_force_between(const Forces& forces, F f) {
     });
 }
 
-/// What a force is called in results: its type.
-inline const char* type_of(const Spring&) { return "spring"; }
-inline const char* type_of(const TorsionSpring&) { return "torsion_spring"; }
-inline const char* type_of(const PolynomialSpring&) { return "polynomial_spring"; }
-inline const char* type_of(const Damper&) { return "damper"; }
-inline const char* type_of(const RotationalDamper&) { return "rotational_damper"; }
-inline const char* type_of(const Bushing&) { return "bushing"; }
-inline const char* type_of(const Attraction&) { return "attraction"; }
-
 /// The names in results, all different, in the order of each_force_between: "spring.crank-rod", and
 /// "spring.crank-rod-2" of a second one between the same bodies.
 std::vector<std::string> names_of_forces(const Model& model);

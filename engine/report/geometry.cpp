@@ -32,7 +32,7 @@ LinkGeometry geometry_of_joint(const Joint& joint, const std::string& name, cons
 
 template <class Force>
 LinkGeometry link_of(const Force& force, const std::string& name, const Model& model) {
-    LinkGeometry link{name, type_of(force), {model.name_of(force.first), model.name_of(force.second)}};
+    LinkGeometry link{name, force.type, {model.name_of(force.first), model.name_of(force.second)}};
     if constexpr (requires { force.r_first; }) link.points[0] = rounded(force.r_first);
     if constexpr (requires { force.r_second; }) link.points[1] = rounded(force.r_second);
     return link;

@@ -13,6 +13,7 @@ inline namespace KREISEL_PRECISION {
 /// Along the line of two points, of length l: both are pulled together by strength / l^2. Between mass centres of m_1
 /// and m_2 the strength is G m_1 m_2, for a body in a central field mu m (N m^2). The points may not meet.
 struct Attraction {
+    static constexpr const char* type = "attraction";
     int first = ground, second = 0;
     Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
     Real strength = 0;

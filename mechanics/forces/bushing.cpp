@@ -67,7 +67,7 @@ void read_bushing(const ForceEntry& entry, Forces& forces) {
 
 }  // namespace
 
-KREISEL_FORCE("bushing", read_bushing);
+KREISEL_FORCE(Bushing::type, read_bushing);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -17,6 +17,7 @@ inline namespace KREISEL_PRECISION {
 /// the components -stiffness_i q_i - damping_i q_i' that do work on q_i'. The first body gets the opposite of both.
 /// |q_2| stays below a quarter turn; q_1 and q_3 are in (-pi, pi]. This is Simbody's LinearBushing [sherman2011].
 struct Bushing {
+    static constexpr const char* type = "bushing";
     int first = ground, second = 0;
     Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
     Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();

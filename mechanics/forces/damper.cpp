@@ -22,7 +22,7 @@ void read_damper(const ForceEntry& entry, Forces& forces) {
 
 }  // namespace
 
-KREISEL_FORCE("damper", read_damper);
+KREISEL_FORCE(Damper::type, read_damper);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

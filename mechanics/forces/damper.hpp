@@ -13,6 +13,7 @@ inline namespace KREISEL_PRECISION {
 /// At the point P that r_second is of the second body: force -damping (v_second(P) - v_first(P)) on the second body and
 /// its opposite on the first, where v(P) is the velocity of the point of each body that is at P (damping in N s/m).
 struct Damper {
+    static constexpr const char* type = "damper";
     int first = ground, second = 0;
     Vec3 r_second = Vec3::Zero();
     Real damping = 0;

@@ -4,6 +4,7 @@
 // law, and one that holds a list of them, in a file of this folder. With motion(body), the Motion of a body or of the
 // ground, and with an angle where it counts full turns (mechanics/turns.hpp), a force has
 //
+//   type                          what results call it, of one between two bodies, or a body and the ground
 //   act(t, motion, angle, push)   calls push(body, wrench) for every moving body it acts on; angle(turn) is theta
 //   damp(motion, push)            the same for the part of it that depends on velocities: it takes energy out, and the
 //                                 rest is what acts where all bodies are at rest

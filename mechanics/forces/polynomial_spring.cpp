@@ -34,7 +34,7 @@ void read_polynomial_spring(const ForceEntry& entry, Forces& forces) {
 
 }  // namespace
 
-KREISEL_FORCE("polynomial_spring", read_polynomial_spring);
+KREISEL_FORCE(PolynomialSpring::type, read_polynomial_spring);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

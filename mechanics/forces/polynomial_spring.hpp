@@ -13,6 +13,7 @@ inline namespace KREISEL_PRECISION {
 /// Along the line of two points, of length l: tension sum_i coefficients_i s^i + damping l' with the stretch
 /// s = l - length and i = 1, 2, ... (N/m, N/m^2, ...). The points may not meet.
 struct PolynomialSpring {
+    static constexpr const char* type = "polynomial_spring";
     int first = ground, second = 0;
     Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
     std::vector<Real> coefficients;

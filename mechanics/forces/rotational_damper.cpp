@@ -20,7 +20,7 @@ void read_rotational_damper(const ForceEntry& entry, Forces& forces) {
 
 }  // namespace
 
-KREISEL_FORCE("rotational_damper", read_rotational_damper);
+KREISEL_FORCE(RotationalDamper::type, read_rotational_damper);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

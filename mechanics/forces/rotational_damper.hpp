@@ -13,6 +13,7 @@ inline namespace KREISEL_PRECISION {
 /// Torque -damping (omega_second - omega_first) on the second body and its opposite on the first (damping in
 /// N m s/rad).
 struct RotationalDamper {
+    static constexpr const char* type = "rotational_damper";
     int first = ground, second = 0;
     Real damping = 0;
 

@@ -42,7 +42,7 @@ void read_spring(const ForceEntry& entry, Forces& forces) {
 
 }  // namespace
 
-KREISEL_FORCE("spring", read_spring);
+KREISEL_FORCE(Spring::type, read_spring);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -13,6 +13,7 @@ inline namespace KREISEL_PRECISION {
 /// Along the line of two points, of length l: tension stiffness (l - length) + damping l'. With length = 0 the points
 /// may meet, unless there is damping.
 struct Spring {
+    static constexpr const char* type = "spring";
     int first = ground, second = 0;
     Vec3 r_first = Vec3::Zero(), r_second = Vec3::Zero();
     Real stiffness = 0, damping = 0, length = 0;

@@ -41,7 +41,7 @@ void read_torsion_spring(const ForceEntry& entry, Forces& forces) {
 
 }  // namespace
 
-KREISEL_FORCE("torsion_spring", read_torsion_spring);
+KREISEL_FORCE(TorsionSpring::type, read_torsion_spring);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

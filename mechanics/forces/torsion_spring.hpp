@@ -16,6 +16,7 @@ inline namespace KREISEL_PRECISION {
 /// (mechanics/turns.hpp). Frames may part (the second axis is then projected, and the torque is the gradient of the
 /// energy), as long as the projection is not shorter than 1/2.
 struct TorsionSpring {
+    static constexpr const char* type = "torsion_spring";
     int first = ground, second = 0;
     Mat3 axes_first = Mat3::Identity(), axes_second = Mat3::Identity();
     Real stiffness = 0, damping = 0, angle = 0;

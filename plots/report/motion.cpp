@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "mechanics/parts/joint_type.hpp"
 #include "plots/mechanism/shape.hpp"
 #include "plots/report/forces.hpp"
 #include "plots/report/poses.hpp"
@@ -38,6 +39,7 @@ std::string drawn_link_json(const LinkGeometry& link) {
     return ObjectWriter()
         .member("name", json_text(link.name))
         .member("type", json_text(link.type))
+        .member("force", find_joint_kind(link.type) == nullptr ? "true" : "false")
         .member("between", json_list(link.between, [](const std::string& name) { return json_text(name); }))
         .member("points", json_list(link.points, point_json))
         .member("axes", json_list(link.axes, point_json))

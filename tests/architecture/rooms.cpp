@@ -119,7 +119,7 @@ const std::vector<Room>& rooms() {
         {"plots/figures", {names_of_cells, "records", "support"}, {"fmt/", "nlohmann/", "boost/tokenizer.hpp"}, talks},
         {"plots/mechanism", {geometry, "records/json/model.hpp", "support"}, {}},
         {"plots/report",
-         {"plots/figures", "plots/mechanism", "plots/tables", "plots/wanting.hpp", "records", "support"},
+         {"plots/figures", "plots/mechanism", "plots/tables", "plots/wanting.hpp", "records", parts, "support"},
          {"fmt/", "nlohmann/"},
          talks},
         {"plots", {"plots", "records", "support"}, {"fmt/"}, talks},

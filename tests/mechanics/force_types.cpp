@@ -2,12 +2,15 @@
 //
 // Every force has what it declares (mechanics/forces/forces.hpp): action and reaction, a centre, an energy; and every
 // name that configs may write makes one.
+#include <map>
 #include <set>
 #include <string>
+#include <typeindex>
 
 #include "lie/so3.hpp"
 #include "mechanics/forces/entry.hpp"
 #include "mechanics/parts/force_type.hpp"
+#include "mechanics/parts/joint_type.hpp"
 #include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
@@ -125,4 +128,18 @@ TEST_CASE("every name of a force in configs makes one, and only those do", "[for
     for (const ForceKind& kind : force_kinds()) keys.insert(kind.name);
     for (const ForceReader& reader : Registered<ForceReader>::all()) readers.insert(reader.name);
     CHECK(keys == readers);
+}
+
+TEST_CASE("results tell forces between bodies by types of their own, which no joint has", "[forces]") {
+    std::map<std::string, std::type_index> laws;
+    for (const ForceReader& reader : Registered<ForceReader>::all())
+        made_by(reader, 0, 3).each([&](const auto& force, std::size_t) {
+            if constexpr (requires { force.first; }) {
+                const std::type_index law(typeid(force));
+                CAPTURE(force.type);
+                CHECK(find_joint_kind(force.type) == nullptr);
+                CHECK(laws.emplace(force.type, law).first->second == law);
+            }
+        });
+    CHECK_FALSE(laws.empty());
 }

@@ -157,7 +157,8 @@ TEST_CASE("a motion is on the page with the poses of its samples and the shapes 
     folder.write("results.jsonl", line);
     folder.write("trajectories/a1.csv", trajectory_text(50));
     const Geometry top{{{"top", 2, {0.2, 0, 0, 0, 0.1, 0, 0, 0, 0.2}}},
-                       {{"pin", "spherical", {"ground", "top"}, {Vector3{0, 0, 0}, Vector3{0, -1, 0}}}}};
+                       {{"pin", "spherical", {"ground", "top"}, {Vector3{0, 0, 0}, Vector3{0, -1, 0}}},
+                        {"pull", "a force", {"ground", "top"}, {Vector3{0, 0, 1}, Vector3{0, 0, 0}}}}};
     const Shapes boxes = {{"top", {.type = "box", .size = Vector3{0.1, 0.2, 0.3}}}};
     write_geometry(folder.path(), {{{"a1"}, top, boxes}});
     CHECK(read_geometry(folder.path()) == std::vector<CellGeometry>{{{"a1"}, top, boxes}});
@@ -180,6 +181,8 @@ TEST_CASE("a motion is on the page with the poses of its samples and the shapes 
         CHECK(std::abs(q[4 * i + 3] / 32767.0 - std::sin(t[i] / 2)) < 2e-5);
     }
     CHECK(motion.at("mechanisms").at(0).at("bodies").at(0).at("shape") == "cylinder");
+    CHECK(motion.at("mechanisms").at(0).at("links").at(0).at("force") == false);
+    CHECK(motion.at("mechanisms").at(0).at("links").at(1).at("force") == true);
     CHECK(motion.at("remarks").empty());
 }
 

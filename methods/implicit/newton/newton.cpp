@@ -57,7 +57,7 @@ Status Newton::iterate() {
     directions_.clear();
     if (const Status status = evaluate(); status != Status::ok) return status;
     // Size of the guess: without a solution the iteration runs off to where any residual is small beside the unknowns.
-    const Real known_to = round_off(close);
+    const Real known_to = round_off(close), small = root_of_epsilon * equations_.size();
     Progress progress{.correction = largest_entry(g_)};
     keep_best();
     for (int i = 0; i < most_iterations && progress.newton_steps <= most_newton_steps; ++i) {
@@ -86,7 +86,8 @@ Status Newton::iterate() {
         progress.before = 0, progress.slow = 3;
         progress.correction = std::numeric_limits<Real>::max();
     }
-    return Status::newton_failed;
+    return_to_best();
+    return residual_ <= small && is_noise() ? evaluate() : Status::newton_failed;
 }
 
 void Newton::assess(Progress& progress) const {
@@ -118,6 +119,21 @@ bool Newton::hides_residual(const Progress& progress) const {
     if (residual_ <= newton_.gain() * visible) return false;
     const Real changed = (r_ - before_).lpNorm<Eigen::Infinity>();
     return residual_ * progress.before > changed * visible;
+}
+
+/// It shows in second differences over distances at which the residual is straight.
+bool Newton::is_noise() {
+    const Real distance = noisy * epsilon * equations_.size();
+    p_ = -2 * r_;
+    for (const int side : {1, -1}) {
+        back_ = x_;
+        for (Eigen::Index i = 0; i < back_.size(); ++i) back_[i] += (i % 2 == 0 ? side : -side) * distance;
+        if (equations_.residual(back_, u_) != Status::ok) return false;
+        p_ += u_;
+    }
+    H_.apply(p_, u_);
+    H_.apply(r_, g_);
+    return largest_entry(g_) <= 4 * largest_entry(u_);
 }
 
 Status Newton::plan_newton_step(Progress& progress) {

@@ -54,6 +54,9 @@ class Newton {
     bool converged(const Progress& progress) const;
     /// Whether H makes less of the residual than any Jacobian would of the steps seen so far.
     bool hides_residual(const Progress& progress) const;
+    /// Whether the correction at x_ is no more than what round-off of the residual makes of it: that of stiff forces is
+    /// relative to terms far larger than their sum, of which the equations know nothing.
+    bool is_noise();
     /// g_ becomes a Newton step.
     Status plan_newton_step(Progress& progress);
     /// x_ -= g_, where g_ = H r_ or a Newton step; r_ and g_ are then those of the new point.

@@ -47,7 +47,7 @@ class Forces {
   }
   // Whether samples could hold forces of a group of links and do not.
   lacks(group) {
-    const fits = (link) => isForce(link) === (group === 'between');
+    const fits = (link) => link.force === (group === 'between');
     return group !== 'applied' && this.mechanism.links.some(fits) && !this.links.some(({link}) => fits(link));
   }
   // Arrows {from, vector, isTorque, what} at a time; poses of the bodies then.
@@ -58,7 +58,7 @@ class Forces {
     };
     const poseOf = (home) => (home === 'ground' ? identity4 : poses[home]);
     for (const exerted of this.links)
-      isForce(exerted.link) ? this.addForce(exerted, time, poseOf, add) : this.addJoint(exerted, time, poseOf, add);
+      exerted.link.force ? this.addForce(exerted, time, poseOf, add) : this.addJoint(exerted, time, poseOf, add);
     this.motion.names.forEach((name, body) => {
       const weight = (this.masses.get(name) || 0) * swingOf(this.applied.gravity, time);
       add(apply4(poses[body], [0, 0, 0]), times3(this.applied.gravity.g, weight), false, 'applied');

@@ -72,12 +72,8 @@ function distanceCurve(a, b) {
   return {label: '', style: 1, x, y};
 }
 
-// Links that are forces, not joints.
-const forceTypes =
-    ['spring', 'polynomial_spring', 'torsion_spring', 'damper', 'rotational_damper', 'bushing', 'attraction'];
-const isForce = (link) => forceTypes.includes(link.type);
 // Whether a link is seen at one of its bodies: a force without a point of its own there is not.
-const hasPlace = (link, side) => !isForce(link) || length3(link.points[side]) > 0 ||
+const hasPlace = (link, side) => !link.force || length3(link.points[side]) > 0 ||
     ['spring', 'polynomial_spring', 'bushing'].includes(link.type) ||
     (link.type === 'attraction' && link.between[side] === 'ground');
 

@@ -39,7 +39,37 @@ class QuarterTurn final : public Equations {
     Real size() const override { return 1; }
 };
 
+/// The same with round-off of terms that are far larger than their sum: another one at each place.
+class NoisySquares final : public Equations {
+  public:
+    NoisySquares(VecX c, Real noise) : c_(std::move(c)), noise_(std::move(noise)) {}
+    Status residual(const Real* x, Real* r) override {
+        for (Eigen::Index i = 0; i < c_.size(); ++i) r[i] = x[i] * x[i] - c_[i] + noise_ * sin(13 * x[i] / epsilon);
+        return Status::ok;
+    }
+    Real size() const override { return 1; }
+
+  private:
+    VecX c_;
+    Real noise_;
+};
+
 }  // namespace
+
+TEST_CASE("Newton's iteration ends at the round-off of residuals, however large it is", "[methods]") {
+    for (const int units : {1000, 100000, 10000000}) {
+        CAPTURE(units);
+        const Real noise = units * epsilon;
+        NoisySquares equations(VecX::Constant(3, 2), noise);
+        Newton newton(3);
+        Real x[3] = {Real(3) / 2, Real(5) / 4, 1};
+        REQUIRE(newton.solve(equations, VecX::Ones(3), x) == Status::ok);
+        for (const Real& root : x) CHECK(abs(root - sqrt(Real(2))) <= 8 * noise);
+        NoisySquares rootless(VecX::Constant(3, -1), noise);
+        newton.forget();
+        CHECK(newton.solve(rootless, VecX::Ones(3), x) == Status::newton_failed);
+    }
+}
 
 TEST_CASE("Newton's iteration ends at round-off, and keeps what it knows of the Jacobian", "[methods]") {
     Squares equations(VecX::Constant(2, 2));
