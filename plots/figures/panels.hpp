@@ -41,8 +41,9 @@ struct Panel {
     std::optional<std::array<double, 2>> x_range = {}, y_range = {};  ///< nothing: all that is drawn
 };
 
-/// In points, on the page.
-inline constexpr double standard_font_size = 7.5;
+/// On the page.
+inline constexpr double standard_font_size = 7.5;  ///< points
+inline constexpr double mm_per_cm = 10;
 
 struct PanelFigure {
     std::string name, title;

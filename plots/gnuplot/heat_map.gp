@@ -25,7 +25,6 @@ page_height = maps * map_height + title_cm
 values_fit = place_width > 0.85 * letter_scale && place_height > 0.25 * letter_scale
 full_title = figure_title
 if (strlen(figure_note)) { full_title = figure_title . (strlen(figure_title) ? "\n" : '') . '{/*0.85 ' . figure_note . '}' }
-value_font = sprintf(',%g', 5.5 * letter_scale)
 # White letters on dark places, black ones on bright.
 array middle[maps]
 do for [m = 1:maps] {
@@ -36,6 +35,7 @@ letter(v, m) = (log_scale ? log10(v) : v) < middle[m] ? 0xffffff : 0x000000
 below(m) = (maps - m) * map_height  # cm
 do for [format in 'pdf svg png'] {
     load scripts . '/terminal.gp'
+    value_font = sprintf(',%g', 5.5 * letter_scale * letter_points)
     set lmargin at screen left_cm / page_width
     set rmargin at screen 1 - right_cm / page_width
     set border 3 lw 0.7

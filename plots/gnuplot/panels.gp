@@ -6,13 +6,13 @@
 page_width = width_cm
 page_height = height_cm
 letter_scale = font_size / 7.5  # of what stands beside letters
-small_font = sprintf(',%g', 6.5 * letter_scale)
 full_title = figure_title
 if (strlen(figure_note)) {  # what is wanting of the results
     full_title = figure_title . (strlen(figure_title) ? "\n" : '') . '{/*0.85 ' . figure_note . '}'
 }
 do for [format in 'pdf svg png'] {
     load scripts . '/terminal.gp'
+    small_font = sprintf(',%g', 6.5 * letter_scale * letter_points)
     if (strlen(full_title)) {
         set multiplot title full_title
     } else {

@@ -48,7 +48,10 @@ std::string lines_json(const std::vector<TimedLine>& lines) {
 }  // namespace
 
 std::string heat_json(const HeatMapData& data) {
-    return ObjectWriter()
+    ObjectWriter object;
+    if (data.width) { object.member("width", json_number(*data.width)); }
+    if (data.axes_height) { object.member("axes_height", json_number(*data.axes_height)); }
+    return object.member("font_size", json_number(data.font_size))
         .member("x_label", json_text(data.x_label))
         .member("y_label", json_text(data.y_label))
         .member("x_values", json_value(data.x_values))
@@ -65,7 +68,9 @@ std::string space_json(const SpaceData& data) {
         t.push_back(data.path.t[i]);
         path.push_back(data.path.x[i]);
     }
-    return ObjectWriter()
+    ObjectWriter object;
+    if (data.width) { object.member("width", json_number(*data.width)); }
+    return object.member("font_size", json_number(data.font_size))
         .member("low", digits_of_all(data.low))
         .member("high", digits_of_all(data.high))
         .member("view", digits_of_all(data.view))

@@ -43,6 +43,9 @@ class HeatFigure:
     y_values: tuple[str, ...]
     log: bool  #: whether the scale of colours is logarithmic
     maps: tuple[HeatMap, ...]
+    width: float | None = None  #: of the page, cm; none: as the texts require
+    axes_height: float | None = None  #: of a map, cm
+    font_size: float = style.FONT_SIZE  #: points
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,8 @@ class SpaceFigure:
     t: np.ndarray
     path: np.ndarray  #: of shape (instants, 3)
     lines: tuple[tuple[float, np.ndarray], ...]  #: instants and points
+    width: float | None = None  #: of the page, cm
+    font_size: float = style.FONT_SIZE  #: points
 
 
 def read_heat(one: dict[str, Any], note: str) -> HeatFigure:
@@ -69,7 +74,8 @@ def read_heat(one: dict[str, Any], note: str) -> HeatFigure:
             values[y, x] = value
         maps.append(HeatMap(data["label"], values))
     return HeatFigure(one["name"], one["title"], note, heat["x_label"], heat["y_label"], tuple(heat["x_values"]),
-                      tuple(heat["y_values"]), heat["log"], tuple(maps))
+                      tuple(heat["y_values"]), heat["log"], tuple(maps), heat.get("width"), heat.get("axes_height"),
+                      heat["font_size"])
 
 
 def read_space(one: dict[str, Any], note: str) -> SpaceFigure:
@@ -77,7 +83,7 @@ def read_space(one: dict[str, Any], note: str) -> SpaceFigure:
     lines = tuple((time, np.array(points, dtype=float)) for time, points in space["lines"])
     return SpaceFigure(one["name"], one["title"], note, tuple(space["low"]), tuple(space["high"]),
                        tuple(space["view"]), np.array(space["t"], dtype=float), np.array(space["path"], dtype=float),
-                       lines)
+                       lines, space.get("width"), space["font_size"])
 
 
 def _heading(figure: HeatFigure | SpaceFigure) -> str:
@@ -95,16 +101,20 @@ def draw_heat(data: HeatFigure) -> Figure:
     import matplotlib.pyplot as plt
     from matplotlib.colors import LogNorm, Normalize
 
-    widest = _CHARACTER * max(map(len, data.x_values))
-    slanted = widest > _PLACE_WIDTH
-    below = _BELOW + (0.7 * widest if slanted else 0)
-    left = max(1.1 + _CHARACTER * max(map(len, data.y_values)), 0.8 * widest - _PLACE_WIDTH / 2 if slanted else 0)
-    wide, high = _PLACE_WIDTH * len(data.x_values), max(_PLACE_HEIGHT * len(data.y_values), _LEAST)
+    scale, columns = data.font_size / style.FONT_SIZE, len(data.x_values)
+    widest = scale * _CHARACTER * max(map(len, data.x_values))
+    left, right = scale * (1.1 + _CHARACTER * max(map(len, data.y_values))), scale * _RIGHT
+    place = scale * _PLACE_WIDTH if data.width is None else (data.width - left - right) / columns
+    slanted = widest > place
+    below = scale * _BELOW + (0.7 * widest if slanted else 0)
+    if slanted and data.width is None:
+        left = max(left, 0.8 * widest - place / 2)
+    wide, high = place * columns, data.axes_height or scale * max(_PLACE_HEIGHT * len(data.y_values), _LEAST)
     heading = _heading(data)
-    top = 0.35 + (0.5 * (heading.count("\n") + 1) if heading else 0)
-    width, height = left + wide + _RIGHT, len(data.maps) * (high + below + 0.35) + top
+    top = 0.35 + (0.5 * scale * (heading.count("\n") + 1) if heading else 0)
+    width, height = left + wide + right, len(data.maps) * (high + below + 0.35) + top
     figure = plt.figure(figsize=(width * CM, height * CM))
-    with style.house_style():
+    with style.house_style(data.font_size):
         if heading:
             figure.suptitle(heading, y=1 - 0.15 / height, va="top")
         for number, one in enumerate(data.maps):
@@ -117,14 +127,14 @@ def draw_heat(data: HeatFigure) -> Figure:
             for (y, x), value in np.ndenumerate(one.values):
                 if np.isfinite(value):
                     colour = "white" if norm(value) < 2 / 3 else "black"
-                    ax.text(x, y, f"{value:.1e}", ha="center", va="center", fontsize=5.5, color=colour)
+                    ax.text(x, y, f"{value:.1e}", ha="center", va="center", fontsize=5.5 * scale, color=colour)
             slant = {"rotation": _SLANT, "ha": "right", "rotation_mode": "anchor"} if slanted else {}
             ax.set_xticks(range(len(data.x_values)), [plain_text(value) for value in data.x_values], **slant)
             ax.set_yticks(range(len(data.y_values)), [plain_text(value) for value in data.y_values])
             ax.set_xlabel(matplotlib_text(data.x_label))
             ax.set_ylabel(matplotlib_text(data.y_label))
-            scale = figure.add_axes([(left + wide + 0.35) / width, bottom / height, 0.3 / width, high / height])
-            figure.colorbar(image, cax=scale, label=matplotlib_text(one.label))
+            bar = figure.add_axes([(left + wide + 0.35) / width, bottom / height, 0.3 / width, high / height])
+            figure.colorbar(image, cax=bar, label=matplotlib_text(one.label))
     return figure
 
 
@@ -135,8 +145,9 @@ def draw_space(data: SpaceFigure) -> Figure:
     from matplotlib.ticker import MaxNLocator
     from mpl_toolkits.mplot3d.art3d import Line3DCollection
 
-    figure = plt.figure(figsize=(_SPACE_WIDTH * CM, _SPACE_HEIGHT * CM))
-    with style.house_style():
+    width = data.width or _SPACE_WIDTH
+    figure = plt.figure(figsize=(width * CM, width * _SPACE_HEIGHT / _SPACE_WIDTH * CM))
+    with style.house_style(data.font_size):
         ax = figure.add_axes([0.06, 0.17, 0.64, 0.75], projection="3d")
         colours = _colours()
         norm = Normalize(data.t[0], data.t[-1])

@@ -3,7 +3,8 @@
 """Builds the site by tools/docs and checks it: check_site.py PROGRAM, or check_site.py -s SITE of one that is built.
 
 Every link leads to a page and a heading, nothing is loaded from elsewhere or is missing, no page shows a control
-character, and the reference has a section for every name that the program lists. Skipped by name without mkdocs and Doxygen, unless KREISEL_REQUIRE has `docs`.
+character, and the reference has a section for every name that the program lists. Skipped by name without mkdocs and
+Doxygen, unless KREISEL_REQUIRE has `docs`.
 """
 import functools
 import hashlib

@@ -84,6 +84,20 @@ class Style(unittest.TestCase):
         self.assertLess(abs(wide - as_letters), 0.1 * as_letters)
         self.assertGreater(abs(as_read - as_letters), 0.1 * as_letters)
 
+    def test_places_and_space_have_the_sizes_of_the_config(self):
+        one = HeatMap("error", np.array([[1e-3, 1e-4]]))
+        sizes = {"width": 12.0, "font_size": 9.0}
+        heat = draw_figure(HeatFigure("map", "", "", "h [s]", "method", ("1", "2"), ("rkmk/rk4",), True, (one,),
+                                      axes_height=3.5, **sizes))
+        line = np.linspace(0, 1, 9)
+        space = draw_figure(SpaceFigure("path", "", "", (0,) * 3, (1,) * 3, (60, 30), line,
+                                        np.stack([line, line, line], axis=1), (), **sizes))
+        for figure in (heat, space):
+            self.assertAlmostEqual(figure.get_figwidth() * 2.54, 12)
+            self.assertEqual({text.get_fontsize() for text in figure.axes[0].get_xticklabels()}, {9})
+        page, axes = heat.get_size_inches()[1] * 2.54, heat.axes[0].get_position()
+        self.assertAlmostEqual(axes.height * page, 3.5)
+
     def test_texts_of_places_do_not_meet(self):
         import matplotlib.pyplot as plt
 

@@ -11,7 +11,6 @@
 #include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kinds/curve_kind.hpp"
-#include "plots/figures/panels.hpp"
 #include "plots/figures/settings.hpp"
 #include "support/files.hpp"
 #include "support/nearest.hpp"
@@ -64,7 +63,7 @@ struct Place {
 };
 
 // Centimetres on the page, for letters of the standard size.
-constexpr double mm_per_cm = 10, character = 0.16, beside_names = 1.0, colours_width = 2.9;
+constexpr double name_character = 0.16, beside_names = 1.0, colours_width = 2.9;
 constexpr double standard_place = 1.1, least_place = 0.3;
 
 figure_value::Type<std::string> map_axis() {
@@ -105,6 +104,9 @@ class HeatMap final : public HeatMapKind {
         }
         xs.sort(), ys.sort();
         HeatMapData drawn{axis_label(x), axis_label(y), xs.values(), ys.values(), scale == "log", {}};
+        if (width) { drawn.width = *width / mm_per_cm; }
+        if (height) { drawn.axes_height = *height / mm_per_cm; }
+        drawn.font_size = font_size;
         for (std::size_t k = 0; k < metrics.size(); ++k) {
             if (all[k].empty()) { continue; }
             HeatMapData::Map map{metric_label(metrics[k], results.units), {}};
@@ -186,14 +188,14 @@ class HeatMap final : public HeatMapKind {
         settings.array("y_value", drawn.y_values, escaped);
         settings.number("font_size", font_size);
         write_widths(drawn, settings);
-        settings.number("axes_height", height.value_or(0) / mm_per_cm);
+        settings.number("axes_height", drawn.axes_height.value_or(0));
         write_atomically(folder / "plotdata" / (name + ".gp"), settings.text());
     }
     void write_widths(const HeatMapData& drawn, Settings& settings) const {
         const double letters = font_size / standard_font_size, count = static_cast<double>(drawn.x_values.size());
-        const double left = letters * (beside_names + character * static_cast<double>(widest(drawn.y_values)));
+        const double left = letters * (beside_names + name_character * static_cast<double>(widest(drawn.y_values)));
         const double right = letters * colours_width;
-        const double place = width ? (*width / mm_per_cm - left - right) / count : letters * standard_place;
+        const double place = drawn.width ? (*drawn.width - left - right) / count : letters * standard_place;
         if (place < least_place) {
             throw FigureError(fmt::format(
                 "{}: {} places beside each other need a \"width\" of {:.0f} mm, got {:.0f} mm", name,
@@ -202,7 +204,7 @@ class HeatMap final : public HeatMapKind {
         settings.number("left_cm", left);
         settings.number("right_cm", right);
         settings.number("place_width", place);
-        settings.number("widest_x_cm", letters * character * static_cast<double>(widest(drawn.x_values)));
+        settings.number("widest_x_cm", letters * name_character * static_cast<double>(widest(drawn.x_values)));
     }
     static std::string axis_label(const std::string& axis) {
         if (axis == "h") { return "h [s]"; }

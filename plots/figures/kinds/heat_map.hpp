@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "plots/figures/kind.hpp"
+#include "plots/figures/panels.hpp"
 
 namespace kreisel {
 
@@ -23,8 +25,10 @@ struct HeatMapData {
     };
     std::string x_label, y_label;  ///< enhanced text
     std::vector<std::string> x_values, y_values;
-    bool log = true;        ///< whether the scale of colours is logarithmic
-    std::vector<Map> maps;  ///< one for each metric
+    bool log = true;                           ///< whether the scale of colours is logarithmic
+    std::vector<Map> maps;                     ///< one for each metric
+    std::optional<double> width, axes_height;  ///< of the page and of the axes of a map, cm
+    double font_size = standard_font_size;     ///< points
 };
 
 class HeatMapKind : public Figure {

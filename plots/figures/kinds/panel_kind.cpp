@@ -12,8 +12,6 @@ namespace kreisel {
 
 namespace {
 
-constexpr double mm_per_cm = 10;
-
 std::vector<std::string> names_of_curves(const PanelFigure& figure) {
     std::vector<std::string> names;
     for (const Panel& panel : figure.panels) {

@@ -14,6 +14,8 @@ namespace kreisel {
 
 namespace {
 
+constexpr double space_width = 8.5;  // cm
+
 struct SpaceBox {
     Point3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
     void add(const Point3& point) {
@@ -53,8 +55,7 @@ std::string settings_text(const SpaceKind& figure, const SpaceData& data) {
         text += fmt::format("low_{0} = {1}\nhigh_{0} = {2}\n", i + 1, data.low[i], data.high[i]);
     }
     text += fmt::format("t_first = {}\nt_last = {}\n", data.path.t.front(), data.path.t.back());
-    constexpr double mm_per_cm = 10;
-    text += fmt::format("width_cm = {}\nfont_size = {}\n", figure.width / mm_per_cm, figure.font_size);
+    text += fmt::format("width_cm = {}\nfont_size = {}\n", data.width.value_or(space_width), data.font_size);
     return text + fmt::format("elevation = {}\nazimuth = {}\n", data.view[0], data.view[1]);
 }
 
@@ -92,6 +93,8 @@ SpaceData SpaceKind::data(const Results& results) const {
     box = box.cube();
     drawn.low = box.low;
     drawn.high = box.high;
+    if (width) { drawn.width = *width / mm_per_cm; }
+    drawn.font_size = font_size;
     return drawn;
 }
 
@@ -119,7 +122,7 @@ std::vector<FigureKey> space_keys() {
                    "from where it is seen"),
         figure_key("until", &SpaceKind::until, figure_value::positive("a time greater than 0, s"), "up to which time",
                    "all"),
-        figure_key("width", &SpaceKind::width, figure_value::page_width(), "width of the figure"),
+        figure_key("width", &SpaceKind::width, figure_value::page_width(), "width of the figure", "85 mm"),
         figure_key("font_size", &SpaceKind::font_size, figure_value::between(4, 20, "a size in points"),
                    "size of letters on the page")};
 }

@@ -32,6 +32,8 @@ struct SpaceData {
     std::array<double, 2> view{};
     BodyPath path;
     std::vector<TimedLine> lines;
+    std::optional<double> width;            ///< of the page, cm
+    double font_size = standard_font_size;  ///< points
 };
 
 class SpaceKind : public Figure {
@@ -39,7 +41,7 @@ class SpaceKind : public Figure {
     std::string body;
     std::array<double, 2> view = {65, 35};
     std::optional<double> until;
-    double width = 85;                      ///< of the page, mm
+    std::optional<double> width;            ///< of the page, mm
     double font_size = standard_font_size;  ///< points
 
     std::string drawn_body() const override { return body; }

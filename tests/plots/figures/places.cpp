@@ -40,6 +40,11 @@ TEST_CASE("a heat map is on the page with a map for each metric that cells have"
     CHECK(data.at("maps").at(0).at("places").size() == 12);
     CHECK(data.at("maps").at(0).at("places").at(6) == nlohmann::json({0, 0, 0.000244140625}));
     CHECK_THAT(data.at("maps").at(1).at("label").get<std::string>(), Catch::Contains("E"));
+    CHECK_FALSE(data.contains("width"));
+    const nlohmann::json sizes = {{"kind", "heat_map"}, {"x", "steps"}, {"y", "parameter.spin"},
+                                  {"width", "page"},    {"height", 30}, {"font_size", 9}};
+    const auto sized = places::figure_of(folder, sizes).at("heat");
+    CHECK((sized.at("width") == 17 && sized.at("axes_height") == 3 && sized.at("font_size") == 9));
     const auto none = places::figure_of(folder, {{"kind", "heat_map"}, {"metric", "error.omega"}});
     CHECK_THAT(none.at("not_drawn").get<std::string>(), Catch::Contains("no selected cell has error.omega"));
 }
