@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "records/cell/state_names.hpp"
+#include "records/cell/states/state_names.hpp"
 
 namespace kreisel {
 

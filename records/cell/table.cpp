@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "records/cell/state_names.hpp"
-#include "records/cell/written_state.hpp"
+#include "records/cell/states/state_names.hpp"
+#include "records/cell/states/written_state.hpp"
 #include "records/json/written/written.hpp"
 #include "support/csv.hpp"
 
@@ -142,7 +142,6 @@ std::string ResultsTable::row(const FieldValues& values) {
 
 void ResultsTable::put(std::string_view json, const std::string& problem, Group& group) const {
     const RecordField& field = record_fields()[group.field];
-    group.json = json;
     group.columns.begin_row();
     if (!json.empty()) { FieldCells(field, units_of(field, problem, units_), group.columns).put(json); }
     group.texts.clear();
@@ -150,6 +149,7 @@ void ResultsTable::put(std::string_view json, const std::string& problem, Group&
         append_csv_field(group.texts, text);
         group.texts += ',';
     }
+    group.json = json;
 }
 
 }  // namespace kreisel

@@ -21,9 +21,9 @@ class LostIntegrals {
   private:
     struct Group {
         std::size_t ended = 0, lost = 0;
-        ResultRow worst = {};
+        double share = 0;        ///< the largest
+        std::string worst = {};  ///< what there is to say of the cell that has lost it
     };
-    static std::string note_of(const std::string& label, const Group& group);
     std::map<std::string, Group> groups_;
 };
 

@@ -213,6 +213,20 @@ TEST_CASE("the table has one column for each parameter, option and number, with 
     CHECK(second == "1,top,c,,,,,,,x,,quad,0,0,0,ok,,0.30000000000000000000001,,");
 }
 
+TEST_CASE("a row has its own fields, whatever it has in common with the one before") {
+    ResultsTable table({{}, {{"a", {{"mass", "kg"}}}, {"b", {{"mass", "t"}}}}});
+    const std::vector<std::pair<std::string, std::string>> rows = {
+        {R"({"cell":"1","problem":"a","parameters":{"mass":1},"status":"ok"})", "1,a,1,,ok,\n"},
+        {R"({"cell":"2","problem":"a","parameters":{"mass":1},"status":"ok"})", "2,a,1,,ok,\n"},
+        {R"({"cell":"3","problem":"b","parameters":{"mass":1},"status":"ok"})", "3,b,,1,ok,\n"},
+        {R"({"cell":"4","problem":"b","status":"left_chart","detail":"x, y"})", "4,b,,,left_chart,\"x, y\"\n"},
+        {R"({"cell":"5","problem":"b","status":"left_chart"})", "5,b,,,left_chart,\n"},
+        {R"({"cell":"6","problem":"a","parameters":{"mass":1},"status":"ok"})", "6,a,1,,ok,\n"}};
+    for (const auto& row : rows) { table.row(field_values(row.first)); }
+    CHECK(table.header() == "cell,problem,parameter.mass [kg],parameter.mass [t],status,detail\n");
+    for (const auto& [line, row] : rows) { CHECK(table.row(field_values(line)) == row); }
+}
+
 TEST_CASE("a table comes back as the records it was made from, as far as it holds them") {
     for (const char* precision : {"double", "quad"}) {
         std::vector<CellRecord> records;

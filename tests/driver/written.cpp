@@ -8,8 +8,8 @@
 
 #include "records/cell/codec.hpp"
 #include "records/cell/state_entries.hpp"
-#include "records/cell/state_names.hpp"
-#include "records/cell/written_state.hpp"
+#include "records/cell/states/state_names.hpp"
+#include "records/cell/states/written_state.hpp"
 #include "records/json/exact.hpp"
 
 using namespace kreisel;

@@ -17,10 +17,18 @@ namespace kreisel {
 
 namespace {
 
+// What the cells of a config want of references, and of their samples.
+struct WantedReferences {
+    explicit WantedReferences(const Config& config)
+        : samples(asks_for_largest_errors(config.metrics) ? config.samples : 0),
+          any(samples > 0 || asks_for_errors(config.metrics)) {}
+    long samples;
+    bool any;
+};
+
 // A reference that knows samples is another one than that which does not.
-std::string add_reference(const Cell& cell, const ProblemPoint& problem, const SystemSummary& system, Plan& plan) {
-    const long samples = asks_for_largest_errors(cell.metrics) ? cell.samples : 0;
-    if (samples == 0 && !asks_for_errors(cell.metrics)) { return ""; }
+std::string add_reference(const Cell& cell, const ProblemPoint& problem, const SystemSummary& system, long samples,
+                          Plan& plan) {
     ObjectWriter object;
     object.member("problem", json_text(cell.problem)).member("parameters", problem.parameters_text());
     if (cell.begin) { object.member("begin", json_begin(*cell.begin)); }
@@ -145,7 +153,11 @@ class RunsOfEntry {
 class Crossing {
   public:
     Crossing(const Engines& engines, Diagnostics& sink, Plan& plan)
-        : engines_(engines), sink_(sink), plan_(plan), combinations_(combinations_of(plan.config, engines)) {}
+        : engines_(engines),
+          sink_(sink),
+          plan_(plan),
+          wanted_(plan.config),
+          combinations_(combinations_of(plan.config, engines)) {}
 
     void cross() {
         const Config& config = plan_.config;
@@ -201,7 +213,9 @@ class Crossing {
         OfProblem of{system};
         of.skip_reason = system->skip_reason.empty() ? stepping.skip_reason : system->skip_reason;
         if (of.skip_reason.empty()) { of.skip_reason = ask(cell, problem, stepping, combination); }
-        if (of.skip_reason.empty()) { of.reference = add_reference(cell, problem, *system, plan_); }
+        if (of.skip_reason.empty() && wanted_.any) {
+            of.reference = add_reference(cell, problem, *system, wanted_.samples, plan_);
+        }
         return of;
     }
 
@@ -228,6 +242,7 @@ class Crossing {
     const Engines& engines_;
     Diagnostics& sink_;
     Plan& plan_;
+    const WantedReferences wanted_;
     const std::vector<Combination> combinations_;
     std::vector<RunsOfEntry> runs_;  // of the entry at hand, by formulation and combination
     std::set<std::string> reported_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "records/cell/written_state.hpp"
+#include "records/cell/states/written_state.hpp"
 
 #include <fmt/format.h>
 
