@@ -39,7 +39,7 @@ class QuarterTurn final : public Equations {
     Real size() const override { return 1; }
 };
 
-/// The same with round-off of terms that are far larger than their sum: another one at each place.
+/// Squares with round-off of terms that are far larger than their sum: another one at each place.
 class NoisySquares final : public Equations {
   public:
     NoisySquares(VecX c, Real noise) : c_(std::move(c)), noise_(std::move(noise)) {}
