@@ -136,7 +136,10 @@ std::optional<std::string> Node::text(const std::string& expected, std::size_t l
 }
 
 std::optional<std::string> Node::name(const std::string& what, const std::vector<std::string>& names) const {
-    const std::string expected = what + " (" + listed(names) + ")";
+    constexpr std::size_t most_listed = 40;  // more would hide the rest of the message
+    const std::string expected = fmt::format(
+        "{} ({})", what,
+        names.size() <= most_listed ? listed(names) : fmt::format("one of {}, which kreisel list shows", names.size()));
     if (!is_string()) {
         mismatch(expected);
         return std::nullopt;
