@@ -70,18 +70,7 @@ int add_library(dl_phdr_info* object, std::size_t /*size*/, void* libraries) {
     return 0;
 }
 
-int take_program(dl_phdr_info* object, std::size_t /*size*/, void* build_id) {
-    *static_cast<std::string*>(build_id) = build_id_of(*object);
-    return 1;  // it is the first
-}
-
 }  // namespace
-
-std::string program_build_id() {
-    std::string build_id;
-    dl_iterate_phdr(take_program, &build_id);
-    return build_id;
-}
 
 Libraries numerical_libraries() {
     Libraries libraries;

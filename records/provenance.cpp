@@ -36,23 +36,12 @@ std::filesystem::path program_file() {
     return std::filesystem::absolute(reinterpret_cast<const char*>(name), none);  // NOLINT: an address, says the system
 }
 
-namespace {
-
-// The linker has read the program already. Where it gives no id, the file is read: as it was loaded, even where it has
-// been replaced since; without /proc the file of that name is all there is.
-std::uint64_t hash_of_program() {
-    const std::string id = program_build_id();
-    std::uint64_t hash = hash64(id);
-    if (!id.empty()) { return hash; }
-    for_each_piece(has_proc() ? own_file : program_file(), [&](std::string_view piece) { hash = hash64(piece, hash); });
-    return hash;
-}
-
-}  // namespace
-
 std::string build_id() {
     static const std::string id = [] {
-        std::uint64_t hash = hash_of_program();
+        // As it was loaded, even where its file has been replaced since; without /proc the file is all there is.
+        std::uint64_t hash = hash64("");
+        for_each_piece(has_proc() ? own_file : program_file(),
+                       [&](std::string_view piece) { hash = hash64(piece, hash); });
         for (const auto& [name, library] : numerical_libraries()) { hash = hash64(name + " " + library + "\n", hash); }
         return hash_text(hash64(instruction_level(), hash));
     }();
