@@ -42,8 +42,25 @@ struct CotangentSO3 {
 
     static Element exp(const Algebra& u) {
         const Real s = u.w.squaredNorm(), b = cosc(s);
+        return {SO3::rotation(u.w, s, sinc(s), b), exp_covector(u, s, b)};
+    }
+    static Vec3 exp_covector(const Algebra& u, const Real& s, const Real& b) {
         const Vec3 wp = u.w.cross(u.p);
-        return {SO3::rotation(u.w, s, sinc(s), b), u.p - b * wp + sincc(s) * u.w.cross(wp)};
+        return u.p - b * wp + sincc(s) * u.w.cross(wp);
+    }
+
+    /// The covector is added to in the same way, R^T m = m + E^T m: |m| is kept as R is.
+    struct Increment {
+        SO3::Increment turn;
+        Vec3 n;
+    };
+    static Increment exp_increment(const Algebra& u) {
+        const Real s = u.w.squaredNorm(), b = cosc(s);
+        return {{u.w, sinc(s), b}, exp_covector(u, s, b)};
+    }
+    static Increment cay_increment(const Algebra& u) { return {SO3::cay_increment(u.w), cay_covector(u)}; }
+    static Element append(const Element& g, const Increment& e) {
+        return {SO3::append(g.R, e.turn), g.m + (SO3::turned(g.m, e.turn) + e.n)};
     }
     static Algebra log(const Element& g) {
         const Vec3 w = SO3::log(g.R);
@@ -54,9 +71,10 @@ struct CotangentSO3 {
     static Algebra dexpinv_transpose(const Algebra& u, const Algebra& c) { return SE3::dexpinv_transpose(u, c); }
 
     /// (cay(u), (I + hat(u)/2)^{-1} n).
-    static Element cay(const Algebra& u) {
+    static Element cay(const Algebra& u) { return {SO3::cay(u.w), cay_covector(u)}; }
+    static Vec3 cay_covector(const Algebra& u) {
         const Real a = 1 / (1 + u.w.squaredNorm() / 4);
-        return {SO3::cay(u.w), a * (u.p - u.w.cross(u.p) / 2 + u.w.dot(u.p) / 4 * u.w)};
+        return a * (u.p - u.w.cross(u.p) / 2 + u.w.dot(u.p) / 4 * u.w);
     }
     static Algebra dcayinv(const Algebra& u, const Algebra& v) { return SE3::dcayinv(u, v); }
     static Algebra dcayinv_transpose(const Algebra& u, const Algebra& c) { return SE3::dcayinv_transpose(u, c); }

@@ -38,9 +38,10 @@ class Group {
     /// dexp_u(v), right-trivialised as in the literature.
     virtual void dexp(const Real* u, const Real* v, Real* out) const = 0;
 
-    /// out = q exp(u): factors append on the right.
+    /// out = q exp(u): factors append on the right. Groups of rotations add q (exp(u) - 1) to q: in 1 - |u|^2/2 + ...
+    /// the last digits of the small part are lost, alike in steps that are alike, and products would scale q.
     virtual void append_exp(const Real* q, const Real* u, Real* out) const = 0;
-    /// out = q cay(u).
+    /// out = q cay(u), in the same way.
     virtual void append_cay(const Real* q, const Real* u, Real* out) const = 0;
     /// Whether u lies inside the chart of exp: every rotation by less than 2 pi, where dexpinv has its pole.
     virtual bool in_exp_chart(const Real* u) const = 0;

@@ -44,6 +44,19 @@ struct Pair {
         return {First::coAd(g.first, p.first), Second::coAd(g.second, p.second)};
     }
     static Element exp(const Algebra& u) { return {First::exp(u.first), Second::exp(u.second)}; }
+    struct Increment {
+        typename First::Increment first;
+        typename Second::Increment second;
+    };
+    static Increment exp_increment(const Algebra& u) {
+        return {First::exp_increment(u.first), Second::exp_increment(u.second)};
+    }
+    static Increment cay_increment(const Algebra& u) {
+        return {First::cay_increment(u.first), Second::cay_increment(u.second)};
+    }
+    static Element append(const Element& g, const Increment& e) {
+        return {First::append(g.first, e.first), Second::append(g.second, e.second)};
+    }
     static Algebra log(const Element& g) { return {First::log(g.first), Second::log(g.second)}; }
     static Algebra dexp(const Algebra& u, const Algebra& v) {
         return {First::dexp(u.first, v.first), Second::dexp(u.second, v.second)};

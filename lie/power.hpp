@@ -31,7 +31,9 @@ concept Kernel = requires(const typename K::Element& g, const typename K::Algebr
     { K::dexp(u, u) } -> std::convertible_to<typename K::Algebra>;      // right-trivialised differential of exp
     { K::dexpinv(u, u) } -> std::convertible_to<typename K::Algebra>;   // its inverse
     { K::cay(u) } -> std::convertible_to<typename K::Element>;          // Cayley map
-    { K::dcayinv(u, u) } -> std::convertible_to<typename K::Algebra>;   // right-trivialised inverse differential
+    { K::append(g, K::exp_increment(u)) } -> std::convertible_to<typename K::Element>;  // g + g (exp(u) - 1)
+    { K::append(g, K::cay_increment(u)) } -> std::convertible_to<typename K::Element>;  // g + g (cay(u) - 1)
+    { K::dcayinv(u, u) } -> std::convertible_to<typename K::Algebra>;  // right-trivialised inverse differential
     { K::dexpinv_transpose(u, u) } -> std::convertible_to<typename K::Algebra>;  // on covectors
     { K::dcayinv_transpose(u, u) } -> std::convertible_to<typename K::Algebra>;  //
     { K::orthogonality_defect(g) } -> std::convertible_to<Real>;                 //
@@ -74,12 +76,16 @@ class Power final : public Group {
             K::save_algebra(K::dexp(K::load_algebra(u + i), K::load_algebra(v + i)), out + i);
     }
     KREISEL_HOT void append_exp(const Real* q, const Real* u, Real* out) const override {
-        for (int i = 0; i < copies_; ++i, q += K::size, u += K::dim, out += K::size)
-            K::save(K::multiply(K::load(q), K::exp(K::load_algebra(u))), out);
+        for (int i = 0; i < copies_; ++i, q += K::size, u += K::dim, out += K::size) {
+            const auto increment = K::exp_increment(K::load_algebra(u));  // before q takes up the registers
+            K::save(K::append(K::load(q), increment), out);
+        }
     }
     KREISEL_HOT void append_cay(const Real* q, const Real* u, Real* out) const override {
-        for (int i = 0; i < copies_; ++i, q += K::size, u += K::dim, out += K::size)
-            K::save(K::multiply(K::load(q), K::cay(K::load_algebra(u))), out);
+        for (int i = 0; i < copies_; ++i, q += K::size, u += K::dim, out += K::size) {
+            const auto increment = K::cay_increment(K::load_algebra(u));  // before q takes up the registers
+            K::save(K::append(K::load(q), increment), out);
+        }
     }
     bool in_exp_chart(const Real* u) const override {
         bool inside = true;

@@ -27,6 +27,10 @@ struct Rn {
     static Algebra Ad(const Element&, const Algebra& v) { return v; }
     static Algebra coAd(const Element&, const Algebra& p) { return p; }
     static Element exp(const Algebra& u) { return u; }
+    using Increment = Element;
+    static Increment exp_increment(const Algebra& u) { return u; }
+    static Increment cay_increment(const Algebra& u) { return u; }
+    static Element append(const Element& a, const Increment& e) { return a + e; }
     static Algebra log(const Element& x) { return x; }
     static Algebra dexp(const Algebra&, const Algebra& v) { return v; }
     static Algebra dexpinv(const Algebra&, const Algebra& v) { return v; }

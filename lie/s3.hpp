@@ -46,6 +46,19 @@ struct S3 {
         const Real quarter = u.squaredNorm() / 4;
         return make(1 - quarter * cosc(quarter), sinc(quarter) / 2 * u);
     }
+    /// a e as a + a (e - 1), of e = exp(u) or cay(u).
+    using Increment = Element;
+    static Increment exp_increment(const Algebra& u) {
+        const Real quarter = u.squaredNorm() / 4;
+        return make(-quarter * cosc(quarter), sinc(quarter) / 2 * u);
+    }
+    /// With r = sqrt(1 + |u|^2/4): 1/r - 1 = -|u|^2/4/(r (1 + r)).
+    static Increment cay_increment(const Algebra& u) {
+        const Real quarter = u.squaredNorm() / 4, r = sqrt(1 + quarter);
+        return make(-quarter / (r * (1 + r)), u / (2 * r));
+    }
+    static Element append(const Element& a, const Increment& e) { return a + multiply(a, e); }
+
     /// Inverse of exp for |u| < 2 pi. At a = -1 the axis is free.
     static Algebra log(const Element& a) {
         const Vec3 v = a.tail<3>();

@@ -49,9 +49,23 @@ struct SE3 {
     /// exp(p, w) = (dexp_w(p), exp(w)): the translation is p + cosc w x p + sincc w x (w x p).
     static Element exp(const Algebra& u) {
         const Real s = u.w.squaredNorm(), b = cosc(s);
-        const Vec3 wp = u.w.cross(u.p);
-        return {u.p + b * wp + sincc(s) * u.w.cross(wp), SO3::rotation(u.w, s, sinc(s), b)};
+        return {exp_translation(u, s, b), SO3::rotation(u.w, s, sinc(s), b)};
     }
+    static Vec3 exp_translation(const Algebra& u, const Real& s, const Real& b) {
+        const Vec3 wp = u.w.cross(u.p);
+        return u.p + b * wp + sincc(s) * u.w.cross(wp);
+    }
+
+    struct Increment {
+        Vec3 x;
+        SO3::Increment turn;
+    };
+    static Increment exp_increment(const Algebra& u) {
+        const Real s = u.w.squaredNorm(), b = cosc(s);
+        return {exp_translation(u, s, b), {u.w, sinc(s), b}};
+    }
+    static Increment cay_increment(const Algebra& u) { return {cay_translation(u), SO3::cay_increment(u.w)}; }
+    static Element append(const Element& g, const Increment& e) { return {g.x + g.R * e.x, SO3::append(g.R, e.turn)}; }
 
     static Algebra log(const Element& g) {
         const Vec3 w = SO3::log(g.R);
@@ -83,10 +97,10 @@ struct SE3 {
     }
 
     /// cay(u) = (I - u/2)^{-1} (I + u/2) with the 4x4 matrix u: translation (I - hat(w)/2)^{-1} p.
-    static Element cay(const Algebra& u) {
+    static Element cay(const Algebra& u) { return {cay_translation(u), SO3::cay(u.w)}; }
+    static Vec3 cay_translation(const Algebra& u) {
         const Real a = 1 / (1 + u.w.squaredNorm() / 4);
-        const Vec3 x = a * (u.p + u.w.cross(u.p) / 2 + u.w.dot(u.p) / 4 * u.w);
-        return {x, SO3::cay(u.w)};
+        return a * (u.p + u.w.cross(u.p) / 2 + u.w.dot(u.p) / 4 * u.w);
     }
 
     /// (I - u/2) v (I + u/2) with the 4x4 matrices u, v; for v = (b, a):

@@ -27,9 +27,14 @@ namespace series {
 
 #if KREISEL_QUAD
 inline constexpr std::size_t entire_terms = 16, entire_terms_wide = 26, cot_terms = 24, cot_terms_wide = 62;
+inline constexpr std::size_t entire_terms_small = 10, cot_terms_small = 11;
 #else
 inline constexpr std::size_t entire_terms = 9, entire_terms_wide = 15, cot_terms = 11, cot_terms_wide = 30;
+inline constexpr std::size_t entire_terms_small = 5, cot_terms_small = 5;
 #endif
+
+/// Squared angle up to which the fewest terms do, an eighth of a radian squared: accurate steps turn by less.
+inline constexpr double small = 1.0 / 64;
 
 /// Coefficients are made in 113 bits and rounded once: in double each is the correctly rounded one.
 using Wide = __float128;
@@ -114,12 +119,14 @@ inline Real horner(const Array& a, const Real& s) {
 }  // namespace series
 
 inline Real sinc(const Real& s) {
+    if (s <= series::small) return series::horner<series::entire_terms_small>(series::sinc, s);
     if (s <= 1) return series::horner<series::entire_terms>(series::sinc, s);
     const Real t = sqrt(s);
     return sin(t) / t;
 }
 
 inline Real cosc(const Real& s) {
+    if (s <= series::small) return series::horner<series::entire_terms_small>(series::cosc, s);
     if (s <= 1) return series::horner<series::entire_terms>(series::cosc, s);
     const Real half_sine = sin(sqrt(s) / 2);
     return 2 * half_sine * half_sine / s;
@@ -147,6 +154,7 @@ inline Real sincc_ds(const Real& s) {
 }
 
 inline Real cotc(const Real& s) {
+    if (s <= series::small) return series::horner<series::cot_terms_small>(series::cotc, s);
     if (s <= 1) return series::horner<series::cot_terms>(series::cotc, s);
     if (s <= 9) return series::horner<series::cot_terms_wide>(series::cotc, s);
     const Real x = sqrt(s) / 2;

@@ -52,6 +52,33 @@ struct SO3 {
         return rotation(u, s, sinc(s), cosc(s));
     }
 
+    /// R (I + E) as R + R E with E = a hat(u) + b hat(u)^2, of exp(u) or cay(u).
+    struct Increment {
+        Vec3 u;
+        Real a, b;
+    };
+    static Increment exp_increment(const Algebra& u) {
+        const Real s = u.squaredNorm();
+        return {u, sinc(s), cosc(s)};
+    }
+    static Increment cay_increment(const Algebra& u) {
+        const Real a = 1 / (1 + u.squaredNorm() / 4);
+        return {u, a, a / 2};
+    }
+    static Element append(const Element& R, const Increment& e) {
+        Element out;
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 row = R.row(i);
+            out.row(i) = row + turned(row, e);
+        }
+        return out;
+    }
+    /// E^T p = b u x (u x p) - a u x p: what a row of R is changed by, and a covector.
+    static Vec3 turned(const Vec3& p, const Increment& e) {
+        const Vec3 c = e.u.cross(p);
+        return (e.b * e.u).cross(c) - e.a * c;
+    }
+
     /// Inverse of exp, |log R| <= pi; at pi the axis is determined up to sign. For R near SO(3) it is the logarithm of
     /// a nearby rotation; NaN where R is not finite or far off.
     static Algebra log(const Element& R);

@@ -59,6 +59,37 @@ TEMPLATE_LIST_TEST_CASE("exp and cay equal their matrix definitions", "[lie]", G
     }
 }
 
+TEMPLATE_LIST_TEST_CASE("exp and cay append on the right as their matrices multiply", "[lie]", Groups) {
+    using K = TestType;
+    auto all = points(K::dim);
+    all.push_back(2 * all.back());  // rotates by almost 2 pi
+    for (const VecX& u : all) {
+        const MatX exp_u = matrix_exp(rep_algebra<K>(u)), cay_u = matrix_cay(rep_algebra<K>(u));
+        for (const VecX& v : all) {
+            const auto g = K::exp(algebra<K>(v));
+            CHECK(gap(rep<K>(K::append(g, K::exp_increment(algebra<K>(u)))), rep<K>(g) * exp_u) <= tolerance);
+            CHECK(gap(rep<K>(K::append(g, K::cay_increment(algebra<K>(u)))), rep<K>(g) * cay_u) <= tolerance);
+        }
+    }
+}
+
+TEMPLATE_LIST_TEST_CASE("u = 0 appends nothing, to the last digit", "[lie]", Groups) {
+    using K = TestType;
+    const VecX zero = VecX::Zero(static_cast<int>(K::dim));
+    for (const VecX& v : points(K::dim)) {
+        const auto g = K::exp(algebra<K>(v));
+        CHECK(rep<K>(K::append(g, K::exp_increment(algebra<K>(zero)))) == rep<K>(g));
+        CHECK(rep<K>(K::append(g, K::cay_increment(algebra<K>(zero)))) == rep<K>(g));
+    }
+}
+
+TEST_CASE("a factor on the left is seen beside one on the right", "[lie][control]") {
+    const Mat3 R = SO3::exp(Vec3(1, 2, -1) / 2);
+    const Vec3 u = Vec3(2, -1, 3) / 4;
+    CHECK(gap(SO3::append(R, SO3::exp_increment(u)), SO3::exp(u) * R) > 1000 * tolerance);
+    CHECK(gap(SO3::append(R, SO3::cay_increment(u)), SO3::cay(u) * R) > 1000 * tolerance);
+}
+
 TEMPLATE_LIST_TEST_CASE("multiplication, inverse, Ad and bracket are those of the matrices", "[lie]", Groups) {
     using K = TestType;
     const auto all = points(K::dim);

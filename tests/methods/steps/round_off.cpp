@@ -52,6 +52,17 @@ void check_that_it_stays(const char* name, const OptionValues& changed, const st
     }
 }
 
+/// At most what round-off at random makes of the steps, of a microsecond each.
+void check_that_rotations_stay(const char* problem, const char* name, const OptionValues& changed,
+                               const std::string& formulation, long short_steps) {
+    const Method& entry = method(name);
+    Trip trip(standard(problem), formulation, entry, with_defaults(changed, entry.description.options));
+    REQUIRE(trip.run(Real(short_steps) / (1 << 20), short_steps) == Status::ok);
+    const Real defect = trip.system->group().orthogonality_defect(trip.y.data());
+    INFO(name << " of " << problem << " as " << formulation << ": " << to_text(Real(defect / epsilon)));
+    CHECK(defect <= 2 * epsilon * sqrt(Real(short_steps)));
+}
+
 }  // namespace
 
 TEST_CASE("round-off of implicit steps does not add up in what they keep", "[methods][round_off]") {
@@ -61,6 +72,17 @@ TEST_CASE("round-off of implicit steps does not add up in what they keep", "[met
         check_that_it_stays(name, {}, "SO3");
     for (const char* coordinates : {"exp", "cayley"})
         check_that_it_stays("variational/rattlie", {{"coordinates", std::string(coordinates)}}, "SO3");
+}
+
+TEST_CASE("round-off of short steps does not add up in the rotations", "[methods][round_off]") {
+    if (KREISEL_QUAD) return;  // slow, and the same code
+    for (const char* formulation : {"SO3", "SO3xR3", "SE3"})
+        check_that_rotations_stay("heavy_top", "rkmk/rk4", {}, formulation, 100000);
+    for (const char* formulation : {"SO3", "S3", "SO3-LiePoisson"}) {
+        for (const char* name : {"crouch_grossman/cg4a", "commutator_free/cf4", "multistep/adams_bashforth4"})
+            check_that_rotations_stay("free_top", name, {}, formulation, 30000);
+        check_that_rotations_stay("free_top", "rkmk/rk4", {{"coordinates", std::string("cayley")}}, formulation, 30000);
+    }
 }
 
 TEST_CASE("a method that does not keep a body's momentum is seen beside round-off", "[methods][round_off][control]") {
