@@ -199,7 +199,9 @@ class FigureCheck {
         const bool with_options = (key == "method" || key == "projection") && value.find(' ') != std::string::npos;
         if (in_list(values, value) || with_options) { return; }
         refuse(Rule::figure_selection, place(fmt::format("{}/select/{}", figure.pointer, key), i),
-               fmt::format("a {} of this experiment", key),
+               key == "steps"
+                   ? fmt::format("one of the numbers of steps of this experiment ({})", fmt::join(values, ", "))
+                   : fmt::format("a {} of this experiment", key),
                key == "steps" || key == "tolerance" ? value : in_quotes(value), nearest_name(value, values));
     }
 
