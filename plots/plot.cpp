@@ -10,6 +10,7 @@
 #include "plots/figures/cells/joined.hpp"
 #include "plots/figures/gnuplot.hpp"
 #include "plots/figures/kind.hpp"
+#include "plots/figures/settings.hpp"
 #include "plots/figures/spec.hpp"
 #include "plots/wanting.hpp"
 #include "records/folder/derived_files.hpp"
@@ -36,14 +37,30 @@ void write_and_draw(const Figure& figure, const Results& results, const std::fil
     fmt::print("{}\n", (output / "figures" / (figure.name + ".{pdf,svg,png}")).string());
 }
 
+// What gnuplot reads is not listed: its first line tells whose it is.
+void require_own_settings(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error) || read_text(file).starts_with(Settings().text())) { return; }
+    throw FileError(
+        fmt::format("{}: expected nothing at this name, or what kreisel plot has written, got another "
+                    "file; please move it away",
+                    file.string()));
+}
+
 // In a folder of results the files are derived ones, elsewhere files like any other.
 void draw(Figure& figure, const Results& results, const PlotSettings& settings) {
     figure.note = what_is_wanting(results);
     if (!settings.output.empty()) { return write_and_draw(figure, results, settings.output); }
     const std::filesystem::path& folder = settings.folders.front();
     require_derived(folder, files_of(figure));
+    require_own_settings(folder / "plotdata" / (figure.name + ".gp"));
     announce_files(folder, files_of(figure));
-    write_and_draw(figure, results, folder);
+    try {
+        write_and_draw(figure, results, folder);
+    } catch (const FigureError&) {
+        withdraw_files(folder, files_of(figure));
+        throw;
+    }
     record_sums(folder, files_of(figure));
 }
 

@@ -16,21 +16,22 @@ namespace {
 // Limits the messages about a badly damaged file.
 constexpr std::size_t most_complaints = 10;
 
-void complain(JournalContents& contents, std::string text) {
-    if (contents.complaints.size() < most_complaints) {
-        contents.complaints.push_back(std::move(text));
-    } else if (contents.complaints.size() == most_complaints) {
-        contents.complaints.emplace_back("further journal lines are left out too");
+void complain(std::vector<std::string>& complaints, std::string text) {
+    if (complaints.size() < most_complaints) {
+        complaints.push_back(std::move(text));
+    } else if (complaints.size() == most_complaints) {
+        complaints.emplace_back("further journal lines are left out too");
     }
+}
+
+std::string damaged_line(const std::filesystem::path& file, long number) {
+    return fmt::format("{}:{}: damaged line left out", file.string(), number);
 }
 
 void read_line(const std::string& line, const JournalPlace& place, long number, const std::string& build,
                JournalContents& contents) {
     auto cell = read_journal_line(line);
-    if (!cell) {
-        const std::string file = contents.files[place.file].string();
-        return complain(contents, fmt::format("{}:{}: damaged line left out", file, number));
-    }
+    if (!cell) { return complain(contents.complaints, damaged_line(contents.files[place.file], number)); }
     std::string& name = cell->record.identity.cell;
     if (cell->record.outcome.status == status::interrupted) {
         contents.interrupted.insert(std::move(name));
@@ -48,7 +49,9 @@ void read_journal(const std::filesystem::path& file, const std::string& build, J
     const bool whole = for_each_line(file, [&](std::uint64_t begin, const std::string& line) {
         read_line(line, {index, static_cast<std::uint32_t>(line.size()), begin}, ++number, build, contents);
     });
-    if (!whole) { complain(contents, fmt::format("{}:{}: torn last line left out", file.string(), number + 1)); }
+    if (!whole) {
+        complain(contents.complaints, fmt::format("{}:{}: torn last line left out", file.string(), number + 1));
+    }
 }
 
 }  // namespace
@@ -126,6 +129,18 @@ JournalContents read_journals(const std::filesystem::path& folder, const std::st
     std::erase_if(contents.foreign, is_done);
     std::erase_if(contents.interrupted, is_done);
     return contents;
+}
+
+std::vector<std::string> journal_damage(const std::filesystem::path& folder) {
+    std::vector<std::string> damage;
+    for (const auto& file : shard_files(folder, "journal", ".jsonl")) {
+        long number = 0;
+        for_each_line(file, [&](std::uint64_t, const std::string& line) {
+            ++number;
+            if (sum_state(line) != SumState::holds) { complain(damage, damaged_line(file, number)); }
+        });
+    }
+    return damage;
 }
 
 void mend_journal(const std::filesystem::path& journal) {

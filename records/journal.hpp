@@ -60,6 +60,10 @@ std::filesystem::path journal_file(const std::filesystem::path& folder, const st
 /// Throws FileError if a journal cannot be read.
 JournalContents read_journals(const std::filesystem::path& folder, const std::string& build);
 
+/// A text for each line whose sum does not hold. A torn last line is none: whatever kills a run leaves one. Throws
+/// FileError if a journal cannot be read.
+std::vector<std::string> journal_damage(const std::filesystem::path& folder);
+
 /// Removes a torn last line, so that the next one starts on a line of its own.
 void mend_journal(const std::filesystem::path& journal);
 

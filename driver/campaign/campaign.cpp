@@ -189,6 +189,7 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
     CampaignReport report;
     Ledger ledger(plan, folder, settings);
     report.reused = ledger.reuse(earlier.journals, settings);
+    for (const std::string& text : ledger.damage()) { messages << text << "\n"; }
     state.counts = count_cells(plan, ledger.finished(), settings);
     if (report.reused > 0) { write_state(); }
     const ReferenceStore store(folder, settings.cache, engines.reference_digest(), settings.references);

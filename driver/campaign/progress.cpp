@@ -2,9 +2,14 @@
 #include "driver/campaign/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <ostream>
+#include <string_view>
+#include <utility>
 
 #include "driver/plan/estimate/amounts.hpp"
 
@@ -14,27 +19,57 @@ namespace {
 
 constexpr double terminal_interval = 0.2, log_interval = 5.0;  // s
 
+bool rewrites_lines() {
+    const char* kind = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): no other thread is there
+    return kind != nullptr && *kind != '\0' && std::string_view(kind) != "dumb";
+}
+
+// 0 where standard error is no terminal.
+unsigned terminal_columns() {
+    winsize size{};
+    return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
 }  // namespace
 
+std::string cut_to_terminal(std::string text, unsigned columns) {
+    // A full line would make some terminals begin another one.
+    if (columns > 1 && text.size() >= columns) { text.resize(columns - 1); }
+    return text;
+}
+
+double seconds_left(double elapsed, double done, double total) {
+    const double presumed = total / 50;  // to have been done before, in the time that was estimated
+    return (total - done) * (elapsed + presumed) / (done + presumed);
+}
+
 Progress::Progress(std::ostream& out, std::string name, bool terminal)
-    : out_(out), name_(std::move(name)), terminal_(terminal), start_(Clock::now()), last_(start_) {}
+    : out_(out),
+      name_(std::move(name)),
+      terminal_(terminal),
+      silent_(terminal && !rewrites_lines()),
+      start_(Clock::now()),
+      last_(start_) {}
 
 void Progress::show(const ProgressState& state) {
+    if (silent_) { return; }
     const auto now = Clock::now();
     const auto seconds = [](Clock::duration span) { return std::chrono::duration<double>(span).count(); };
     if (seconds(now - last_) < (terminal_ ? terminal_interval : log_interval)) { return; }
     last_ = now;
+    if (state.references_done < state.references && state.weight_done <= 0) { start_ = now; }  // of the cells
     std::string text = fmt::format("{}: {}/{} cells", name_, state.done, state.total);
     if (state.references_done < state.references) {
         text += fmt::format(", {}/{} reference solutions", state.references_done, state.references);
     }
     if (state.failed > 0) { text += fmt::format(", {} failed", state.failed); }
     if (state.weight_done > 0 && state.weight_total > state.weight_done) {
-        const double left = seconds(now - start_) * (state.weight_total - state.weight_done) / state.weight_done;
+        const double left = seconds_left(seconds(now - start_), state.weight_done, state.weight_total);
         text += ", about " + duration_text(left) + " left";
     }
     if (terminal_) {
-        out_ << "\r\x1b[K" << text << std::flush;  // erase to the end of the line
+        out_ << "\r\x1b[K" << cut_to_terminal(std::move(text), terminal_columns())
+             << std::flush;  // erase to the end of the line
         line_open_ = true;
     } else {
         out_ << text << std::endl;

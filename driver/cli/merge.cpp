@@ -54,6 +54,8 @@ MergedManifests read_manifests(const Paths& folders, const std::string& build) {
         }
         const auto files = shard_files(folder, "manifest", ".json");
         if (files.empty()) {
+            const std::vector<std::string> damage = run_damage(folder);
+            if (!damage.empty()) { throw FileError(damage.front()); }
             throw UsageError(fmt::format("{}: expected a folder that kreisel run has written, got one without manifest",
                                          folder.string()));
         }

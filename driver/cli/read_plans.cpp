@@ -49,6 +49,12 @@ void require_references(const Document& document, const Plan& plan, const std::f
     sink.raise();
 }
 
+// What is damaged there is computed again, or counts as missing.
+void say_of_given(const std::filesystem::path& given, std::ostream& messages) {
+    if (given.empty()) { return; }
+    for (const std::string& text : reference_damage(given)) { fmt::print(messages, "{}\n", text); }
+}
+
 }  // namespace
 
 Paths config_files(const Paths& written) {
@@ -65,6 +71,7 @@ Paths config_files(const Paths& written) {
 
 std::vector<Plan> read_plans(const Paths& files, const ConfigChanges& changes, const std::filesystem::path& references,
                              const Engines& engines, std::ostream& messages) {
+    say_of_given(references, messages);
     const Catalogue catalogue(engines.binary64);
     std::vector<Plan> plans;
     std::string errors;

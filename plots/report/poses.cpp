@@ -111,7 +111,7 @@ PackedPoses packed_poses(const TrajectoryTable& trajectory, const std::vector<st
         append_bytes(times[k], t);
         for (const auto* column : positions) { append_bytes((*column)[k], x); }
     }
-    if (trajectory.find(bodies.front() + ".R11") != nullptr) {
+    if (!bodies.empty() && trajectory.find(bodies.front() + ".R11") != nullptr) {
         put_rotations(columns_of(trajectory, bodies, true), instants, q);
     }
     return {base64_text(t), base64_text(x), base64_text(q)};

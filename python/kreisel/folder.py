@@ -74,6 +74,7 @@ def _read_lines(contents: FolderContents) -> None:
         raise MissingResults(f"{file}: cannot be read: there is no such file") from None
     if lines[-1] == b"":
         lines.pop()
+    known: set[str] = set()
     for number, line in enumerate(lines, 1):
         if not line:
             continue
@@ -81,10 +82,14 @@ def _read_lines(contents: FolderContents) -> None:
             contents.damage.append(f"{file}:{number}: not a result line: damaged: its sum does not hold")
             continue
         record = parse_json(line)
-        if _CELL.fullmatch(record["cell"]):
-            contents.records.append(record)
-        else:
+        if not _CELL.fullmatch(record["cell"]):
             contents.damage.append(f"{file}:{number}: not a result line: the cell's name is not a hash")
+        elif record["cell"] in known:
+            contents.damage.append(f"{file}:{number}: not a result line: damaged: an earlier line is about the same "
+                                   "cell")
+        else:
+            known.add(record["cell"])
+            contents.records.append(record)
     cells = contents.manifest.get("cells", {})
     expected = cells.get("total", 0) - cells.get("missing", 0)
     if contents.manifest.get("ended") and len(lines) < expected:

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "records/folder/damage.hpp"
 #include "records/journal.hpp"
 #include "records/manifest.hpp"
+#include "records/sums/sum_list.hpp"
 #include "records/sums/summed_text.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
@@ -17,16 +19,19 @@ namespace kreisel {
 
 namespace {
 
-/// Reads a file whose lines must have sums if `summed`; returns how many it has.
-std::size_t read_cells(const std::filesystem::path& file, bool known, RecordedFolder& result) {
+/// Reads a file whose lines must have sums if its format is `known`; returns how many it has.
+std::size_t read_cells(const std::filesystem::path& file, bool known, bool each_once, RecordedFolder& result) {
     const auto lines = read_lines(file);
+    std::set<std::string> seen;
     const bool summed = lines_have_sums(lines, known);
     if (!summed) { result.warning = format_warning(file.parent_path()); }
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (lines[i].empty()) { continue; }
         try {
             require_sum(lines[i], summed);
-            result.cells.push_back(read_recorded_cell(lines[i]));
+            RecordedCell cell = read_recorded_cell(lines[i]);
+            if (each_once && !seen.insert(cell.cell).second) { throw std::invalid_argument(repeated_cell); }
+            result.cells.push_back(std::move(cell));
         } catch (const std::exception& error) {
             result.damage.push_back(fmt::format("{}:{}: not a result line: {}", file.string(), i + 1, error.what()));
         }
@@ -73,11 +78,16 @@ RecordedFolder read_recorded_folder(const std::filesystem::path& folder) {
         throw FileError(fmt::format("{}: there is no such folder", folder.string()));
     }
     const bool known = format_of(folder) >= folder_format;
-    result.damage = folder_damage(folder);
-    if (std::filesystem::exists(folder / "results.jsonl")) {
-        note_missing_lines(folder, read_cells(folder / "results.jsonl", known, result), result);
+    const bool finished = std::filesystem::exists(folder / "results.jsonl");
+    result.damage = finished ? folder_damage(folder) : run_damage(folder);
+    if (finished) {
+        note_missing_lines(folder, read_cells(folder / "results.jsonl", known, true, result), result);
         note_damaged_samples(folder, result);
         return result;
+    }
+    // results.csv is written after it.
+    if (read_sum_list(folder).has("results.csv")) {
+        result.damage.push_back(fmt::format("{}: damaged: it is not there", (folder / "results.jsonl").string()));
     }
     const auto journals = shard_files(folder, "journal", ".jsonl");
     if (journals.empty()) {
@@ -86,7 +96,7 @@ RecordedFolder read_recorded_folder(const std::filesystem::path& folder) {
                         "and journal",
                         folder.string()));
     }
-    for (const auto& file : journals) { read_cells(file, true, result); }  // their lines have always had sums
+    for (const auto& file : journals) { read_cells(file, true, false, result); }  // their lines have always had sums
     std::erase_if(result.cells, [](const RecordedCell& cell) { return cell.status == status::interrupted; });
     drop_older_lines(result.cells);
     note_damaged_samples(folder, result);

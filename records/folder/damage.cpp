@@ -17,19 +17,44 @@ namespace kreisel {
 
 namespace {
 
+bool is_found(const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::exists(file, error);
+}
+
+std::string not_there(const std::filesystem::path& file) {
+    return fmt::format("{}: damaged: it is not there", file.string());
+}
+
 std::filesystem::path journal_of(const std::filesystem::path& manifest) {
     std::string name = manifest.filename().string();
     name.replace(0, std::string_view("manifest").size(), "journal");
     return manifest.parent_path() / (name + "l");
 }
 
+// The manifest is written before its journal.
+std::vector<std::string> missing_manifests(const std::filesystem::path& folder) {
+    std::vector<std::string> damage;
+    for (const auto& journal : shard_files(folder, "journal", ".jsonl")) {
+        std::string name = journal.filename().string();
+        name.replace(0, std::string_view("journal").size(), "manifest").pop_back();
+        if (!is_found(folder / name)) { damage.push_back(not_there(folder / name)); }
+    }
+    return damage;
+}
+
+// It is written before what it lists.
+std::string missing_sum_list(const std::filesystem::path& folder) {
+    const auto file = folder / sum_list_name;
+    const bool wanted = format_of(folder) >= folder_format && is_found(folder / "results.csv");
+    return wanted && !is_found(file) ? not_there(file) : "";
+}
+
 std::string shortened_journal(const std::filesystem::path& manifest_path, const ManifestState& state) {
     const auto journal = journal_of(manifest_path);
     if (!state.journal) { return ""; }
     std::error_code error;
-    if (!std::filesystem::is_regular_file(journal, error)) {
-        return fmt::format("{}: damaged: it is not there", journal.string());
-    }
+    if (!std::filesystem::is_regular_file(journal, error)) { return not_there(journal); }
     if (std::filesystem::file_size(journal, error) >= *state.journal) { return ""; }
     const std::string text = read_text(journal);
     return fmt::format("{}:{}: damaged: expected {} bytes, got {}: its end is missing", journal.string(),
@@ -39,7 +64,7 @@ std::string shortened_journal(const std::filesystem::path& manifest_path, const 
 }  // namespace
 
 std::vector<std::string> run_damage(const std::filesystem::path& folder) {
-    std::vector<std::string> damage;
+    std::vector<std::string> damage = missing_manifests(folder);
     for (const auto& file : shard_files(folder, "manifest", ".json")) {
         try {
             const std::string journal = shortened_journal(file, read_manifest(file).state);
@@ -54,6 +79,8 @@ std::vector<std::string> run_damage(const std::filesystem::path& folder) {
 
 std::vector<std::string> folder_damage(const std::filesystem::path& folder) {
     std::vector<std::string> damage = run_damage(folder);
+    for (std::string& text : journal_damage(folder)) { damage.push_back(std::move(text)); }
+    if (std::string missing = missing_sum_list(folder); !missing.empty()) { damage.push_back(std::move(missing)); }
     for (std::string& text : sum_list_damage(folder)) { damage.push_back(std::move(text)); }
     return damage;
 }
@@ -61,9 +88,7 @@ std::vector<std::string> folder_damage(const std::filesystem::path& folder) {
 std::string trajectory_damage(const std::filesystem::path& folder, const std::string& cell, const std::string& sum) {
     const auto file = folder / trajectory_file(cell);
     std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) {
-        return fmt::format("{}: damaged: it is not there", file.string());
-    }
+    if (!std::filesystem::is_regular_file(file, error)) { return not_there(file); }
     if (sum_of_trajectory(file) == sum) { return ""; }
     return fmt::format("{}: damaged: its sum is not the one of its cell", file.string());
 }

@@ -11,12 +11,16 @@
 
 namespace kreisel {
 
-/// A text for each manifest and each reference that is damaged, and for a journal that has become shorter. Throws
-/// FileError.
+/// A text for each manifest that is damaged or missing, each reference that is damaged, and for a journal that has
+/// become shorter. Throws FileError.
 std::vector<std::string> run_damage(const std::filesystem::path& folder);
 
-/// The same, and of results.csv, tables and figures. Those that are not there are no damage.
+/// The same, and of lines of journals, results.csv, geometry, tables and figures. Tables and figures that are not there
+/// are no damage.
 std::vector<std::string> folder_damage(const std::filesystem::path& folder);
+
+/// What is wrong with a line of results.jsonl about a cell that an earlier line is about.
+inline constexpr const char* repeated_cell = "damaged: an earlier line is about the same cell";
 
 /// What is wrong with the trajectory of a cell whose result records that sum; empty: nothing. Throws FileError.
 std::string trajectory_damage(const std::filesystem::path& folder, const std::string& cell, const std::string& sum);

@@ -96,13 +96,14 @@ void OwnedFiles::require(const std::vector<std::string>& paths) const {
 
 void OwnedFiles::remove_results() const {
     for (const std::string& pattern : files_) {
-        if (pattern.find('*') == std::string::npos && pattern != "sums.sha256") { remove_file(folder_ / pattern); }
+        if (pattern.find('*') == std::string::npos && pattern != sum_list_name) { remove_file(folder_ / pattern); }
     }
     for (const auto& file : trajectories_in(folder_)) {
         std::string path = "trajectories/" + file.filename().string();
         if (path.ends_with(part_ending)) { path.resize(path.size() - part_ending.size()); }
         if (has(path)) { remove_file(file); }
     }
+    if (is_there(folder_ / sum_list_name)) { withdraw_files(folder_, {"results.csv", geometry_file}); }
 }
 
 void remove_parts(const std::filesystem::path& folder, const std::function<bool(const std::string& cell)>& stale) {

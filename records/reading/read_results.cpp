@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <unordered_set>
 
 #include "records/folder/damage.hpp"
 #include "records/journal.hpp"
@@ -54,8 +55,7 @@ void add_times(const std::filesystem::path& folder, const std::string& build, Sh
     const bool timed =
         (kind != nullptr && kind->repeated) || std::any_of(results.rows.begin(), results.rows.end(), is_timed);
     if (build.empty() || !timed) { return; }
-    const JournalContents journals = read_journals(folder, build);
-    results.damage.insert(results.damage.end(), journals.complaints.begin(), journals.complaints.end());
+    const JournalContents journals = read_journals(folder, build);  // folder_damage tells of their damaged lines
     const JournalLines lines = journals.lines();
     for (ResultRow& row : results.rows) {
         const auto found = journals.cells.find(row.cell);
@@ -148,13 +148,16 @@ std::size_t count_lines(const std::filesystem::path& file) {
 std::size_t read_lines_into(const std::filesystem::path& folder, bool summed, Sharing& sharing, Results& results) {
     results.rows.reserve(count_lines(folder / "results.jsonl"));  // growing would take three times the rows
     const Shared<std::filesystem::path> shared_folder(folder);
+    std::unordered_set<std::string> known;
     std::size_t number = 0;
     visit_lines(folder / "results.jsonl", [&](const std::string& line) {
         ++number;
         if (line.empty()) { return; }
         try {
             require_sum(line, summed);
-            ResultRow& row = results.rows.emplace_back(read_result_line(line));
+            ResultRow read = read_result_line(line);
+            if (!known.insert(read.cell).second) { throw std::invalid_argument(repeated_cell); }
+            ResultRow& row = results.rows.emplace_back(std::move(read));
             row.folder = shared_folder;
             sharing.share(row);
         } catch (const std::exception& error) {
@@ -177,9 +180,13 @@ std::vector<std::string> measured_metrics(const std::vector<ResultRow>& rows) {
 void require_results(const std::filesystem::path& folder) {
     std::error_code error;
     const auto file = folder / "results.jsonl";
-    if (!std::filesystem::exists(file, error)) {
-        throw FileError(fmt::format("{}: cannot be read: there is no such file", file.string()));
-    }
+    if (std::filesystem::exists(file, error)) { return; }
+    throw FileError(fmt::format("{}: cannot be read: there is no such file{}", file.string(),
+                                !shard_files(folder, "journal", ".jsonl").empty()
+                                    ? "; the journal beside it is of a run that has not ended, or of "
+                                      "a part: kreisel run --resume goes on, kreisel merge puts "
+                                      "parts together"
+                                    : ""));
 }
 
 std::string what_is_wanting(const Results& results) {

@@ -15,7 +15,6 @@ namespace kreisel {
 namespace {
 
 constexpr std::size_t sum_digits = 64;
-constexpr const char* sum_list_name = "sums.sha256";
 
 std::string entries_text(const SumList& list) {
     std::string text;
@@ -29,6 +28,9 @@ bool is_entry(const std::string& line) {
     return line.size() > sum_digits + 2 && line.find_first_not_of("0123456789abcdef") == sum_digits &&
            line.compare(sum_digits, 2, "  ") == 0 && is_path_below(line.substr(sum_digits + 2));
 }
+
+// What `table`, `plot` and `report` write can be made again at any time.
+bool is_of_run(const std::string& path) { return path == "results.csv" || path == "geometry.json"; }
 
 bool is_file(const std::filesystem::path& file) {
     std::error_code error;
@@ -105,13 +107,26 @@ void announce_files(const std::filesystem::path& folder, const std::vector<std::
     write_sum_list(folder, list);
 }
 
+void withdraw_files(const std::filesystem::path& folder, const std::vector<std::string>& paths) {
+    SumList list = list_to_change(folder);
+    for (const std::string& path : paths) {
+        if (!is_file(folder / path)) { list.sums.erase(path); }
+    }
+    write_sum_list(folder, list);
+}
+
 std::vector<std::string> sum_list_damage(const std::filesystem::path& folder) {
     const SumList list = read_sum_list(folder);
     if (!list.damage.empty()) { return {list.damage}; }
     std::vector<std::string> damage;
     for (const auto& [path, sum] : list.sums) {
         const auto file = folder / path;
-        if (sum == unfinished_sum || !is_file(file) || sha256_of_file(file) == sum) { continue; }
+        if (sum == unfinished_sum) { continue; }
+        if (!is_file(file)) {
+            if (is_of_run(path)) { damage.push_back(fmt::format("{}: damaged: it is not there", file.string())); }
+            continue;
+        }
+        if (sha256_of_file(file) == sum) { continue; }
         damage.push_back(fmt::format("{}: damaged: it is not what sums.sha256 says", file.string()));
     }
     return damage;

@@ -11,6 +11,8 @@
 
 namespace kreisel {
 
+inline constexpr const char* sum_list_name = "sums.sha256";
+
 /// Of a file that is being written: it is ours, and not to be believed yet.
 inline const std::string unfinished_sum(64, '0');
 
@@ -31,7 +33,11 @@ void record_sums(const std::filesystem::path& folder, const std::vector<std::str
 /// The same list in which these files are unfinished.
 void announce_files(const std::filesystem::path& folder, const std::vector<std::string>& paths);
 
-/// A text for each listed file that is there and is not what the list says, and for a damaged list.
+/// The same list without those of these files that are not there: they could not be written.
+void withdraw_files(const std::filesystem::path& folder, const std::vector<std::string>& paths);
+
+/// A text for each listed file that is not what the list says, and for a damaged list. Tables, figures and the report
+/// need not be there.
 std::vector<std::string> sum_list_damage(const std::filesystem::path& folder);
 
 /// Whether text read from a file may become a path below a folder: relative, of plain names.

@@ -3,6 +3,7 @@
 // The command line: exit codes, help, the output of list, info and plan.
 #include <array>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -85,6 +86,9 @@ TEST_CASE("durations and progress in a log") {
     CHECK(duration_text(12) == "12 s");
     CHECK(duration_text(187) == "3 min 07 s");
     CHECK(duration_text(3720) == "1 h 02 min");
+    CHECK(duration_text(3.156e10) == "1.0e+03 years");
+    CHECK(duration_text(1e99) == "3.2e+91 years");
+    ::setenv("TERM", "xterm", 1);
     std::ostringstream out;
     Progress progress(out, "name", true);
     std::this_thread::sleep_for(std::chrono::milliseconds(250));
@@ -92,6 +96,28 @@ TEST_CASE("durations and progress in a log") {
     progress.clear();
     CHECK(tells(out.str(), "name: 3/10 cells, 0/2 reference solutions, 1 failed, about "));
     CHECK(out.str().ends_with("\r\x1b[K"));
+}
+
+TEST_CASE("the time left is not taken from a first tiny cell alone") {
+    CHECK(seconds_left(0.5, 1e-5, 10) < 50);
+    CHECK(seconds_left(10, 10, 20) == Approx(10).epsilon(0.05));
+    CHECK(seconds_left(100, 10, 20) == Approx(100).epsilon(0.05));
+    CHECK(seconds_left(3, 20, 20) == 0);
+}
+
+TEST_CASE("progress fits the terminal, and is not shown on one that cannot rewrite its line") {
+    CHECK(cut_to_terminal("name: 3/10 cells", 12) == "name: 3/10 ");
+    CHECK(cut_to_terminal("name: 3/10 cells", 17) == "name: 3/10 cells");
+    CHECK(cut_to_terminal("name: 3/10 cells", 0) == "name: 3/10 cells");
+    for (const char* kind : {"dumb", "", "xterm"}) {
+        ::setenv("TERM", kind, 1);
+        std::ostringstream out;
+        Progress progress(out, "name", true);
+        std::this_thread::sleep_for(std::chrono::milliseconds(250));
+        progress.show({3, 10, 1, 0, 2, 1, 4});
+        progress.clear();
+        CHECK(out.str().empty() == (std::string(kind) != "xterm"));
+    }
 }
 
 TEST_CASE("a log gets whole lines, and not too often") {

@@ -107,8 +107,8 @@ TEST_CASE("merge takes only folders of one config and this build") {
     SECTION("no manifest") {
         std::filesystem::remove(manifest);
         const auto result = shards.merge();
-        CHECK(result.code == 2);
-        CHECK_THAT(result.messages, Catch::Contains("expected a folder that kreisel run has written"));
+        CHECK(result.code == 3);
+        CHECK_THAT(result.messages, Catch::Contains("manifest.2-of-2.json: damaged: it is not there"));
     }
     SECTION("a manifest of something else") {
         for (const char* text : {"[]", "{}", R"({"config": {}})", R"({"config": {}, "program": 1})",

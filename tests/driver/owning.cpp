@@ -103,6 +103,7 @@ TEST_CASE("the manifest lists what the run writes, and --overwrite removes that 
     OwnedFiles(own.folder).remove_results();
     CHECK(std::filesystem::is_empty(own.folder / "trajectories"));
     CHECK_FALSE(std::filesystem::exists(own.folder / "journal.jsonl"));
+    CHECK(read_sum_list(own.folder).sums.empty());  // what is removed is not missing
 }
 
 TEST_CASE("names that leave the folder are never followed") {
@@ -210,6 +211,32 @@ TEST_CASE("table refuses to write over a table that is not listed, and removes o
     run_program({"table", own.folder.string()});
     CHECK_FALSE(std::filesystem::exists(own.folder / "tables/stale.csv"));
     CHECK(std::filesystem::exists(own.folder / "tables/mine.csv"));
+}
+
+TEST_CASE("plot refuses to write over what gnuplot reads if that is not its own") {
+    const OwnedFolder own;
+    REQUIRE(own.run().code == 0);
+    own.write("plotdata/own.gp", "mine");
+    const auto refused = run_program({"plot", own.folder.string()});
+    CHECK(refused.code == 3);
+    CHECK_THAT(refused.messages, Catch::Contains("plotdata/own.gp: expected nothing at this name"));
+    CHECK(contents(own.folder / "plotdata/own.gp") == "mine");
+    CHECK_FALSE(read_sum_list(own.folder).has("figures/own.svg"));
+    own.write("plotdata/own.gp", "# Written by kreisel plot.\nold = 1\n");
+    CHECK_THAT(run_program({"plot", own.folder.string()}).messages, !Catch::Contains("expected nothing at this name"));
+    CHECK_THAT(contents(own.folder / "plotdata/own.gp"), !Catch::Contains("old = 1"));
+}
+
+TEST_CASE("a figure that cannot be drawn is not listed as one that is there") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("bare.json", R"({"name": "bare", "kind": "drift", "problems": ["heavy_top"],
+        "methods": ["rkmk/rk4"], "time": {"end": 0.01, "steps": [2]}})");
+    const auto folder = scratch / "out";
+    REQUIRE(run_program({"run", config, "-o", folder.string()}).code == 0);
+    const auto plotted = run_program({"plot", folder.string()});
+    CHECK(plotted.code == 1);
+    CHECK_FALSE(read_sum_list(folder).has("figures/bare.svg"));
+    CHECK(read_sum_list(folder).has("results.csv"));
 }
 
 TEST_CASE("table and plot wait for nobody: a locked folder is an error") {

@@ -10,6 +10,7 @@
 #include "plots/table.hpp"
 #include "plots/tables/names.hpp"
 #include "records/reading/read_results.hpp"
+#include "support/hash.hpp"
 #include "tests/plots/folder.hpp"
 #include "tests/plots/named_tables.hpp"
 
@@ -25,8 +26,8 @@ std::string lines_of(const std::string& method, const std::function<double(doubl
     for (int k = 0; k < 6; ++k) {
         const long steps = 64L << k;
         changes["method"] = method;
-        text +=
-            result_line("0" + std::to_string(k), steps, error(1.0 / static_cast<double>(steps)), changes).dump() + "\n";
+        const std::string cell = hash_text(changes.dump() + std::to_string(k));
+        text += result_line(cell, steps, error(1.0 / static_cast<double>(steps)), changes).dump() + "\n";
     }
     return text;
 }

@@ -108,6 +108,15 @@ class Damage(unittest.TestCase):
         self.assertEqual(caught.exception.damage,
                          (f"{file}:2: not a result line: damaged: its sum does not hold",))
 
+    def test_a_cell_counts_once(self):
+        file = self.folder / "results.jsonl"
+        lines = file.read_bytes().split(b"\n")
+        file.write_bytes(b"\n".join([*lines[:-1], lines[0], b""]))
+        contents = read_folder(self.folder)
+        self.assertEqual(contents.damage, [f"{file}:{len(lines)}: not a result line: damaged: an earlier line is about "
+                                           "the same cell"])
+        self.assertEqual(len(contents.records), len(lines) - 1)
+
     def test_what_is_not_there_is_named(self):
         (self.folder / "journal.jsonl").unlink()
         first_of(self.folder, "trajectories/*.csv").unlink()

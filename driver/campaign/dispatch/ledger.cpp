@@ -5,6 +5,7 @@
 
 #include "driver/plan/shards.hpp"
 #include "records/cell/line.hpp"
+#include "records/folder/damage.hpp"
 #include "records/trajectory_file.hpp"
 
 namespace kreisel {
@@ -27,15 +28,16 @@ Ledger::Ledger(const Plan& plan, std::filesystem::path folder, const RunSettings
       finished_(plan.cells.size()),
       number_(finished_.add_journal(journal_file(folder_, shard_name(settings)))) {}
 
-bool Ledger::trajectory_is_whole(const CellRecord& cell) const {
-    std::error_code error;
-    const auto file = folder_ / trajectory_file(cell.identity.cell);
+bool Ledger::samples_hold(const CellRecord& cell) {
     const std::string& sum = cell.outcome.trajectory_sum;
-    return sum.empty() || (std::filesystem::is_regular_file(file, error) && sum_of_trajectory(file) == sum);
+    std::string damage = sum.empty() ? "" : trajectory_damage(folder_, cell.identity.cell, sum);
+    if (damage.empty()) { return true; }
+    damage_.push_back(std::move(damage));
+    return false;
 }
 
 bool Ledger::take_over(std::size_t index, const CellRecord& cell, const JournalPlace& place) {
-    if (status::is_tried_again(cell.outcome.status) || !trajectory_is_whole(cell)) { return false; }
+    if (status::is_tried_again(cell.outcome.status) || !samples_hold(cell)) { return false; }
     finished_.set(index, ending_of(cell.outcome), place);
     progress.failed += cell.outcome.failed() ? 1U : 0U;
     return true;

@@ -22,6 +22,8 @@ class Ledger {
 
     /// Takes over the results of an earlier run, if complete; returns how many.
     std::size_t reuse(const JournalContents& earlier, const RunSettings& settings);
+    /// What is wrong with samples of earlier cells, which are then not taken over.
+    const std::vector<std::string>& damage() const { return damage_; }
     /// The cells of this shard that are to be computed, by index.
     const std::vector<std::size_t>& mine() const { return mine_; }
 
@@ -47,13 +49,14 @@ class Ledger {
     bool take_over(std::size_t index, const CellRecord& cell, const JournalPlace& place);
     void append(std::size_t index, const CellEnding& ending, const std::string& line);
     void keep(std::size_t index, const CellEnding& ending, const std::string& line);
-    bool trajectory_is_whole(const CellRecord& cell) const;
+    bool samples_hold(const CellRecord& cell);
 
     const Plan& plan_;
     const std::filesystem::path folder_;
     const std::string build_;
     LineAppender journal_;
     std::vector<std::size_t> mine_;
+    std::vector<std::string> damage_ = {};
     FinishedCells finished_;
     const std::uint32_t number_;                // of the journal
     std::map<std::size_t, double> run_s_ = {};  // of the cells whose time is taken: the fastest of their rounds

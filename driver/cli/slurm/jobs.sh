@@ -3,6 +3,7 @@
 # What follows the settings in the submit.sh that `kreisel slurm` writes.
 
 set -euo pipefail
+shopt -s inherit_errexit  # sbatch is called in $(...)
 
 # Cells and references that are there. Lines of interrupted cells are no results. Before the first there is no file, and
 # grep, which still prints 0, ends with 1: that is a count, and no failure.
@@ -80,7 +81,7 @@ extra=("$@")
 command -v sbatch >/dev/null || { echo 'submit.sh: there is no sbatch here: submit on a machine of the cluster' >&2; exit 3; }
 mkdir -p "$folder/slurm"
 if [[ -s $folder/slurm/jobs ]]; then
-    queued=$(squeue --noheader --format=%i --jobs="$(paste -sd , "$folder/slurm/jobs")" 2>/dev/null | paste -sd ' ')
+    queued=$(squeue --noheader --format=%i --jobs="$(paste -sd , "$folder/slurm/jobs")" 2>/dev/null | paste -sd ' ' || true)
     [[ -z $queued ]] || { echo "submit.sh: jobs of this folder are still queued or running: $queued" >&2; exit 3; }
 fi
 : >"$folder/slurm/jobs"

@@ -35,6 +35,7 @@ void read_stored_line(const std::string& line, bool summed, const std::filesyste
     const CellRecord record = read_record(line);
     const std::string& cell = record.identity.cell;
     if (!is_cell_name(cell)) { throw std::invalid_argument("the cell's name is not a hash"); }
+    if (stored.texts.contains(cell)) { throw std::invalid_argument(repeated_cell); }
     stored.texts[cell] = sum_state(line) == SumState::holds ? std::string(before_sum(line)) + "}" : line;
     if (status::is_of_limits(record.outcome.status)) { stored.of_limits.insert(cell); }
     if (record.outcome.trajectory_sum.empty()) { return; }

@@ -31,7 +31,7 @@ std::filesystem::path extended_by(const Document& document) {
     if (path && path->empty()) { root.find(extends_key)->mismatch(expected); }
     sink.raise();
     const std::filesystem::path file = std::filesystem::path(document.file).parent_path() / *path;
-    if (!std::filesystem::exists(file)) {
+    if (!std::filesystem::exists(file) || std::filesystem::is_directory(file)) {
         root.find(extends_key)->violates(Rule::file, expected, in_quotes(*path) + ", which is no file");
     }
     sink.raise();
@@ -48,12 +48,20 @@ Document document_in(const std::filesystem::path& file) {
     return is_manifest(document.value) ? read_manifest(file).config : document;
 }
 
+// What a file is known by, however it is written. What is no file, such as the pipe of `kreisel check <(...)`, is known
+// by its name.
+std::filesystem::path identity_of(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto path = std::filesystem::weakly_canonical(file, error);
+    return error ? file : path;
+}
+
 // A file and those it extends, the last first. Throws UsageError where they extend each other in a circle.
 std::vector<Document> chain_from(const std::filesystem::path& file) {
     std::vector<Document> chain = {document_in(file)};
-    std::vector<std::filesystem::path> seen = {std::filesystem::weakly_canonical(file)};
+    std::vector<std::filesystem::path> seen = {identity_of(file)};
     for (std::filesystem::path next = extended_by(chain.back()); !next.empty(); next = extended_by(chain.back())) {
-        const auto path = std::filesystem::weakly_canonical(next);
+        const auto path = identity_of(next);
         if (std::find(seen.begin(), seen.end(), path) != seen.end()) {
             Diagnostics sink(chain.back());
             sink.add({.pointer = std::string("/") + extends_key,

@@ -8,7 +8,9 @@
 namespace kreisel {
 
 std::string duration_text(double seconds) {
+    constexpr double year = 3.156e7, most_years = 1000;
     if (seconds < 10) { return fmt::format("{:.1f} s", seconds); }
+    if (seconds >= most_years * year) { return fmt::format("{:.1e} years", seconds / year); }
     const long whole = std::lround(seconds);
     if (whole >= 3600) { return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60); }
     return whole >= 60 ? fmt::format("{} min {:02} s", whole / 60, whole % 60) : fmt::format("{} s", whole);

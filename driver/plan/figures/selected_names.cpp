@@ -60,7 +60,9 @@ void check_selected_names(const Document& document, const Config& config, const 
             const std::string& value = values[i];
             if (has_options(key, value) || std::find(known.begin(), known.end(), value) != known.end()) { continue; }
             sink.add({.pointer = place_of_entry(document, fmt::format("{}/select/{}", figure.pointer, key), i),
-                      .expected = fmt::format("a {} of this experiment", key),
+                      .expected = key == "steps" ? fmt::format("one of the numbers of steps of this experiment ({})",
+                                                               fmt::join(known, ", "))
+                                                 : fmt::format("a {} of this experiment", key),
                       .got = key == "steps" || key == "tolerance" ? value : in_quotes(value),
                       .suggestion = nearest_name(value, known),
                       .rule = Rule::figure_selection});

@@ -2,6 +2,8 @@
 //
 // A program without quad precision: what it lacks is refused before anything runs, and references may be given to it.
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "support/errors.hpp"
@@ -75,6 +77,17 @@ TEST_CASE("a program without quad precision refuses metrics of errors, and the k
     sampled["output"] = {{"samples", 4}};
     CHECK_THAT(checked(sampled.dump()).messages,
                Catch::Contains("at t = 1 s with 4 samples, got \"error.position.max\""));
+}
+
+TEST_CASE("references that are given and damaged are named") {
+    const TwoPrograms f;
+    const auto given = std::filesystem::directory_iterator(f.scratch / "given" / "references")->path();
+    CHECK_THAT(run_program({"check", f.config, "--references", f.given}, f.whole).messages,
+               !Catch::Contains("damaged"));
+    std::ofstream(given, std::ios::app) << "x";
+    const auto ran = run_program({"run", f.config, "-o", f.folder, "--references", f.given}, f.whole);
+    CHECK(ran.code == 0);  // they are computed
+    CHECK_THAT(ran.messages, Catch::Contains(given.string() + ":1: damaged: its sum does not hold"));
 }
 
 TEST_CASE("references of a program of the same sources serve one without quad precision, with the same results") {

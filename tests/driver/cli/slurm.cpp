@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "driver/cli/slurm/time_limit.hpp"
 #include "driver/plan/plan.hpp"
@@ -174,4 +175,28 @@ TEST_CASE("a script that cannot submit is an error of the program too") {
     ::setenv("PATH", path.c_str(), 1);
     CHECK(result.code == 3);
     CHECK(mentions(result.messages, "submit.sh: has failed"));
+}
+
+TEST_CASE("a job that sbatch does not take is an error of script and program, also at the second time") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("c.json", good_config());
+    const auto tools = scratch / "tools";
+    std::filesystem::create_directory(tools);
+    const std::string path = std::getenv("PATH");
+    const auto submitted = [&](const std::string& sbatch) {
+        std::ofstream(tools / "sbatch") << "#!/bin/sh\n" << sbatch << "\n";
+        std::ofstream(tools / "squeue") << "#!/bin/sh\nexit 1\n";
+        for (const char* name : {"sbatch", "squeue"}) {
+            std::filesystem::permissions(tools / name, std::filesystem::perms::owner_all);
+        }
+        ::setenv("PATH", (tools.string() + ":" + path).c_str(), 1);
+        const auto result = slurm(config, scratch / "out", {"--submit"});
+        ::setenv("PATH", path.c_str(), 1);
+        return result.code;
+    };
+    CHECK(submitted("exit 1") == 3);
+    CHECK(submitted("echo 4711") == 0);
+    CHECK(contents(scratch / "out" / "slurm" / "jobs") == "4711\n4711\n4711\n");
+    CHECK(submitted("[ \"$(wc -l < '" + (scratch / "out" / "slurm" / "jobs").string() + "')\" -lt 1 ] && echo 1") == 3);
+    CHECK(contents(scratch / "out" / "slurm" / "jobs") == "1\n");
 }

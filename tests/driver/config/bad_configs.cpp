@@ -240,7 +240,7 @@ const std::vector<BadConfig>& bad_configs() {
         {R"({"figure": {"kind": "convergence", "select": {"formulation": "SE4"}}})", "/figure/select/formulation",
          "a formulation (\"SO3xR3\""},
         {R"({"figure": {"kind": "convergence", "select": {"steps": [8, 9]}}})", "/figure/select/steps/1",
-         "steps of this experiment"},
+         "one of the numbers of steps of this experiment (8, 16)"},
         {R"({"time": {"tolerance": 1e-3}, "figure": {"kind": "convergence", "select": {"tolerance": 1e-4}}})",
          "/figure/select/tolerance", "a tolerance of this experiment, got 0.0001"},
         {R"({"figure": {"kind": "convergence", "x": "evalutions"}})", "/figure/x", "did you mean \"evaluations\"?"},

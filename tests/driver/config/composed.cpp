@@ -3,6 +3,8 @@
 // Configs that extend others, settings and filters of the command line, and where messages about them point.
 #include "driver/config/composition/composed.hpp"
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -64,6 +66,17 @@ TEST_CASE("a config that extends nothing is read as it stands") {
     CHECK(whole.layers.empty());
 }
 
+TEST_CASE("a config is read from a pipe too") {
+    int ends[2];
+    REQUIRE(::pipe(ends) == 0);
+    const std::string text = good_config();
+    REQUIRE(::write(ends[1], text.data(), text.size()) == static_cast<ssize_t>(text.size()));
+    ::close(ends[1]);
+    const Document read = composed_config("/dev/fd/" + std::to_string(ends[0]));
+    ::close(ends[0]);
+    CHECK(read.value == nlohmann::json::parse(text));
+}
+
 TEST_CASE("configs that lead back to themselves, or to no file, are refused") {
     ScratchFolder scratch;
     const std::string a = scratch.file("a.json", R"({"extends": "b.json"})");
@@ -73,6 +86,8 @@ TEST_CASE("configs that lead back to themselves, or to no file, are refused") {
     CHECK_THROWS_WITH(composed_config(own), Contains("own.json:1:13: /extends"));
     const std::string lost = scratch.file("lost.json", R"({"extends": "nowhere.json"})");
     CHECK_THROWS_WITH(composed_config(lost), Contains("\"nowhere.json\", which is no file"));
+    const std::string folder = scratch.file("folder.json", R"({"extends": "."})");
+    CHECK_THROWS_WITH(composed_config(folder), Contains("folder.json:1:13: /extends") && Contains("which is no file"));
     const std::string number = scratch.file("number.json", R"({"extends": 3})");
     CHECK_THROWS_WITH(composed_config(number), Contains("expected the path of a config") && Contains("got 3"));
 }
