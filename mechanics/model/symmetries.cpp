@@ -50,7 +50,7 @@ bool shifts_freely(const Anchor& anchor, const Vec3& e) {
            (anchor.type->has(FreeMotion::slide_across_axis) && orthogonal(anchor.axis, e));
 }
 
-bool touches(const Joint& joint, int body) { return joint.first == body || joint.second == body; }
+bool holds_to_ground(const Joint& joint) { return joint.first == ground || joint.second == ground; }
 
 /// Unit axis e such that J = a e e^T + b (I - e e^T) to working precision, or nothing.
 std::optional<Vec3> symmetry_axis(const Mat3& J) {
@@ -119,15 +119,21 @@ Vec3 pivot(const Model& model) {
     return point ? *point : Vec3(Vec3::Zero());
 }
 
-std::optional<Vec3> free_spin_axis(const Model& model, int body) {
+std::vector<BodyJoints> joints_of_bodies(const Model& model) {
+    std::vector<BodyJoints> all(model.bodies.size());
+    for (const Joint& joint : model.joints)
+        for (const int body : {joint.first, joint.second})
+            if (body != ground) all[static_cast<std::size_t>(body)].push_back(&joint);
+    return all;
+}
+
+std::optional<Vec3> free_spin_axis(const Model& model, int body, const BodyJoints& joints) {
     const Body& mine = model.bodies[static_cast<std::size_t>(body)];
     if (mine.point) return std::nullopt;
     const auto axis = symmetry_axis(mine.J);
     if (!axis) return std::nullopt;
-    const auto spins = [&](const Joint& joint) {
-        return !touches(joint, body) || leaves_spin(model, joint, body, *axis);
-    };
-    const bool free = std::all_of(model.joints.begin(), model.joints.end(), spins) && model.all([&](const auto& force) {
+    const auto spins = [&](const Joint* joint) { return leaves_spin(model, *joint, body, *axis); };
+    const bool free = std::all_of(joints.begin(), joints.end(), spins) && model.all([&](const auto& force) {
         if (!force.touches(body)) return true;
         const Vec3* centre = force.centre_on(body);
         return centre && is_central(model, *centre, body, *axis);
@@ -135,18 +141,13 @@ std::optional<Vec3> free_spin_axis(const Model& model, int body) {
     return free ? axis : std::nullopt;
 }
 
-std::optional<KovalevskayaTop> kovalevskaya_top(const Model& model, int body) {
+std::optional<KovalevskayaTop> kovalevskaya_top(const Model& model, int body, const BodyJoints& joints) {
     const Body& mine = model.bodies[static_cast<std::size_t>(body)];
-    const Joint* only = nullptr;
-    for (const Joint& joint : model.joints) {
-        if (!touches(joint, body)) continue;
-        if (only || !joint.type->is_ball() || !touches(joint, ground)) return std::nullopt;
-        only = &joint;
-    }
-    if (!only || mine.point || !model.gravity.is_constant() || model.gravity.g.isZero(0) ||
+    if (joints.size() != 1 || !joints[0]->type->is_ball() || !holds_to_ground(*joints[0]) || mine.point ||
+        !model.gravity.is_constant() || model.gravity.g.isZero(0) ||
         model.any([&](const auto& force) { return force.touches(body); }))
         return std::nullopt;
-    const Vec3 lever = -end(*only, body);
+    const Vec3 lever = -end(*joints[0], body);
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia_about(mine, lever));
     const Vec3& moments = principal.eigenvalues();  // in increasing order: C, A, B
     const Real equal = slack * moments[2];
