@@ -19,12 +19,12 @@ struct ProgressState {
 /// As much of a line as a terminal of so many columns holds; 0: their number is not known. `text` is ASCII.
 std::string cut_to_terminal(std::string text, unsigned columns);
 
-/// An estimate of the seconds that a run still takes, some time after it has begun: `done` and `total` are its estimated
-/// costs, s. Until a fiftieth is done the estimate counts for more than what little was measured.
+/// An estimate of the seconds that a run still takes, some time after it has begun: `done` and `total` are its
+/// estimated costs, s. Until a fiftieth is done the estimate counts for more than what little was measured.
 double seconds_left(double elapsed, double done, double total);
 
-/// On a terminal one line that rewrites itself, or nothing if the terminal cannot (TERM is unset or "dumb"); elsewhere a
-/// line every few seconds. Silent for short runs.
+/// On a terminal one line that rewrites itself, or nothing if the terminal cannot (TERM is unset or "dumb"); elsewhere
+/// a line every few seconds. Silent for short runs.
 class Progress {
   public:
     Progress(std::ostream& out, std::string name, bool terminal);

@@ -111,8 +111,9 @@ bool Newton::converged(const Progress& progress) const {
     return now <= (progress.newton_step ? noise : Real(64 * epsilon)) * size;
 }
 
-/// Broyden's second method can make H singular, and directions learnt near round-off do so little by little. Corrections
-/// are then small although the residual is larger than round-off and has not changed by much in the last step.
+/// Broyden's second method can make H singular, and directions learnt near round-off do so little by little.
+/// Corrections are then small although the residual is larger than round-off and has not changed by much in the last
+/// step.
 bool Newton::hides_residual(const Progress& progress) const {
     if (!(progress.before > 0)) return false;
     const Real visible = large_gain * max(progress.correction, round_off(close));

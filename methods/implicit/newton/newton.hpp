@@ -27,8 +27,9 @@ class Newton {
 
     /// Solves r(x) = 0 from the guess x, in place; `weights` (positive, one per unknown) are to stay the same until
     /// `forget`. Converged if the last correction to x is a few units of round-off, or a few thousand and no
-    /// longer decreasing, unless the residual shows that H has lost a direction. Returns `non_finite` if the first
-    /// residual is not finite, and `newton_failed` if the iteration does not converge; x is then meaningless.
+    /// longer decreasing, unless the residual shows that H has lost a direction; and where nothing else helps, if the
+    /// correction is no more than measured round-off. Returns `non_finite` if the first residual is not finite, and
+    /// `newton_failed` if the iteration does not converge; x is then meaningless.
     Status solve(Equations& equations, const VecX& weights, Real* x);
     /// Discards all information on the Jacobian.
     void forget();

@@ -28,8 +28,8 @@ class Squares final : public Equations {
     VecX c_;
 };
 
-/// r(x) = (-x_2, x_1): steps are orthogonal to what they change, after which Broyden's second method knows one direction
-/// only, and makes nothing of a residual across it.
+/// r(x) = (-x_2, x_1): steps are orthogonal to what they change, after which Broyden's second method knows one
+/// direction only, and makes nothing of a residual across it.
 class QuarterTurn final : public Equations {
   public:
     Status residual(const Real* x, Real* r) override {
