@@ -50,13 +50,15 @@ double legend_entry(const Panel& panel, const PanelFigure& figure) {
 }
 
 // A column of the page for one or two panels beside each other; more share the page. A legend is never cut: a panel is
-// at least as wide as its longest entry, unless the width of the page is given.
+// at least as wide as its longest entry and its title, unless the width of the page is given.
 double panel_width_of(const PanelFigure& figure) {
     const auto columns = std::min(figure.columns, static_cast<long>(figure.panels.size()));
     if (figure.width) { return *figure.width / static_cast<double>(columns); }
     double width = columns <= 2 ? column_width : page_width / static_cast<double>(columns);
     for (const Panel& panel : figure.panels) {
-        width = std::max(width, legend_entry(panel, figure) + scale_of(figure) * right_margin);
+        const double title = character * static_cast<double>(enhanced_width(panel.title)) + left_margin;
+        width = std::max(
+            width, std::max(legend_entry(panel, figure), scale_of(figure) * title) + scale_of(figure) * right_margin);
     }
     return width;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "plots/figures/alike.hpp"
 #include "plots/figures/layout.hpp"
 #include "support/nearest.hpp"
 
@@ -65,6 +66,7 @@ PanelFigure PanelKind::panels(const Results& results) const {
             throw FigureError(fmt::format("{}: a range of a logarithmic axis begins above 0", name));
         }
     }
+    figure.panels = each_look_once(std::move(figure.panels));
     if (const TooWide wide = too_wide_label(figure); wide.curve != nullptr) {
         throw FigureError(
             fmt::format("{}: the legend \"{}\" takes {:.0f} mm of {:.0f} mm; shorter texts (\"legend\"), a smaller "
