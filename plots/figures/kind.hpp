@@ -63,6 +63,7 @@ struct FigureKind {
     std::string script;                     ///< plots/gnuplot/SCRIPT.gp draws it
     std::vector<FigureKey> keys;            ///< besides those of all kinds
     std::vector<std::string> metrics = {};  ///< what it can draw, where that is not measured on problems
+    std::string otherwise = {};  ///< the kind that stands for it by default where no cell has its metrics; empty: none
     std::function<std::unique_ptr<Figure>()> make = {};
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "plots/figures/kind.hpp"
@@ -47,14 +48,53 @@ std::unique_ptr<Figure> read_figure(const Node& node, const std::string& experim
     return figure;
 }
 
-std::vector<std::unique_ptr<Figure>> figure_of_kind(const std::string& kind, const std::string& experiment) {
-    const ExperimentKind* known = find_experiment_kind(kind);
+// Those of a family, "invariant.", that some cell has and that are not 0 everywhere; without those that describe them
+// further, such as "invariant.energy.final".
+std::vector<std::string> measured_metrics(const Results& results, const std::string& family) {
+    std::vector<std::string> names;
+    for (const ResultRow& row : results.rows) {
+        for (const auto& [name, value] : row.metrics) {
+            const bool whole = name.starts_with(family) && name.find('.', family.size()) == std::string::npos;
+            const bool known = std::find(names.begin(), names.end(), name) != names.end();
+            if (whole && !known && value != 0) { names.push_back(name); }
+        }
+    }
+    return names;
+}
+
+bool has_some(const Results& results, const std::vector<std::string>& metrics) {
+    return std::any_of(results.rows.begin(), results.rows.end(), [&](const ResultRow& row) {
+        return std::any_of(metrics.begin(), metrics.end(),
+                           [&](const std::string& metric) { return row.metrics.contains(metric); });
+    });
+}
+
+// One of another kind, a panel for each of its metrics that the cells have; null where they have none.
+std::unique_ptr<Figure> figure_of_measured(const std::string& kind, const Results& results) {
+    const std::vector<std::string> own = standard_figure(kind, results.name)->drawn_metrics();
+    const std::string family = own.front().substr(0, own.front().find('.') + 1);
+    auto metrics = measured_metrics(results, family);
+    if (metrics.empty()) { return nullptr; }
+    std::stable_partition(metrics.begin(), metrics.end(), [&](const std::string& one) { return one == own.front(); });
+    const Document document = parse_document("figure", nlohmann::json{{"kind", kind}, {"metric", metrics}}.dump());
+    Diagnostics diagnostics(document);
+    auto figure = read_figure(Node(document.value, "", diagnostics), results.name);
+    diagnostics.raise();
+    return figure;
+}
+
+std::vector<std::unique_ptr<Figure>> figure_of_kind(const Results& results) {
+    const ExperimentKind* known = find_experiment_kind(results.kind);
     if (known == nullptr) {
         throw FigureError(fmt::format("{}: no figure shows an experiment of kind {}; describe one under \"figure\"",
-                                      experiment, kind));
+                                      results.name, results.kind));
     }
     std::vector<std::unique_ptr<Figure>> figures;
-    figures.push_back(standard_figure(known->figure, experiment));
+    figures.push_back(standard_figure(known->figure, results.name));
+    const std::string otherwise = find_figure_kind(known->figure)->otherwise;
+    if (!otherwise.empty() && !has_some(results, figures.front()->drawn_metrics())) {
+        if (auto other = figure_of_measured(otherwise, results)) { figures.front() = std::move(other); }
+    }
     return figures;
 }
 
@@ -91,7 +131,7 @@ std::vector<std::unique_ptr<Figure>> figures_in_file(const std::filesystem::path
 std::vector<std::unique_ptr<Figure>> figures_of(const Results& results) {
     if (results.config.empty()) { throw FileError("manifest.json: no config in it; figures need one"); }
     const Document document = parse_document("manifest.json (config)", results.config);
-    if (!document.value.contains("figure")) { return figure_of_kind(results.kind, results.name); }
+    if (!document.value.contains("figure")) { return figure_of_kind(results); }
     Diagnostics diagnostics(document);
     auto figures = read_figures(Node(document.value.at("figure"), "/figure", diagnostics), results.name);
     diagnostics.raise();

@@ -205,6 +205,9 @@ TEST_CASE("an axis is labelled with symbol and unit, even for an uncommon metric
     CHECK(metric_label("error.position", {}) == "|x − x_{ref}| [m]");
     CHECK(metric_label("error.position.max", {}) == "max |x − x_{ref}| [m]");
     CHECK(metric_label("invariant.energy", {{"invariant.energy", "J"}}) == "max |E − E_0| [J]");
+    CHECK(metric_label("invariant.momentum_y", {{"invariant.momentum_y", "N s"}}) == "max |p_y − p_{y,0}| [N s]");
+    CHECK(metric_label("invariant.body_momentum_norm", {}) == "max ||m| − |m|_0|");
+    CHECK(metric_label("invariant.body_momentum_norm_big_wheel", {}) == "max ||m| − |m|_0|, big\\_wheel");
     CHECK(metric_label("invariant.spin_axial", {}) == "invariant.spin\\_axial");
     CHECK(metric_label("defect.position.final", {}) == "defect.position.final [m]");
 }

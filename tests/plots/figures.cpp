@@ -10,6 +10,7 @@
 #include "plots/figures/spec.hpp"
 #include "plots/plot.hpp"
 #include "records/json/strict.hpp"
+#include "records/reading/read_results.hpp"
 #include "tests/plots/folder.hpp"
 
 using namespace kreisel;
@@ -200,4 +201,28 @@ TEST_CASE("an experiment without a figure gets the one of its kind") {
     folder.manifest({{"name", "plain"}, {"kind", "convergence"}});
     CHECK(plot_command({.folders = {folder.path()}, .figure = {}, .output = {}}) == drawn);
     check_drawn(folder, "plain");
+}
+
+TEST_CASE("drift without constraints is shown by the first integrals, and says so where there are none") {
+    const nlohmann::json sampled = {{"trajectory", "trajectories/aa.csv"}};
+    const auto kind_of = [&](const nlohmann::json& metrics) {
+        const ResultFolder folder;
+        nlohmann::json line = result_line("aa", 64, 1e-3, sampled);
+        line["metrics"] = metrics;
+        folder.write("results.jsonl", line.dump() + "\n");
+        folder.manifest({{"name", "free"}, {"kind", "drift"}});
+        const auto figures = figures_of(read_results(folder.path()));
+        REQUIRE(figures.size() == 1);
+        CHECK(figures.front()->name == "free");
+        return std::pair(figures.front()->kind, figures.front()->drawn_metrics());
+    };
+    using Metrics = std::vector<std::string>;
+    CHECK(kind_of({{"defect.orthogonality", 1e-15},
+                   {"invariant.energy", 1e-3},
+                   {"invariant.energy.final", 1e-4},
+                   {"invariant.momentum_x", 0},
+                   {"invariant.spin", 2e-3}}) ==
+          std::pair<std::string, Metrics>("invariants", {"invariant.energy", "invariant.spin"}));
+    CHECK(kind_of({{"defect.position", 1e-9}, {"invariant.energy", 1e-3}}).first == "drift");
+    CHECK(kind_of({{"defect.orthogonality", 1e-15}, {"invariant.momentum_x", 0}}).first == "drift");
 }

@@ -31,6 +31,7 @@ TEST_CASE("a kind of figures has a script, keys of its own, and defaults that it
     for (const FigureKind& kind : figure_kinds()) {
         INFO(kind.name);
         CHECK(std::filesystem::exists(plot_scripts() / (kind.script + ".gp")));
+        CHECK((kind.otherwise.empty() || find_figure_kind(kind.otherwise) != nullptr));
         std::set<std::string> names = {"kind"};
         const auto standard = kind.make();
         for (const auto& keys : {common_figure_keys(), kind.keys}) {

@@ -29,6 +29,27 @@ std::string facet_title(const std::string& facet, const std::string& value) {
     return value == "none" && facet == "projection" ? "no projection" : enhanced_escape(value);
 }
 
+// In symbols, of first integrals of a body with its name; empty where an integral has no symbol.
+std::string change_of_integral(const std::string& metric) {
+    static const std::map<std::string, std::string> of_all = {
+        {"invariant.energy", "|E − E_0|"},
+        {"invariant.angular_momentum_vertical", "|L_z − L_{z,0}|"},
+        {"invariant.angular_momentum_x", "|L_x − L_{x,0}|"},
+        {"invariant.angular_momentum_y", "|L_y − L_{y,0}|"},
+        {"invariant.angular_momentum_z", "|L_z − L_{z,0}|"},
+        {"invariant.momentum_x", "|p_x − p_{x,0}|"},
+        {"invariant.momentum_y", "|p_y − p_{y,0}|"},
+        {"invariant.momentum_z", "|p_z − p_{z,0}|"}};
+    static const std::pair<std::string, std::string> of_bodies[] = {{"invariant.body_momentum_norm", "||m| − |m|_0|"},
+                                                                    {"invariant.kovalevskaya", "|K − K_0|"}};
+    if (const auto known = of_all.find(metric); known != of_all.end()) { return known->second; }
+    for (const auto& [name, symbol] : of_bodies) {
+        if (metric == name) { return symbol; }
+        if (metric.starts_with(name + "_")) { return symbol + ", " + enhanced_escape(metric.substr(name.size() + 1)); }
+    }
+    return "";
+}
+
 }  // namespace
 
 PanelFigure CurveKind::make_panels(const Results& results) const {
@@ -80,11 +101,9 @@ std::vector<FigureKey> curve_keys(const std::vector<std::string>& families, cons
 }
 
 std::string metric_label(const std::string& metric, const Units& units) {
-    static const std::map<std::string, std::string> integrals = {
-        {"invariant.energy", "max |E − E_0|"}, {"invariant.angular_momentum_vertical", "max |L_z − L_{z,0}|"}};
-    const auto integral = integrals.find(metric);
+    const std::string change = change_of_integral(metric);
     const MetricDescription* entry = find_metric(metric);
-    const std::string symbol = integral != integrals.end()                 ? integral->second
+    const std::string symbol = !change.empty()                             ? "max " + change
                                : entry != nullptr && entry->name == metric ? entry->symbol
                                : is_largest_error(metric)                  ? "max " + entry->symbol
                                                                            : enhanced_escape(metric);

@@ -66,6 +66,7 @@ KREISEL_FIGURE(DriftFigure, {.name = "drift",
                              .summary = "running maxima of defects against time or cost, with fitted growth laws",
                              .draws = FigureData::samples,
                              .script = "lines",
-                             .keys = sample_keys("defect.")});
+                             .keys = sample_keys("defect."),
+                             .otherwise = "invariants"});
 
 }  // namespace kreisel
