@@ -118,7 +118,8 @@ std::string latex_cell(const std::string& text) {
     if (std::regex_match(text, match, power)) {
         const std::string sign = match[2] == "-" ? "-" : "";
         const std::string exponent = match[3].length() == 0 ? "0" : match[3].str();
-        return fmt::format("${}\\cdot10^{{{}{}}}${}", match[1].str(), sign, exponent, match[4].str());
+        return fmt::format("${}\\cdot10^{{{}{}}}${}", match[1].str(), sign, exponent,
+                           match[4].length() == 0 ? "" : "\\rlap{*}");
     }
     return text == "-" ? "--" : escaped(text, true);
 }
@@ -138,6 +139,69 @@ std::string comment(const std::string& text) {
     return "% " + line + "\n";
 }
 
+// Of the widest cell below the head of a column.
+std::size_t cell_width(const TextTable& table, std::size_t column) {
+    std::size_t widest = 0;
+    for (const auto& row : table.rows) { widest = std::max(widest, text_width(row[column])); }
+    return widest;
+}
+
+// Characters of the widest row, with what separates columns.
+std::size_t width_of(const TextTable& table) {
+    constexpr std::size_t separator = 2;
+    std::size_t width = 0;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        width += separator + std::max(text_width(table.columns[c]), cell_width(table, c));
+    }
+    return width;
+}
+
+// A head in lines that are broken after dots and at spaces, each no longer than `most` where this can be.
+std::string stacked_head(const std::string& head, std::size_t most, bool right) {
+    static const std::regex piece(R"([^ .]*[ .]?)");
+    std::vector<std::string> lines(1);
+    for (auto it = std::sregex_iterator(head.begin(), head.end(), piece); it != std::sregex_iterator(); ++it) {
+        if (it->length() == 0) { continue; }
+        if (!lines.back().empty() && text_width(lines.back() + it->str()) > most) { lines.emplace_back(); }
+        lines.back() += it->str();
+    }
+    std::string text;
+    for (const std::string& line : lines) {
+        const bool is_argument = line.starts_with('*') || line.starts_with('[');
+        text += (text.empty() ? "" : "\\\\") + std::string(is_argument ? "{}" : "") + latex_escaped(line);
+    }
+    return lines.size() == 1 ? text : fmt::format("\\shortstack[{}]{{{}}}", right ? 'r' : 'l', text);
+}
+
+std::vector<std::string> heads_of(const TextTable& table, const std::vector<bool>& numbers, bool wide) {
+    constexpr std::size_t least = 6;  // characters of a line
+    std::vector<std::string> heads;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        const std::string& head = table.columns[c];
+        heads.push_back(wide ? stacked_head(head, std::max(cell_width(table, c), least), numbers[c])
+                             : latex_escaped(head));
+    }
+    return heads;
+}
+
+// In the largest of three sizes in which it is no wider than a line. What is wider in all of them is scaled, if it is
+// little, or turned, and then no longer than most of a page, where the document has graphicx.
+std::string fitted_text(const std::string& tabular) {
+    std::string text = "\\begingroup\n\\def\\kreiseltable{" + tabular + "}%\n\\sbox0{\\kreiseltable}%\n";
+    for (const auto& [size, separation] : {std::pair("footnotesize", "4pt"), std::pair("scriptsize", "2.5pt")}) {
+        text +=
+            fmt::format("\\ifdim\\wd0>\\linewidth\\{}\\setlength{{\\tabcolsep}}{{{}}}\\sbox0{{\\kreiseltable}}\\fi\n",
+                        size, separation);
+    }
+    text +=
+        "\\ifdim\\wd0>\\linewidth\\ifdefined\\rotatebox\n"
+        "\\ifdim\\wd0<1.1\\linewidth\\sbox0{\\resizebox{\\linewidth}{!}{\\usebox0}}\\else\n"
+        "\\sbox0{\\rotatebox{90}{\\usebox0}}%\n"
+        "\\ifdim\\ht0>.9\\textheight\\sbox0{\\resizebox{!}{.9\\textheight}{\\usebox0}}\\fi\n"
+        "\\fi\\fi\\fi\n";
+    return text + "\\usebox0%\n\\endgroup\n";
+}
+
 template <class Escape>
 std::string row_of(const std::vector<std::string>& texts, const Escape& escape) {
     std::vector<std::string> cells;
@@ -152,10 +216,16 @@ std::string latex_escaped(const std::string& text) { return escaped(text, false)
 std::string latex_text(const TextTable& table) {
     std::string text = comment(table.title);
     for (const std::string& note : table.notes) { text += comment(note); }
-    text += fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", std::string(table.columns.size(), 'l'));
-    text += row_of(table.columns, latex_escaped) + "\\midrule\n";
-    for (const auto& row : table.rows) { text += row_of(row, latex_cell); }
-    return text + "\\bottomrule\n\\end{tabular}\n";
+    constexpr std::size_t line = 60;  // characters that fit on any page
+    const bool wide = width_of(table) > line;
+    const std::vector<bool> numbers = number_columns(table);
+    std::string alignment;
+    for (const bool is_number : numbers) { alignment += is_number ? 'r' : 'l'; }
+    std::string tabular = fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", alignment);
+    tabular += row_text(heads_of(table, numbers, wide)) + "\\midrule\n";
+    for (const auto& row : table.rows) { tabular += row_of(row, latex_cell); }
+    tabular += "\\bottomrule\n\\end{tabular}";
+    return text + (wide ? fitted_text(tabular) : tabular + "\n");
 }
 
 }  // namespace kreisel

@@ -9,7 +9,9 @@
 
 namespace kreisel {
 
-/// A `tabular` with the rules of booktabs, numbers as 1.15 * 10^-3 in mathematics; notes as comments.
+/// A `tabular` with the rules of booktabs, numbers as 1.15 * 10^-3 in mathematics, columns of numbers aligned at the
+/// right; notes as comments. What may be wider than a line of text is set in the size in which it fits, its heads in
+/// several lines; what fits in none is scaled or turned by 90 degrees where the document has graphicx.
 std::string latex_text(const TextTable& table);
 
 /// Text in LaTeX: every special character escaped, characters that pdfTeX lacks by their number ([U+4E2D]), control

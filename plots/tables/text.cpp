@@ -17,11 +17,6 @@ namespace kreisel {
 
 namespace {
 
-// Bytes of UTF-8 that start a character: what a terminal counts.
-std::size_t width(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
 
 std::string printable(const std::string& text) {
@@ -44,6 +39,11 @@ std::string markdown_escaped(const std::string& text) {
         result += c;
     }
     return result;
+}
+
+bool is_marked_number(const std::string& text) {
+    static const std::regex pattern(R"(([<>]=? )?[-+]?\d+(\.\d+)?(e[-+]?\d+)?\*?)");
+    return std::regex_match(text, pattern);
 }
 
 bool is_number(const std::string& text) {
@@ -105,16 +105,32 @@ TextTable without_constant_columns(TextTable table, const std::vector<std::strin
     return table;
 }
 
+std::size_t text_width(const std::string& text) {  // bytes that start a character
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::vector<bool> number_columns(const TextTable& table) {
+    std::vector<bool> numbers;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        const auto is_there = [&](const auto& row) { return row[c] != "-" && !row[c].empty(); };
+        const auto some = std::count_if(table.rows.begin(), table.rows.end(), is_there);
+        const auto of_numbers = std::count_if(table.rows.begin(), table.rows.end(),
+                                              [&](const auto& row) { return is_marked_number(row[c]); });
+        numbers.push_back(2 * of_numbers > some);
+    }
+    return numbers;
+}
+
 std::string terminal_text(const TextTable& table) {
     std::vector<std::size_t> widths;
-    for (const std::string& column : table.columns) { widths.push_back(width(column)); }
+    for (const std::string& column : table.columns) { widths.push_back(text_width(column)); }
     for (const auto& row : table.rows) {
-        for (std::size_t c = 0; c < row.size(); ++c) { widths[c] = std::max(widths[c], width(row[c])); }
+        for (std::size_t c = 0; c < row.size(); ++c) { widths[c] = std::max(widths[c], text_width(row[c])); }
     }
     const auto line = [&](const std::vector<std::string>& cells) {
         std::string text = " ";
         for (std::size_t c = 0; c < cells.size(); ++c) {
-            text += " " + printable(cells[c]) + std::string(widths[c] - width(cells[c]) + 1, ' ');
+            text += " " + printable(cells[c]) + std::string(widths[c] - text_width(cells[c]) + 1, ' ');
         }
         return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
     };
@@ -132,7 +148,7 @@ std::string markdown_text(const TextTable& table) {
     std::string text = "# " + markdown_escaped(table.title) + "\n\n";
     for (const std::string& note : table.notes) { text += markdown_escaped(note) + "\n\n"; }
     text += line(table.columns) + "|";
-    for (std::size_t c = 0; c < table.columns.size(); ++c) { text += " --- |"; }
+    for (const bool is_number : number_columns(table)) { text += is_number ? " ---: |" : " --- |"; }
     text += "\n";
     for (const auto& row : table.rows) { text += line(row); }
     return text;

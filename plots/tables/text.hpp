@@ -4,6 +4,7 @@
 // each writer escapes characters that its format would read as syntax.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -25,6 +26,12 @@ std::string exact_number(double value);
 
 /// Moves the columns that hold one value all over into a note "problem: heavy_top; precision: double".
 TextTable without_constant_columns(TextTable table, const std::vector<std::string>& candidates);
+
+/// Of each column whether most of its cells hold a number, which may be marked, as "<= 1.15e-03*": such columns are
+/// aligned at the right.
+std::vector<bool> number_columns(const TextTable& table);
+/// Characters of UTF-8: what a terminal counts.
+std::size_t text_width(const std::string& text);
 
 std::string terminal_text(const TextTable& table);
 std::string markdown_text(const TextTable& table);

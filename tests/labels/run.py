@@ -151,6 +151,19 @@ class Sinks(unittest.TestCase):
             with self.subTest(label=label):
                 self.assertTrue(any(line.startswith(re.sub(r"\s+", " ", text) + " ") for line in lines), lines)
 
+    @unittest.skipUnless(shutil.which("pdflatex"), "no pdflatex")
+    def test_wide_latex(self):
+        """A table is no wider than the text; as it is without its choice of sizes, it would be."""
+        fitting = self.table("tex")
+        plain = re.search(r"\\begin\{tabular\}.*\\end\{tabular\}", fitting, re.DOTALL)[0]
+        for text, is_overfull in (fitting, False), (plain, True):
+            (self.folder / "w.tex").write_text(
+                "\\documentclass{article}\\usepackage{booktabs,textcomp,graphicx}\\begin{document}\\noindent\n" + text +
+                "\n\\end{document}\n", encoding="utf-8")
+            done = run("pdflatex", "-interaction=nonstopmode", "-halt-on-error", "w.tex", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stdout[-2000:])
+            self.assertEqual("Overfull \\hbox" in done.stdout, is_overfull)
+
     def test_shell(self):
         """As names of folders, in the command that computes what is missing."""
         half = self.folder / "half"

@@ -48,6 +48,29 @@ TEST_CASE("LaTeX shows labels and never runs them") {
     CHECK(latex_body("1.00e+00") == "$1.00\\cdot10^{0}$");
 }
 
+TEST_CASE("columns of numbers are aligned at the right, whether marked, absent or in words here and there") {
+    const TextTable table{
+        "t",
+        "title",
+        {"method", "cost", "order", "status"},
+        {{"a", "1.15e-03*", "4", "ok"}, {"b", "<= 2.00e-03", "-", "ok"}, {"c", "not reached", "-", "1"}},
+        {}};
+    CHECK(number_columns(table) == std::vector<bool>{false, true, true, false});
+    CHECK_THAT(latex_text(table), Catch::Contains("\\begin{tabular}{lrrl}") &&
+                                      Catch::Contains("a & $1.15\\cdot10^{-3}$\\rlap{*} & 4 & ok"));
+    CHECK_THAT(markdown_text(table), Catch::Contains("| --- | ---: | ---: | --- |\n"));
+}
+
+TEST_CASE("a wide table is set as small as it needs in LaTeX, its heads in several lines") {
+    TextTable table{"t", "title", {"method", "error.position.max [m]"}, {{"a", "1.15e-03"}}, {}};
+    CHECK_THAT(latex_text(table), !Catch::Contains("\\sbox") && Catch::Contains("& error.position.max [m] "));
+    table.columns.insert(table.columns.end(), 3, "error.rotation [rad]");
+    table.rows[0].insert(table.rows[0].end(), 3, "1");
+    CHECK_THAT(latex_text(table), Catch::Contains("\\footnotesize") && Catch::Contains("\\rotatebox") &&
+                                      Catch::Contains("method & \\shortstack[r]{error.\\\\position.\\\\max [m]} & "
+                                                      "\\shortstack[r]{error.\\\\rotation \\\\{}[rad]}"));
+}
+
 TEST_CASE("CSV quotes what needs quotes and defuses formulas") {
     CHECK(csv_body("a,b") == "\"a,b\"");
     CHECK(csv_body("say \"x\"") == "\"say \"\"x\"\"\"");
