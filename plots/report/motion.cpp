@@ -19,7 +19,7 @@ namespace kreisel {
 
 namespace {
 
-constexpr std::size_t fewest_instants = 120, bytes_of_pose = 43, bytes_of_time = 11;
+constexpr std::size_t fewest_instants = 120, bytes_of_pose = 59, bytes_of_time = 11;
 
 std::string point_json(const Vector3& point) { return json_list(point, json_number); }
 
@@ -116,6 +116,7 @@ class MotionWriter {
             .member("t", json_text(poses.t))
             .member("x", json_text(poses.x))
             .member("q", poses.q.empty() ? "null" : json_text(poses.q))
+            .member("v", poses.v.empty() ? "null" : json_text(poses.v))
             .member("forces", known == nullptr ? "[]" : forces_json(trajectory, known->geometry, bodies, instants))
             .member("applied", applied_json(parse_exactly(*cell.result->parameters), trajectory))
             .text();

@@ -13,7 +13,7 @@ namespace kreisel {
 
 namespace {
 
-constexpr std::size_t most_points_of_path = 500, most_points_of_lines = 8000;
+constexpr std::size_t most_points_of_path = 2000, most_points_of_lines = 8000;
 
 std::string six_digits(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "null"; }
 

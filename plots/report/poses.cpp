@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 #include "records/reading/trajectory_table.hpp"
@@ -31,18 +32,28 @@ const std::vector<double>& samples_named(const TrajectoryTable& trajectory, cons
 
 using Columns = std::vector<const std::vector<double>*>;
 
-// x1 to x3, or R11 to R33, of each body.
-Columns columns_of(const TrajectoryTable& trajectory, const std::vector<std::string>& bodies, bool rotations) {
+// Those of each body with these numbers.
+Columns columns_of(const TrajectoryTable& trajectory, const std::vector<std::string>& bodies,
+                   const std::vector<std::string>& numbers) {
     Columns columns;
     for (const std::string& body : bodies) {
-        for (int i = 1; i <= 3; ++i) {
-            if (!rotations) { columns.push_back(&samples_named(trajectory, fmt::format("{}.x{}", body, i))); }
-            for (int j = 1; j <= 3 && rotations; ++j) {
-                columns.push_back(&samples_named(trajectory, fmt::format("{}.R{}{}", body, i, j)));
-            }
+        for (const std::string& number : numbers) {
+            columns.push_back(&samples_named(trajectory, body + "." + number));
         }
     }
     return columns;
+}
+
+// No number where it is beyond the shorter kind.
+float shortened(double value) {
+    return std::abs(value) < std::numeric_limits<float>::max() ? static_cast<float>(value)
+                                                               : std::numeric_limits<float>::quiet_NaN();
+}
+
+void put_velocities(const Columns& v, const std::vector<std::size_t>& instants, std::string& bytes) {
+    for (const std::size_t k : instants) {
+        for (const auto* column : v) { append_bytes(std::bit_cast<std::uint32_t>(shortened((*column)[k])), bytes); }
+    }
 }
 
 void put_rotations(const Columns& R, const std::vector<std::size_t>& instants, std::string& bytes) {
@@ -104,17 +115,22 @@ std::vector<std::string> bodies_in(const TrajectoryTable& trajectory) {
 
 PackedPoses packed_poses(const TrajectoryTable& trajectory, const std::vector<std::string>& bodies,
                          const std::vector<std::size_t>& instants) {
-    std::string t, x, q;
-    const Columns positions = columns_of(trajectory, bodies, false);
+    std::string t, x, q, v;
+    const Columns positions = columns_of(trajectory, bodies, {"x1", "x2", "x3"});
     const auto& times = samples_named(trajectory, "t");
     for (const std::size_t k : instants) {
         append_bytes(times[k], t);
         for (const auto* column : positions) { append_bytes((*column)[k], x); }
     }
-    if (!bodies.empty() && trajectory.find(bodies.front() + ".R11") != nullptr) {
-        put_rotations(columns_of(trajectory, bodies, true), instants, q);
+    const auto holds = [&](const char* number) {
+        return !bodies.empty() && trajectory.find(bodies.front() + number) != nullptr;
+    };
+    if (holds(".R11")) {
+        const std::vector<std::string> rows = {"R11", "R12", "R13", "R21", "R22", "R23", "R31", "R32", "R33"};
+        put_rotations(columns_of(trajectory, bodies, rows), instants, q);
     }
-    return {base64_text(t), base64_text(x), base64_text(q)};
+    if (holds(".v1")) { put_velocities(columns_of(trajectory, bodies, {"v1", "v2", "v3"}), instants, v); }
+    return {base64_text(t), base64_text(x), base64_text(q), base64_text(v)};
 }
 
 }  // namespace kreisel

@@ -24,7 +24,7 @@ std::vector<std::string> bodies_in(const TrajectoryTable& trajectory);
 /// Of some instants of some bodies, as little-endian numbers in base64. Throws std::out_of_range where a column is
 /// missing.
 struct PackedPoses {
-    std::string t, x, q;  ///< 64, 64 and 16 bits a number; q empty where the trajectory holds no rotations
+    std::string t, x, q, v;  ///< 64, 64, 16 and 32 bits a number; q and v empty where the trajectory does not hold them
 };
 PackedPoses packed_poses(const TrajectoryTable& trajectory, const std::vector<std::string>& bodies,
                          const std::vector<std::size_t>& instants);

@@ -173,10 +173,12 @@ TEST_CASE("a motion is on the page with the poses of its samples and the shapes 
     CHECK(cell.at("bodies") == nlohmann::json({"top"}));
     const auto t = unpacked<double>(cell.at("t")), x = unpacked<double>(cell.at("x"));
     const auto q = unpacked<std::int16_t>(cell.at("q"));
-    REQUIRE((t.size() == 51 && x.size() == 153 && q.size() == 204));
+    const auto v = unpacked<float>(cell.at("v"));
+    REQUIRE((t.size() == 51 && x.size() == 153 && q.size() == 204 && v.size() == 153));
     for (std::size_t i = 0; i < t.size(); ++i) {
         CHECK(t[i] == static_cast<double>(i) / 50);
         CHECK(std::abs(x[3 * i] + std::sin(t[i])) < 1e-15);
+        CHECK(v[3 * i] == static_cast<float>(-std::cos(t[i])));
         CHECK(std::abs(q[4 * i] / 32767.0 - std::cos(t[i] / 2)) < 2e-5);
         CHECK(std::abs(q[4 * i + 3] / 32767.0 - std::sin(t[i] / 2)) < 2e-5);
     }

@@ -7,6 +7,8 @@
 
 #include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
+#include "plots/figures/kinds/smooth_path.hpp"
+#include "plots/figures/settings.hpp"
 #include "records/reading/trajectory_table.hpp"
 #include "support/files.hpp"
 
@@ -47,16 +49,40 @@ std::string polyline_text(const std::vector<Point3>& points, const std::vector<d
     return text + "\n";
 }
 
+// gnuplot draws a polyline in space from its end: what is last in time lies over what was before.
+template <class Item>
+std::vector<Item> backwards(std::vector<Item> items) {
+    std::reverse(items.begin(), items.end());
+    return items;
+}
+
 std::string settings_text(const SpaceKind& figure, const SpaceData& data) {
-    std::string text =
-        fmt::format("figure_name = {}\nfigure_title = {}\nfigure_note = {}\n", gnuplot_quoted(figure.name),
-                    gnuplot_quoted(enhanced_escape(figure.title)), gnuplot_quoted(enhanced_escape(figure.note)));
+    Settings settings;
+    settings.string("figure_name", figure.name);
+    settings.string("figure_title", enhanced_escape(figure.title));
+    settings.string("figure_note", enhanced_escape(figure.note));
     for (std::size_t i = 0; i < 3; ++i) {
-        text += fmt::format("low_{0} = {1}\nhigh_{0} = {2}\n", i + 1, data.low[i], data.high[i]);
+        settings.number(fmt::format("low_{}", i + 1), data.low[i]);
+        settings.number(fmt::format("high_{}", i + 1), data.high[i]);
     }
-    text += fmt::format("t_first = {}\nt_last = {}\n", data.path.t.front(), data.path.t.back());
-    text += fmt::format("width_cm = {}\nfont_size = {}\n", data.width.value_or(space_width), data.font_size);
-    return text + fmt::format("elevation = {}\nazimuth = {}\n", data.view[0], data.view[1]);
+    settings.number("t_first", data.path.t.front());
+    settings.number("t_last", data.path.t.back());
+    settings.number("width_cm", data.width.value_or(space_width));
+    settings.number("font_size", data.font_size);
+    settings.number("elevation", data.view[0]);
+    settings.number("azimuth", data.view[1]);
+    return settings.text();
+}
+
+std::vector<Point3> velocities_of_body(const TrajectoryTable& samples, const std::string& body) {
+    std::vector<Point3> v;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto* column = samples.find(fmt::format("{}.v{}", body, i + 1));
+        if (column == nullptr) { return {}; }
+        v.resize(column->size());
+        for (std::size_t k = 0; k < v.size(); ++k) { v[k][i] = (*column)[k]; }
+    }
+    return v;
 }
 
 }  // namespace
@@ -70,7 +96,7 @@ BodyPath path_of_body(const TrajectoryTable& samples, const std::string& body) {
     for (const auto* column : columns) {
         if (column == nullptr || column->empty()) { throw FigureError("the trajectory lacks t, x or R of the body"); }
     }
-    BodyPath path{*columns[0], {}, {}};
+    BodyPath path{*columns[0], {}, {}, velocities_of_body(samples, body)};
     for (std::size_t k = 0; k < path.t.size(); ++k) {
         path.x.push_back({(*columns[1])[k], (*columns[2])[k], (*columns[3])[k]});
         std::array<double, 9> R{};
@@ -85,6 +111,7 @@ SpaceData SpaceKind::data(const Results& results) const {
     const TrajectoryTable table = samples_until(until, row);
     SpaceData drawn{.view = view, .path = path_of_body(table, body_of(*this, body, table))};
     drawn.lines = drawn_bodies(drawn.path, row, table);
+    drawn.path = smooth_path(drawn.path);
     SpaceBox box;
     for (const Point3& x : drawn.path.x) { box.add(x); }
     for (const TimedLine& line : drawn.lines) {
@@ -107,7 +134,7 @@ void SpaceKind::write(const Results& results, const std::filesystem::path& folde
     for (Point3& point : shadow) { point[2] = drawn.low[2]; }
     const auto file = [&](const char* ending) { return folder / "plotdata" / (name + ending); };
     make_folder(folder / "plotdata");
-    write_atomically(file(".path.dat"), polyline_text(path.x, path.t));
+    write_atomically(file(".path.dat"), polyline_text(backwards(path.x), backwards(path.t)));
     write_atomically(file(".shadow.dat"), polyline_text(shadow, path.t));
     write_atomically(file(".ends.dat"), polyline_text({path.x.front()}, {path.t.front()}) + "\n" +
                                             polyline_text({path.x.back()}, {path.t.back()}));

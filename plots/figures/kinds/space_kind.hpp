@@ -18,6 +18,7 @@ struct BodyPath {
     std::vector<double> t;
     std::vector<Point3> x;
     std::vector<std::array<double, 9>> R;  ///< row by row
+    std::vector<Point3> v = {};            ///< m/s; empty where it was not sampled
 };
 
 /// A line in space at one instant.
@@ -30,7 +31,7 @@ struct TimedLine {
 struct SpaceData {
     Point3 low{}, high{};  ///< m
     std::array<double, 2> view{};
-    BodyPath path;
+    BodyPath path;  ///< smooth, without rotations
     std::vector<TimedLine> lines;
     std::optional<double> width;            ///< of the page, cm
     double font_size = standard_font_size;  ///< points

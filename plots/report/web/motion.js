@@ -10,6 +10,7 @@ class Motion {
     this.t = new Float64Array(bytesOf(cell.t));
     this.x = new Float64Array(bytesOf(cell.x));
     this.q = cell.q === null ? null : new Int16Array(bytesOf(cell.q));
+    this.v = cell.v === null ? null : new Float32Array(bytesOf(cell.v));
     this.end = this.t[this.t.length - 1];
   }
   position(body, i) {
@@ -31,11 +32,34 @@ class Motion {
     const part = high > low ? (time - this.t[low]) / (this.t[high] - this.t[low]) : 0;
     return [low, high, Math.min(Math.max(part, 0), 1)];
   }
+  velocity(body, i) {
+    const at = 3 * (i * this.names.length + body);
+    return [this.v[at], this.v[at + 1], this.v[at + 2]];
+  }
+  // Between instants i and j, s of the time from one to the other, 0 < s < 1: by cubic Hermite interpolation of x and
+  // v, or straight where these do not belong to one smooth arc, no longer than twice its chord.
+  place(body, i, j, s) {
+    const x = this.position(body, i), way = add3(this.position(body, j), x, -1), h = this.t[j] - this.t[i];
+    if (this.v && h > 0) {
+      const v = this.velocity(body, i), w = this.velocity(body, j);
+      if (h * (length3(v) + length3(w)) < 4 * length3(way)) {
+        const bent = add3(add3(x, way, s * s * (3 - 2 * s)), v, h * s * (1 - s) * (1 - s));
+        return add3(bent, w, -h * s * s * (1 - s));
+      }
+    }
+    return add3(x, way, s);
+  }
   pose(body, time) {
     const [i, j, part] = this.instant(time), q = this.rotation(body, i), r = this.rotation(body, j);
     const mixed = q.map((value, k) => value + part * (r[k] - value)), size = Math.hypot(...mixed) || 1;
-    const x = this.position(body, i);
-    return pose4(add3(x, add3(this.position(body, j), x, -1), part), mixed.map((value) => value / size));
+    return pose4(this.place(body, i, j, part), mixed.map((value) => value / size));
+  }
+  // The places of a body on its way, `pieces` from each instant to the next.
+  trail(body, pieces) {
+    const points = [...this.position(body, 0)];
+    for (let i = 1; i < this.t.length; i++)
+      for (let k = 1; k <= pieces; k++) points.push(...this.place(body, i - 1, i, k / pieces));
+    return points;
   }
   // Whether some body turns by more than a third of a turn from an instant to the next.
   isCoarse() {

@@ -240,6 +240,8 @@ function plotView(panel, figure, state) {
   function update() {
     pointer.hide();
     const visible = own.visible();
+    // Dashed curves over solid ones, which would hide them where both coincide.
+    const inOrder = [false, true].flatMap((dashed) => visible.filter((curve) => (dashOf(curve.style) !== '') === dashed));
     own.scale = scaleOf(panel, visible.length ? visible : panel.curves, state.log);
     const clip = `clip${plotView.count = (plotView.count || 0) + 1}`, {left, top} = frame;
     const guides = panel.guides.map((guide) => draw('path', {class: 'guide', d: pathOf(guide.x, guide.y, own.scale)}));
@@ -260,7 +262,7 @@ function plotView(panel, figure, state) {
         ...axesOf(panel, own.scale),
         draw(
             'g', {'clip-path': `url(#${clip})`}, guides, marks,
-            visible.map((curve) => curveOf(curve, own.scale, figure.marks, figure.lines !== false))),
+            inOrder.map((curve) => curveOf(curve, own.scale, figure.marks, figure.lines !== false))),
         ...(now ? [now] : []), pointer.ring);
     if (instant !== null) at(instant);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One mechanism in its part of the picture.
 
+const piecesOfTrail = 8;  // from one instant to the next
+
 class Stage {
   constructor(scene, cell, motion) {
     const mechanism = cell.mechanism === null ? null : data.motions.mechanisms[cell.mechanism];
@@ -14,9 +16,7 @@ class Stage {
     const few = motion.names.length <= 6;
     this.trails = motion.names.map(
         (name, body) =>
-            (few || body === motion.names.length - 1 ?
-                 scene.lines([...motion.t.keys()].flatMap((i) => motion.position(body, i))) :
-                 null));
+            (few || body === motion.names.length - 1 ? scene.lines(motion.trail(body, piecesOfTrail)) : null));
     this.grid = scene.lines(this.gridLines());
   }
   gridLines() {
@@ -43,13 +43,10 @@ class Stage {
       const [a, b] = ends.map((home, side) => apply4(at(home), link.points[side]));
       scene.solid('cylinder', rod4(a, b, 0.008 * this.size), colours.spring);
     }
-    const drawn = motion.instant(Math.min(time, motion.end))[0] + 1;
+    const [last, , part] = motion.instant(Math.min(time, motion.end));
+    const drawn = 1 + Math.floor(piecesOfTrail * (last + part) + 1e-9);
     if (withTrails)
-      this.trails.forEach(
-          (trail, body) => trail &&
-              scene.strip(
-                  trail, colours.bodies[body % 7],
-                  drawn + 1 >= motion.t.length && time >= motion.end ? drawn + 1 : drawn));
+      this.trails.forEach((trail, body) => trail && scene.strip(trail, colours.bodies[body % 7], drawn));
     scene.over();
     forces.paint(this, time, poses, colours);
   }

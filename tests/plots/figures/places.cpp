@@ -65,7 +65,7 @@ TEST_CASE("a path in space is on the page with its shadow's floor, and thinned")
     const auto space = places::figure_of(folder, {{"kind", "path3d"}, {"view", {50, 20}}}).at("space");
     const auto &t = space.at("t"), &path = space.at("path");
     CHECK(t.size() == path.size());
-    CHECK((t.size() > 250 && t.size() <= 500));
+    CHECK((t.size() > 1000 && t.size() <= 2000));
     CHECK(t.back() == 1);
     CHECK(std::abs(path.back().at(0).get<double>() + std::sin(1)) < 1e-5);
     CHECK(space.at("view") == nlohmann::json({50, 20}));
