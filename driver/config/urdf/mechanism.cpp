@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "driver/config/urdf/robot.hpp"
 #include "records/json/diagnostics.hpp"
@@ -175,11 +176,34 @@ class Writer {
                      {"inertia", to_json(turned(back, whole.inertia))},
                      {"x", to_json(whole.centre)},
                      {"R", to_json(placed.frame.R)}};
+        if (const json shape = shape_of(i); !shape.is_null()) { body["shape"] = shape; }
         if (!start_.rates.empty()) {
             body["v"] = to_json(placed.v + cross(placed.omega, whole.centre - placed.frame.p));
             body["omega"] = to_json(back * placed.omega);
         }
         return body;
+    }
+    // From the mass centre to the farthest frame that the body carries, those of the joints at it among them, m.
+    double reach_of(std::size_t i) const {
+        double reach = 0;
+        for (const Placed& placed : links_) {
+            if (placed.carrier != i && links_[placed.parent].carrier != i) { continue; }
+            reach = std::max(reach, boost::qvm::mag(placed.frame.p - wholes_[i].centre));
+        }
+        return reach;
+    }
+    // Descriptions of robots often give small links inertias that make the homogeneous solid far larger than the link.
+    // Such a body is shown as a cylinder about the axis of its joint, as long as it reaches; one on an axle alone, as a
+    // wheel, reaches nowhere.
+    json shape_of(std::size_t i) const {
+        constexpr double many = 3, slenderness = 0.4;  // radii of gyration over the reach; radius over length
+        const Whole& whole = wholes_[i];
+        const double trace = whole.inertia.a[0][0] + whole.inertia.a[1][1] + whole.inertia.a[2][2];
+        const double gyration = std::sqrt(trace / (2 * whole.mass)), reach = reach_of(i);
+        const Joint* joint = links_[i].joint;
+        if (joint == nullptr || !(reach > 0) || !(gyration > many * reach)) { return {}; }
+        return {
+            {"type", "cylinder"}, {"radius", slenderness * reach}, {"length", reach}, {"axis", to_json(joint->axis)}};
     }
     json joint_of(std::size_t i) const {
         const Placed& placed = links_[i];

@@ -124,6 +124,24 @@ TEST_CASE("joints of a robot connect its bodies, with their dampers", "[urdf]") 
     CHECK_FALSE(all.at("bodies").at(0).contains("v"));
 }
 
+TEST_CASE("a small link with the inertia of a large one is shown about its joint's axis, a wheel as it is", "[urdf]") {
+    const auto shown = [&](const std::string& parts) {
+        const std::string ends = link("world") + joint("pan", "revolute", "world", "wrist", "<axis xyz=\"0 2 0\"/>");
+        return mechanism(robot(link("wrist", inertial("1")) + ends + parts)).parameters.at("bodies").at(0);
+    };
+    const auto carrying = [&](const std::string& at) {
+        return link("tool") + joint("flange", "fixed", "wrist", "tool", "<origin xyz=\"" + at + "\"/>");
+    };
+    const json wrist = shown(carrying("0 0 0.1"));
+    CHECK(wrist.at("shape").at("type") == "cylinder");
+    CHECK(wrist.at("shape").at("length") == 0.1);
+    CHECK(wrist.at("shape").at("radius").get<double>() == Approx(0.04));
+    check_near(wrist.at("shape").at("axis"), {0, 1, 0});
+    // Its radius of gyration is sqrt((0.1 + 0.2 + 0.25)/2) m = 0.52 m.
+    CHECK_FALSE(shown(carrying("0 0 0.2")).contains("shape"));
+    CHECK_FALSE(shown("").contains("shape"));
+}
+
 TEST_CASE("roll, pitch and yaw turn about the axes of the parent, in this order", "[urdf]") {
     const json all = mechanism(robot(link("a") + link("b", inertial("1")) +
                                      joint("j", "revolute", "a", "b", "<origin rpy=\"0.2 -0.5 1.3\"/>")))
