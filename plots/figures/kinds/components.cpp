@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "plots/figures/cells/select.hpp"
 #include "plots/figures/enhanced_text.hpp"
@@ -42,6 +43,10 @@ Component component_of_joint(const std::string& name, const std::string& unit, c
         }
     }
     return {name, "λ", name, unit, values};
+}
+
+bool is_zero(const Component& component) {
+    return std::all_of(component.values->begin(), component.values->end(), [](double value) { return value == 0; });
 }
 
 // Names of joints and forces, "pin" of "pin.force.1".
@@ -119,6 +124,7 @@ class ComponentsFigure final : public PanelKind {
                                           is_of_joints() ? "JOINT.1" : "1"));
         }
         keep_joint(all);
+        if (is_of_joints()) { leave_out_zeros(all); }
         std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.unit < b.unit; });
         return all;
     }
@@ -135,6 +141,18 @@ class ComponentsFigure final : public PanelKind {
                                           nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
         }
         std::erase_if(components, [&](const Component& one) { return joints_of({one}).front() != joint; });
+    }
+    // What a joint never exerts, as the torque of a spherical one, unless there is nothing else or the figure names it.
+    void leave_out_zeros(std::vector<Component>& components) const {
+        const auto vector_of = [](const Component& one) { return one.symbol + joints_of({one}).front(); };
+        std::set<std::string> exerted;
+        for (const Component& one : components) {
+            const bool named =
+                legend.contains(one.name) || std::find(order.begin(), order.end(), one.name) != order.end();
+            if (named || !is_zero(one)) { exerted.insert(vector_of(one)); }
+        }
+        if (exerted.empty()) { return; }
+        std::erase_if(components, [&](const Component& one) { return !exerted.contains(vector_of(one)); });
     }
     void add_panel(const Component& first, PanelFigure& figure) const {
         if (!figure.panels.empty() && columns == 1) { figure.panels.back().x_label.clear(); }

@@ -198,6 +198,24 @@ TEST_CASE("what joints exert is drawn for all of them or one, forces and torques
     CHECK_THROWS_WITH(drawn({{"quantity", "exerted"}}), Catch::Contains("no columns exerted.JOINT.1, ..."));
 }
 
+TEST_CASE("what a joint never exerts is left out, unless there is nothing else or it is named") {
+    const ResultFolder folder;
+    folder.write("results.jsonl", result_line("aa", 2, 0, {{"trajectory", "trajectories/aa.csv"}}).dump() + "\n");
+    folder.write("trajectories/aa.csv",
+                 "t [s],top.x1 [m],reaction.ball.force.1 [N],reaction.ball.force.2 [N],reaction.ball.torque.1 [N m],"
+                 "drive.idle.torque [N m]\n0,0,1,0,0,0\n1,0,2,0,0,0\n");
+    const Results results = read_results(folder.path());
+    const auto panels_with = [&](nlohmann::json more) {
+        more["kind"] = "components";
+        return panels_of(more, results).panels;
+    };
+    const auto reactions = panels_with({{"quantity", "reactions"}});
+    REQUIRE(reactions.size() == 1);
+    CHECK(reactions[0].curves.size() == 2);  // a component that is zero stays with those that are not
+    CHECK(panels_with({{"quantity", "reactions"}, {"order", {"ball.torque.1"}}}).size() == 2);
+    CHECK(panels_with({{"quantity", "drives"}}).size() == 1);
+}
+
 TEST_CASE("a heat map is as wide as its config says, if its places find space") {
     const ResultFolder folder;
     const Results results = looks::three_methods(folder);
