@@ -10,6 +10,20 @@ full_title = figure_title
 if (strlen(figure_note)) {  # what is wanting of the results
     full_title = figure_title . (strlen(figure_title) ? "\n" : '') . '{/*0.85 ' . figure_note . '}'
 }
+# Dashed curves are drawn over solid ones, which would hide them where both coincide.
+is_dashed(style) = dashes[1 + ((style - 1) + (style - 1) / 7) % 5] != 1
+array drawn[|curve_file|]
+do for [p = 1:panels] {
+    k = first_curve[p]
+    do for [dashed = 0:1] {
+        do for [c = first_curve[p]:last_curve[p]] {
+            if (is_dashed(curve_style[c]) == dashed) {
+                drawn[k] = c
+                k = k + 1
+            }
+        }
+    }
+}
 do for [format in 'pdf svg png'] {
     load scripts . '/terminal.gp'
     small_font = sprintf(',%g', 6.5 * letter_scale * letter_points)
@@ -21,6 +35,8 @@ do for [format in 'pdf svg png'] {
     set border 3 lw 0.7
     set grid x y ls 101
     set tics nomirror out scale 0.5, 0.25
+    # SVG has them lower than the other formats, near the label of the axis.
+    if (format eq 'svg') { set xtics offset 0, 0.45 } else { set xtics offset 0, 0 }
     do for [p = 1:panels] {
         set lmargin at screen panel_left[p]
         set rmargin at screen panel_right[p]
@@ -78,11 +94,11 @@ do for [format in 'pdf svg png'] {
         }
         if (has_guides[p]) {
             plot 'plotdata/' . figure_name . '.guides' . p . '.dat' with lines ls 100 notitle, \
-                 for [c = first_curve[p]:last_curve[p]] 'plotdata/' . curve_file[c] \
-                 with @curve_with ls curve_style[c]
+                 for [k = first_curve[p]:last_curve[p]] 'plotdata/' . curve_file[drawn[k]] \
+                 with @curve_with ls curve_style[drawn[k]]
         } else {
-            plot for [c = first_curve[p]:last_curve[p]] 'plotdata/' . curve_file[c] \
-                 with @curve_with ls curve_style[c]
+            plot for [k = first_curve[p]:last_curve[p]] 'plotdata/' . curve_file[drawn[k]] \
+                 with @curve_with ls curve_style[drawn[k]]
         }
     }
     unset multiplot

@@ -33,7 +33,9 @@ def line_style(number: int, marks: bool) -> dict[str, Any]:
     that curves can be told apart in print and with any colour vision."""
     n = number - 1
     dashes = DASHES[(n + n // len(COLOURS)) % len(DASHES)]
-    style = {"color": COLOURS[n % len(COLOURS)], "linestyle": (0, dashes) if dashes else "-"}
+    # Dashed curves are drawn over solid ones, which would hide them where both coincide.
+    style = {"color": COLOURS[n % len(COLOURS)], "linestyle": (0, dashes) if dashes else "-",
+             "zorder": 2.1 if dashes else 2}
     return {**style, "marker": MARKS[n % len(MARKS)], "markerfacecolor": "none"} if marks else style
 
 

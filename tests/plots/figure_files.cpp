@@ -24,6 +24,8 @@ namespace {
 
 constexpr double pixels_per_cm = 37.8;  // of SVG, see plots/gnuplot/terminal.gp
 
+constexpr double letters_apart = 12;  // pixels from line to line, of letters of 10
+
 struct PlacedText {
     double x, y;
     bool upright;
@@ -73,6 +75,17 @@ std::string fault(const std::string& svg, const std::vector<std::string>& texts,
         if (count != times) { return text + ": " + std::to_string(count) + " times"; }
     }
     return "";
+}
+
+// From a label of an x axis up to the labels of its tics, pixels.
+double space_above(const std::string& svg, const std::string& label) {
+    const std::vector<PlacedText> all = texts_of(svg);
+    const auto placed = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.text == label; });
+    double least = attribute(svg, "height");
+    for (const PlacedText& other : all) {
+        if (other.y < placed->y) { least = std::min(least, placed->y - other.y); }
+    }
+    return least;
 }
 
 std::string pdf_text(const std::filesystem::path& file) {
@@ -139,6 +152,7 @@ TEST_CASE("every legend entry and label is on the page in all three formats") {
         texts.insert(texts.end(), {figure.panels[0].x_label, figure.panels[0].y_label});
         CHECK(fault(svg, texts, panels) == "");
         CHECK(fault(svg, {figure.title}, 1) == "");
+        CHECK(space_above(svg, figure.panels[0].x_label) > letters_apart);
         const std::string pdf = pdf_text(folder.path() / "figures" / "page.pdf");
         for (const std::string& label : legend_of(figure)) { CHECK(count_of(pdf, label) == panels); }
         CHECK(count_of(pdf, figure.panels[0].x_label) == panels);
@@ -158,6 +172,12 @@ TEST_CASE("control: a lost entry, one beyond the page and two in one place are s
     const std::string svg = folder.read("figures/page.svg");
     const auto labels = legend_of(figure);
     REQUIRE(fault(svg, labels, 2) == "");
+    std::string touching = svg;
+    const auto label = touching.find(figure.panels[0].x_label), at = touching.rfind("translate(", label);
+    const auto comma = touching.find(',', at);
+    const double y = std::stod(touching.substr(comma + 1));
+    touching.replace(comma + 1, touching.find(')', comma) - comma - 1, std::to_string(y - 5));
+    CHECK(space_above(touching, figure.panels[0].x_label) < letters_apart);
     std::string lost = svg;
     lost.replace(lost.find(labels[2]), 6, "nobody");
     CHECK(fault(lost, labels, 2) == labels[2] + ": 1 times");
@@ -185,4 +205,21 @@ TEST_CASE("of a short logarithmic axis twos and fives are labelled, too, where t
     };
     CHECK(is_labelled(120));
     CHECK_FALSE(is_labelled(85));
+}
+
+TEST_CASE("dashed curves are drawn over solid ones, in the order of the legend otherwise") {
+    const ResultFolder folder;
+    make_folder(folder.path() / "figures");
+    PanelFigure figure = figure_of(1, 4);
+    const std::vector<int> styles = {2, 1, 3, 6};  // 1 and 6 are solid
+    for (std::size_t i = 0; i < styles.size(); ++i) { figure.panels[0].curves[i].style = styles[i]; }
+    write_panels(folder.path() / "plotdata", figure);
+    REQUIRE(run_gnuplot(folder.path(), plot_scripts(), "lines", figure.name).empty());
+    const std::string svg = folder.read("figures/page.svg");
+    static const std::regex stroke(R"(id="gnuplot_plot_\d+a"[\s\S]*?<path stroke='([^']*)')");
+    std::vector<std::string> colours;
+    for (auto it = std::sregex_iterator(svg.begin(), svg.end(), stroke); it != std::sregex_iterator(); ++it) {
+        colours.push_back(std::regex_replace((*it)[1].str(), std::regex(" "), ""));
+    }
+    CHECK(colours == std::vector<std::string>{"rgb(0,114,178)", "rgb(86,180,233)", "rgb(213,94,0)", "rgb(0,158,115)"});
 }
