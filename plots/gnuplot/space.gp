@@ -22,8 +22,9 @@ set ztics interval
 set xlabel 'x_1 [m]' offset 0, -0.3
 set ylabel 'x_2 [m]' offset 0, -0.3
 set label 2 'x_3 [m]' at screen 0.14, screen 0.8 center
-set label 1 't [s]' at screen 0.93, screen 0.79 center
+set label 1 't [s]' at screen 0.93, screen 0.82 center
 set colorbox user origin 0.87, 0.34 size 0.025, 0.42
+set pm3d scansforward  # what is last in time lies over what was before
 # viridis: even in lightness, distinguishable with any colour vision
 set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b')
 if (strlen(figure_title)) { set title figure_title }

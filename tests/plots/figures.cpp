@@ -7,6 +7,7 @@
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/kinds/drawn_top.hpp"
 #include "plots/figures/kinds/slope_triangle.hpp"
+#include "plots/figures/settings.hpp"
 #include "plots/figures/spec.hpp"
 #include "plots/plot.hpp"
 #include "records/json/strict.hpp"
@@ -144,8 +145,9 @@ TEST_CASE("every kind of figure is drawn, without messages from gnuplot") {
            {{"kind", "drift"}, {"name", "drift"}, {"metric", "defect.position"}},
            {{"kind", "invariants"}, {"name", "energy"}, {"relative", true}}}}});
     CHECK(plot_command({.folders = {folder.path()}, .figure = {}, .output = {}}) == drawn);
-    for (const char* name : {"path", "motion", "omega", "convergence", "drift", "energy"}) {
+    for (const std::string name : {"path", "motion", "omega", "convergence", "drift", "energy"}) {
         check_drawn(folder, name);
+        CHECK(folder.read("plotdata/" + name + ".gp").starts_with(Settings().text()));  // it may be drawn again
     }
     CHECK(folder.read("plotdata/drift.gp").find("∝ t^{2.00 ± 0.00}") != std::string::npos);
     CHECK(folder.read("plotdata/convergence.gp").find("rkmk/rk4: 4.00 ± 0.00") != std::string::npos);

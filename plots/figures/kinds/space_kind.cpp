@@ -49,13 +49,6 @@ std::string polyline_text(const std::vector<Point3>& points, const std::vector<d
     return text + "\n";
 }
 
-// gnuplot draws a polyline in space from its end: what is last in time lies over what was before.
-template <class Item>
-std::vector<Item> backwards(std::vector<Item> items) {
-    std::reverse(items.begin(), items.end());
-    return items;
-}
-
 std::string settings_text(const SpaceKind& figure, const SpaceData& data) {
     Settings settings;
     settings.string("figure_name", figure.name);
@@ -134,7 +127,7 @@ void SpaceKind::write(const Results& results, const std::filesystem::path& folde
     for (Point3& point : shadow) { point[2] = drawn.low[2]; }
     const auto file = [&](const char* ending) { return folder / "plotdata" / (name + ending); };
     make_folder(folder / "plotdata");
-    write_atomically(file(".path.dat"), polyline_text(backwards(path.x), backwards(path.t)));
+    write_atomically(file(".path.dat"), polyline_text(path.x, path.t));
     write_atomically(file(".shadow.dat"), polyline_text(shadow, path.t));
     write_atomically(file(".ends.dat"), polyline_text({path.x.front()}, {path.t.front()}) + "\n" +
                                             polyline_text({path.x.back()}, {path.t.back()}));
