@@ -118,8 +118,7 @@ std::string latex_cell(const std::string& text) {
     if (std::regex_match(text, match, power)) {
         const std::string sign = match[2] == "-" ? "-" : "";
         const std::string exponent = match[3].length() == 0 ? "0" : match[3].str();
-        return fmt::format("${}\\cdot10^{{{}{}}}${}", match[1].str(), sign, exponent,
-                           match[4].length() == 0 ? "" : "\\rlap{*}");
+        return fmt::format("${}\\cdot10^{{{}{}}}${}", match[1].str(), sign, exponent, match[4].str());
     }
     return text == "-" ? "--" : escaped(text, true);
 }
@@ -202,10 +201,21 @@ std::string fitted_text(const std::string& tabular) {
     return text + "\\usebox0%\n\\endgroup\n";
 }
 
-template <class Escape>
-std::string row_of(const std::vector<std::string>& texts, const Escape& escape) {
+// Whether some number of a column refers to a note: the others leave the space of an asterisk.
+std::vector<bool> marked_columns(const TextTable& table, const std::vector<bool>& numbers) {
+    std::vector<bool> marked;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        marked.push_back(numbers[c] && std::any_of(table.rows.begin(), table.rows.end(),
+                                                   [&](const auto& row) { return row[c].ends_with('*'); }));
+    }
+    return marked;
+}
+
+std::string row_of(const std::vector<std::string>& texts, const std::vector<bool>& marked) {
     std::vector<std::string> cells;
-    for (const std::string& text : texts) { cells.push_back(escape(text)); }
+    for (std::size_t c = 0; c < texts.size(); ++c) {
+        cells.push_back(latex_cell(texts[c]) + (marked[c] && !texts[c].ends_with('*') ? "\\phantom{*}" : ""));
+    }
     return row_text(cells);
 }
 
@@ -223,7 +233,8 @@ std::string latex_text(const TextTable& table) {
     for (const bool is_number : numbers) { alignment += is_number ? 'r' : 'l'; }
     std::string tabular = fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", alignment);
     tabular += row_text(heads_of(table, numbers, wide)) + "\\midrule\n";
-    for (const auto& row : table.rows) { tabular += row_of(row, latex_cell); }
+    const std::vector<bool> marked = marked_columns(table, numbers);
+    for (const auto& row : table.rows) { tabular += row_of(row, marked); }
     tabular += "\\bottomrule\n\\end{tabular}";
     return text + (wide ? fitted_text(tabular) : tabular + "\n");
 }
