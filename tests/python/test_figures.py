@@ -220,8 +220,10 @@ class Curves(unittest.TestCase):
                            & (cells["formulation"] == "SO3xR3") & (cells["method"] == "rkmk/dopri5")]
         samples = self.results.trajectory(cell[0])
         x = samples[[f"top.x{k}" for k in (1, 2, 3)]].to_numpy()
-        np.testing.assert_allclose(data.path, x, rtol=1e-5, atol=1e-8)
-        np.testing.assert_allclose(data.t, samples.index)
+        at = np.searchsorted(data.t, samples.index.to_numpy() - 1e-6)
+        self.assertGreater(len(data.t), len(samples))  # smooth between samples
+        np.testing.assert_allclose(data.t[at], samples.index, rtol=1e-5)
+        np.testing.assert_allclose(data.path[at], x, rtol=1e-5, atol=1e-8)
         drawn = draw_figure(data)
         drawn.canvas.draw()
         self.assertEqual((drawn.axes[0].elev, drawn.axes[0].azim), (20, -70))

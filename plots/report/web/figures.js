@@ -77,8 +77,9 @@ function panelsView(figure) {
   const many = figure.panels.some((panel) => panel.curves.length > 1);
   const fitted = figure.panels.some((panel) => panel.curves.some((curve) => curve.fitted));
   const grid = make('div', {class: 'panels'}, panels);
-  grid.style.gridTemplateColumns = `repeat(${Math.min(figure.panels.length, figure.columns || 2, 2)}, minmax(0, 1fr))`;
-  if (figure.panels.length === 1) grid.style.maxWidth = '680px';
+  const columns = Math.min(figure.panels.length, figure.columns || 2, 2);
+  grid.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
+  if (columns === 1) grid.style.maxWidth = '680px';
   return make(
       'div', {},
       make(
