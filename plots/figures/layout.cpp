@@ -14,7 +14,7 @@ namespace {
 constexpr double column_width = 8.5, page_width = 17.0;
 constexpr double left_margin = 1.6, right_margin = 0.4, bottom_margin = 0.95, bare_bottom = 0.4;
 constexpr double legend_gap = 0.15, title_height = 0.5;
-constexpr double character = 0.14, legend_sample = 1.15, legend_row = 0.335;
+constexpr double character = 0.14, legend_sample = 1.15, legend_row = 0.335, raised_row = 0.4;
 
 // By how much letters, and the space around them, are larger than the standard.
 double scale_of(const PanelFigure& figure) { return figure.font_size / standard_font_size; }
@@ -63,6 +63,12 @@ double panel_width_of(const PanelFigure& figure) {
     return width;
 }
 
+// Whether a label has something raised, which would touch the row above.
+bool is_raised(const Curve& curve) {
+    const std::size_t at = curve.label.find("^{");
+    return at != std::string::npos && (at == 0 || curve.label[at - 1] != '\\');
+}
+
 double top_margin_of(const PanelFigure& figure) {
     const bool titles =
         std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel& p) { return !p.title.empty(); });
@@ -96,7 +102,12 @@ std::pair<AxisRange, AxisRange> axis_ranges(const Panel& panel) {
     return {wide_x, wide_y};
 }
 
-double legend_row_height(const PanelFigure& figure) { return legend_row * scale_of(figure); }
+double legend_row_height(const PanelFigure& figure) {
+    const bool raised = std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel& panel) {
+        return std::any_of(panel.curves.begin(), panel.curves.end(), is_raised);
+    });
+    return (raised ? raised_row : legend_row) * scale_of(figure);
+}
 
 LegendLayout legend_of(const Panel& panel, const PanelFigure& figure, double panel_width) {
     const std::size_t count = panel.curves.size();

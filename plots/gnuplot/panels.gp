@@ -73,7 +73,7 @@ do for [format in 'pdf svg png'] {
         unset label
         unset arrow
         set label 1001 x_label[p] at screen (panel_left[p] + panel_right[p]) / 2, screen panel_bottom[p] - 0.75 * letter_scale / height_cm center
-        set label 1002 y_label[p] at screen panel_left[p] - 1.28 * letter_scale / width_cm, screen (panel_bottom[p] + panel_top[p]) / 2 center rotate by 90
+        set label 1002 y_label[p] at screen panel_left[p] - 1.34 * letter_scale / width_cm, screen (panel_bottom[p] + panel_top[p]) / 2 center rotate by 90
         do for [m = first_mark[p]:last_mark[p]] {
             set label m mark_text[m] at mark_x[m], mark_y[m] center textcolor rgb '#555555' font small_font
         }

@@ -131,6 +131,13 @@ TEST_CASE("a method has one colour in all figures of a run, and each curve of a 
     CHECK(colour(one.at("no projection")) != colour(one.at("position_velocity")));
 }
 
+TEST_CASE("rows of a legend are higher where labels have something raised") {
+    PanelFigure figure{"f", "", {Panel{"", "t", "x", false, false, {{"a: h", {}}, {"b: h\\^{", {}}}, {}, {}}}};
+    const double plain = legend_row_height(figure);
+    figure.panels[0].curves[0].label = "a: h^{4.00}";
+    CHECK(legend_row_height(figure) > 1.15 * plain);
+}
+
 TEST_CASE("more than seven methods have styles of their own, too") {
     const ResultFolder folder;
     std::string lines;
