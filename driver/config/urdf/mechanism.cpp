@@ -192,10 +192,17 @@ class Writer {
         }
         return reach;
     }
+    // That which its description gives, of a body of one link that lies about its mass centre.
+    json shape_given(std::size_t i) const {
+        const Link& link = *links_[i].link;
+        const bool is_alone = link.inertial && link.inertial->mass == wholes_[i].mass;
+        return is_alone && link.solid ? shape_about(*link.solid, link.inertial->centre) : json();
+    }
     // Descriptions of robots often give small links inertias that make the homogeneous solid far larger than the link.
     // Such a body is shown as a cylinder about the axis of its joint, as long as it reaches; one on an axle alone, as a
     // wheel, reaches nowhere.
     json shape_of(std::size_t i) const {
+        if (json given = shape_given(i); !given.is_null()) { return given; }
         constexpr double many = 3, slenderness = 0.4;  // radii of gyration over the reach; radius over length
         const Whole& whole = wholes_[i];
         const double trace = whole.inertia.a[0][0] + whole.inertia.a[1][1] + whole.inertia.a[2][2];

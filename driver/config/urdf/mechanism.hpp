@@ -24,9 +24,10 @@ struct Mechanism {
 };
 
 /// Links that fixed joints connect make one body, with the name of the link nearest to the root; links without mass
-/// must be fixed to others. Damping of joints becomes a damper or a rotational damper. A body whose homogeneous solid
-/// would be far larger than the distances of its joints is given a shape, a cylinder about its joint's axis. Throws
-/// UsageError with the place of everything that cannot be taken; FileError if the file cannot be read.
+/// must be fixed to others. Damping of joints becomes a damper or a rotational damper. Bodies have the shape of their
+/// geometry if it is a box, a cylinder or a sphere about their mass centre; else, where the homogeneous solid would be
+/// far larger than the distances of their joints, that of a cylinder about their joint's axis. Throws UsageError with
+/// the place of everything that cannot be taken; FileError if the file cannot be read.
 Mechanism read_mechanism(const std::filesystem::path& file, const Start& start);
 
 }  // namespace kreisel::urdf

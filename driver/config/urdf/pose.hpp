@@ -27,6 +27,11 @@ struct Pose {
 
 inline Pose operator*(const Pose& a, const Pose& b) { return {a.R * b.R, a.p + a.R * b.p}; }
 
+class Element;
+
+/// That of <origin>, which an element may lack.
+Pose read_origin(const Element& element);
+
 /// R_z(yaw) R_y(pitch) R_x(roll), of the angles (roll, pitch, yaw).
 Matrix rotation_of(const std::array<double, 3>& rpy);
 

@@ -36,12 +36,6 @@ void check_children(const Element& element, const Names& known) {
     }
 }
 
-Pose read_origin(const Element& element) {
-    const auto origin = element.child("origin");
-    if (!origin) { return {}; }
-    return {rotation_of(origin->vector("rpy", {0, 0, 0})), to_vector(origin->vector("xyz", {0, 0, 0}))};
-}
-
 Matrix read_inertia(const Element& element) {
     const auto entry = [&](const char* name) { return element.required_number(name); };
     const double xx = entry("ixx"), yy = entry("iyy"), zz = entry("izz");
@@ -64,7 +58,8 @@ std::optional<Inertial> read_inertial(const Element& element) {
 Link read_link(const Element& element) {
     check_children(element, {"inertial", "visual", "collision"});
     const auto inertial = element.child("inertial");
-    return {element.text("name"), inertial ? read_inertial(*inertial) : std::nullopt, element.line()};
+    return {element.text("name"), inertial ? read_inertial(*inertial) : std::nullopt, read_solid(element),
+            element.line()};
 }
 
 Vector read_axis(const Element& element) {

@@ -10,6 +10,7 @@
 
 #include "driver/config/urdf/element.hpp"
 #include "driver/config/urdf/pose.hpp"
+#include "driver/config/urdf/solid.hpp"
 
 namespace kreisel::urdf {
 
@@ -23,6 +24,7 @@ struct Inertial {
 struct Link {
     std::string name;
     std::optional<Inertial> inertial;  ///< none: a frame without mass
+    std::optional<Solid> solid;        ///< none: it is not told how it looks
     int line;
 };
 

@@ -142,6 +142,31 @@ TEST_CASE("a small link with the inertia of a large one is shown about its joint
     CHECK_FALSE(shown("").contains("shape"));
 }
 
+TEST_CASE("a link looks as its geometry about its mass centre, and not as one that lies elsewhere", "[urdf]") {
+    const auto shown = [&](const std::string& origin, const std::string& geometry, const std::string& tag = "visual") {
+        const std::string drawn =
+            "<" + tag + "><origin " + origin + "/><geometry>" + geometry + "</geometry></" + tag + ">";
+        const std::string parts = link("world") + link("arm", inertial("1", "0.5 0 0") + "<visual/>" + drawn) +
+                                  joint("j", "revolute", "world", "arm");
+        const json body = mechanism(robot(parts)).parameters.at("bodies").at(0);
+        return body.contains("shape") ? body.at("shape") : json();
+    };
+    const std::string box = "<box size=\"1 0.2 0.1\"/>", quarter = "rpy=\"0 0 1.5707963267948966\"";
+    CHECK(shown("xyz=\"0.5 0 0\"", box) == json{{"type", "box"}, {"size", {1, 0.2, 0.1}}});
+    CHECK(shown("xyz=\"0.5 0 0\" " + quarter, box, "collision") == json{{"type", "box"}, {"size", {0.2, 1, 0.1}}});
+    CHECK(shown("xyz=\"0.5 0 0\" rpy=\"0 0 0.3\"", box).is_null());
+    CHECK(shown("xyz=\"0.4 0 0\"", box).is_null());
+    CHECK(shown("xyz=\"0.5 0 0\"", "<sphere radius=\"0.3\"/>") == json{{"type", "sphere"}, {"radius", 0.3}});
+    CHECK(shown("xyz=\"0.5 0 0\"", "<sphere radius=\"0\"/>").is_null());
+    CHECK(shown("xyz=\"0.5 0 0\"", "<mesh filename=\"arm.stl\"/>").is_null());
+    const json rod = shown("xyz=\"0.5 0 0\" rpy=\"0 1.5707963267948966 0\"", "<cylinder radius=\"0.1\" length=\"2\"/>");
+    CHECK((rod.at("type") == "cylinder" && rod.at("radius") == 0.1 && rod.at("length") == 2));
+    check_near(rod.at("axis"), {1, 0, 0});
+    CHECK_THAT(complaint(robot(link("arm", inertial("1") + "<visual><geometry><sphere radius=\"big\"/></geometry>"
+                                                           "</visual>"))),
+               Contains("<sphere>: expected a number as radius, got \"big\""));
+}
+
 TEST_CASE("roll, pitch and yaw turn about the axes of the parent, in this order", "[urdf]") {
     const json all = mechanism(robot(link("a") + link("b", inertial("1")) +
                                      joint("j", "revolute", "a", "b", "<origin rpy=\"0.2 -0.5 1.3\"/>")))
