@@ -2,9 +2,6 @@
 file(GLOB_RECURSE driver_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/driver/*.cpp ${CMAKE_SOURCE_DIR}/plots/*.cpp
      ${CMAKE_SOURCE_DIR}/records/*.cpp ${CMAKE_SOURCE_DIR}/support/*.cpp)
 list(REMOVE_ITEM driver_sources ${CMAKE_SOURCE_DIR}/driver/main.cpp)
-if(NOT KREISEL_HAS_URDF)
-  list(FILTER driver_sources EXCLUDE REGEX "/driver/config/urdf/")
-endif()
 add_library(kreisel_driver OBJECT ${driver_sources})
 kreisel_unite(kreisel_driver)
 kreisel_precompile(kreisel_driver driver)
@@ -51,10 +48,7 @@ target_sources(kreisel_driver PRIVATE ${scaffold_source})
 set_source_files_properties(${scaffold_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 target_include_directories(kreisel_driver PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
 target_link_libraries(kreisel_driver PUBLIC nlohmann_json::nlohmann_json ${KREISEL_FMT} CLI11::CLI11 GSL::gsl
-                                            Threads::Threads Boost::headers ${KREISEL_NETTLE})
-if(KREISEL_HAS_URDF)
-  target_link_libraries(kreisel_driver PUBLIC ${KREISEL_TINYXML2})
-endif()
+                                            Threads::Threads Boost::headers ${KREISEL_NETTLE} ${KREISEL_PUGIXML})
 
 # Objects only, no usage requirements: main.cpp belongs to neither precision.
 add_executable(kreisel ${CMAKE_SOURCE_DIR}/driver/main.cpp ${KREISEL_OBJECTS_binary64} ${KREISEL_PEER_OBJECTS_binary64})

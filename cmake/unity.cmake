@@ -28,6 +28,13 @@ function(kreisel_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:$<IF:$<BOOL:${KREISEL_STATIC}>,-Os,-O1>>)
 endfunction()
 
+# For what loses nothing by it: small in a program that is to be copied.
+function(kreisel_compile_small target)
+  if(KREISEL_STATIC)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Os>)
+  endif()
+endfunction()
+
 # For what runs briefly: unit tests of the driver, of plots and of records.
 function(kreisel_compile_hastily target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)

@@ -123,7 +123,7 @@ const std::vector<Room>& rooms() {
          {"fmt/", "nlohmann/"},
          talks},
         {"plots", {"plots", "records", "support"}, {"fmt/"}, talks},
-        {"driver/config/urdf", {"records/json", "support"}, {"boost/qvm/", "fmt/", "nlohmann/", "tinyxml2.h"}, talks},
+        {"driver/config/urdf", {"records/json", "support"}, {"boost/qvm/", "fmt/", "nlohmann/", "pugixml.hpp"}, talks},
         {"driver/config",
          {"driver/config/urdf", "plots/figures/kind.hpp", "plots/figures/spec.hpp", "plots/figures/schema.hpp",
           "plots/figures/overlay/overlay_files.hpp", "records", interface, "methods/contract/description.hpp",

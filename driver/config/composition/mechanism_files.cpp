@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include "driver/config/urdf/mechanism.hpp"
-#include "kreisel_build.hpp"
 #include "records/json/node.hpp"
 #include "records/json/strict.hpp"
-#include "support/errors.hpp"
 #include "support/files.hpp"
 
 namespace kreisel {
@@ -44,15 +42,7 @@ urdf::Start read_start(const Node& parameters) {
 }
 
 Document robot_document(const fs::path& file, const urdf::Start& start) {
-    urdf::Mechanism mechanism;
-    if constexpr (build::has_urdf) {
-        mechanism = urdf::read_mechanism(file, start);
-    } else {
-        throw UsageError(
-            fmt::format("{}: expected a mechanism in JSON, got a robot in URDF, which a kreisel without "
-                        "tinyxml2, as this one is, cannot read",
-                        file.string()));
-    }
+    urdf::Mechanism mechanism = urdf::read_mechanism(file, start);
     std::string text = mechanism.parameters.dump(2);
     Document document{file.string() + " as JSON", std::move(text), std::move(mechanism.parameters)};
     document.remarks = std::move(mechanism.remarks);

@@ -25,6 +25,16 @@ std::optional<double> number_of(std::string_view word) {
 
 }  // namespace
 
+Complaints::Complaints(std::string file, const std::string& text) : file_(std::move(file)) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\n') { ends_.push_back(static_cast<std::ptrdiff_t>(i)); }
+    }
+}
+
+int Complaints::line_at(std::ptrdiff_t offset) const {
+    return 1 + static_cast<int>(std::lower_bound(ends_.begin(), ends_.end(), offset) - ends_.begin());
+}
+
 void Complaints::add(int line, const std::string& text) {
     errors_.push_back(fmt::format("{}:{}: {}", file_, line, text));
 }
@@ -39,21 +49,20 @@ void Complaints::raise() const {
 }
 
 std::string Element::shown() const {
-    return has("name") ? fmt::format("<{} {}>", tag(), in_quotes(element_->Attribute("name")))
-                       : fmt::format("<{}>", tag());
+    return has("name") ? fmt::format("<{} {}>", tag(), in_quotes(value("name"))) : fmt::format("<{}>", tag());
 }
 
 std::vector<Element> Element::children() const {
     std::vector<Element> all;
-    for (const auto* child = element_->FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
-        all.emplace_back(*child, *sink_);
+    for (const pugi::xml_node& child : element_.children()) {
+        if (child.type() == pugi::node_element) { all.emplace_back(child, *sink_); }
     }
     return all;
 }
 
 std::optional<Element> Element::child(const char* tag) const {
-    const auto* found = element_->FirstChildElement(tag);
-    return found != nullptr ? std::optional<Element>(Element(*found, *sink_)) : std::nullopt;
+    const pugi::xml_node found = element_.child(tag);
+    return found ? std::optional<Element>(Element(found, *sink_)) : std::nullopt;
 }
 
 std::optional<Element> Element::require(const char* tag) const {
@@ -67,12 +76,12 @@ std::string Element::text(const char* attribute) const {
         error(fmt::format("expected an attribute {}, got none", attribute));
         return "";
     }
-    return element_->Attribute(attribute);
+    return value(attribute);
 }
 
 std::vector<double> Element::numbers(const char* attribute) const {
     std::vector<double> values;
-    std::istringstream words(element_->Attribute(attribute));
+    std::istringstream words(value(attribute));
     for (std::string word; words >> word;) {
         const auto value = number_of(word);
         if (!value) {
@@ -100,7 +109,7 @@ std::array<double, 3> Element::vector(const char* attribute, std::array<double, 
     if (!has(attribute)) { return otherwise; }
     const std::vector<double> values = numbers(attribute);
     if (values.size() == 3) { return {values[0], values[1], values[2]}; }
-    error(fmt::format("expected three numbers as {}, got {}", attribute, in_quotes(element_->Attribute(attribute))));
+    error(fmt::format("expected three numbers as {}, got {}", attribute, in_quotes(value(attribute))));
     return otherwise;
 }
 

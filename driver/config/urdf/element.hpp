@@ -3,11 +3,10 @@
 // Elements of an XML file with their places. Internal to the reader of URDF.
 #pragma once
 
-#include <tinyxml2.h>
-
 #include <array>
-#include <memory>
+#include <cstddef>
 #include <optional>
+#include <pugixml.hpp>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,9 @@ namespace kreisel::urdf {
 /// What is wrong with a file, and what of it is left out.
 class Complaints {
   public:
-    explicit Complaints(std::string file) : file_(std::move(file)) {}
+    Complaints(std::string file, const std::string& text);
+    /// The line of the character at `offset` of the text.
+    int line_at(std::ptrdiff_t offset) const;
     void add(int line, const std::string& text);
     /// `text` without a place, once.
     void remark(const std::string& text);
@@ -27,15 +28,16 @@ class Complaints {
 
   private:
     std::string file_;
+    std::vector<std::ptrdiff_t> ends_;  // of the lines
     std::vector<std::string> errors_, remarks_;
 };
 
 class Element {
   public:
-    Element(const tinyxml2::XMLElement& element, Complaints& complaints) : element_(&element), sink_(&complaints) {}
+    Element(const pugi::xml_node& element, Complaints& complaints) : element_(element), sink_(&complaints) {}
 
-    std::string tag() const { return element_->Name(); }
-    int line() const { return element_->GetLineNum(); }
+    std::string tag() const { return element_.name(); }
+    int line() const { return sink_->line_at(element_.offset_debug()); }
     /// `<joint "elbow">`, or `<origin>`.
     std::string shown() const;
     void error(const std::string& text) const { sink_->add(line(), shown() + ": " + text); }
@@ -46,7 +48,7 @@ class Element {
     /// An error where there is none.
     std::optional<Element> require(const char* tag) const;
 
-    bool has(const char* attribute) const { return element_->Attribute(attribute) != nullptr; }
+    bool has(const char* attribute) const { return !element_.attribute(attribute).empty(); }
     /// Empty with an error where there is none.
     std::string text(const char* attribute) const;
     /// `otherwise` where there is none; an error where it is no number.
@@ -55,9 +57,10 @@ class Element {
     std::array<double, 3> vector(const char* attribute, std::array<double, 3> otherwise) const;
 
   private:
+    std::string value(const char* attribute) const { return element_.attribute(attribute).value(); }
     std::vector<double> numbers(const char* attribute) const;
 
-    const tinyxml2::XMLElement* element_;
+    pugi::xml_node element_;
     Complaints* sink_;
 };
 

@@ -251,19 +251,41 @@ void check_start(const std::map<std::string, double>& values, const char* key, c
     }
 }
 
+/// Complains of attributes that an element has twice, which the parser takes.
+struct Doubles final : pugi::xml_tree_walker {
+    explicit Doubles(Complaints& sink) : complaints(&sink) {}
+    bool for_each(pugi::xml_node& node) override {
+        for (const pugi::xml_attribute& one : node.attributes()) {
+            if (node.attribute(one.name()) == one) { continue; }
+            Element(node, *complaints).error(fmt::format("expected each attribute once, got {} twice", one.name()));
+        }
+        return true;
+    }
+    Complaints* complaints;
+};
+
+void parse(const std::string& text, pugi::xml_document& document, Complaints& complaints) {
+    const auto result = document.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
+    if (result.status == pugi::status_no_document_element) {
+        complaints.add(1, "expected <robot>, got no element");
+    } else if (!result) {
+        complaints.add(complaints.line_at(result.offset),
+                       fmt::format("expected XML, got an error: {}", result.description()));
+    }
+    complaints.raise();
+    Doubles doubles(complaints);
+    document.traverse(doubles);
+    complaints.raise();
+}
+
 }  // namespace
 
 Mechanism read_mechanism(const std::filesystem::path& file, const Start& start) {
     const std::string text = read_text(file);
-    Complaints complaints(file.string());
-    tinyxml2::XMLDocument document;
-    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-        complaints.add(document.ErrorLineNum(), fmt::format("expected XML, got an error: {}", document.ErrorName()));
-    } else if (document.RootElement() == nullptr) {
-        complaints.add(1, "expected <robot>, got no element");
-    }
-    complaints.raise();
-    const Robot robot = read_robot(Element(*document.RootElement(), complaints));
+    Complaints complaints(file.string(), text);
+    pugi::xml_document document;
+    parse(text, document, complaints);
+    const Robot robot = read_robot(Element(document.document_element(), complaints));
     complaints.raise();
     check_start(start.positions, "positions", robot, complaints);
     check_start(start.rates, "rates", robot, complaints);

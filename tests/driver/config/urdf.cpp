@@ -229,7 +229,10 @@ TEST_CASE("each robot that cannot be taken is refused at its line", "[urdf]") {
     const std::string j = joint("j", "revolute", "a", "b");
     const std::pair<std::string, std::string> bad[] = {
         {"<robot><link", "r.urdf:1: expected XML, got an error"},
-        {"", "r.urdf:"},
+        {"<robot>\n<link>\n</robot>", "r.urdf:3: expected XML, got an error"},
+        {"", "r.urdf:1: expected <robot>, got no element"},
+        {robot(a + "<link name=\"b\" name=\"c\"/>"),
+         "r.urdf:3: <link \"b\">: expected each attribute once, got name twice"},
         {"<robt/>", "r.urdf:1: <robt>: expected <robot>, got <robt>"},
         {robot(a + b + joint("j", "planar", "a", "b")), "r.urdf:4: <joint \"j\">: expected a joint that is revolute"},
         {robot(a + b + joint("j", "revolut", "a", "b")), "got \"revolut\"; did you mean \"revolute\"?"},
