@@ -59,6 +59,14 @@ double cost_of(const PlannedCell& planned, const MethodDescription& method, cons
     return start_s + run + (is_timed ? std::max(timed_s, (timing_rounds - 1) * run) : 0);
 }
 
+double first_round_share(const PlannedCell& planned) {
+    const Cell& cell = planned.run->cell;
+    if (!cell.timed && !cell.repeated) { return 1; }
+    const bool is_short = planned.weight * (timing_rounds - 1) < timed_s * timing_rounds;
+    // A short run is repeated in each round; beside that, the run that is measured counts for nothing.
+    return cell.timed || is_short ? 1.0 / timing_rounds : 2.0 / (timing_rounds + 1);
+}
+
 double cost_of(const PlannedReference& planned, const SystemSummary& system) {
     const double t_begin = planned.begin ? planned.begin->t.value : 0;
     return reference_s * (planned.t_end - t_begin) * unknowns(system);
