@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -16,6 +17,7 @@
 #include "driver/campaign/dispatch/effort.hpp"
 #include "driver/campaign/workers/forker.hpp"
 #include "driver/campaign/workers/message.hpp"
+#include "driver/plan/cost.hpp"
 #include "tests/driver/command_line.hpp"
 #include "tests/driver/workers/program_process.hpp"
 
@@ -119,6 +121,23 @@ TEST_CASE("the outlook of a run takes the time left neither from a tiny first ce
     after_references.cells.add(10);
     after_references.cells.end(2, 2);
     CHECK(outlook(after_references, {}, 1).seconds_left == Approx(8));
+}
+
+TEST_CASE("a cell whose CPU time is taken is done after the last of its rounds") {
+    const auto share = [](bool timed, bool repeated, double weight) {
+        auto run = std::make_shared<PlannedRun>();
+        run->cell.timed = timed;
+        run->cell.repeated = repeated;
+        PlannedCell planned;
+        planned.run = run;
+        planned.weight = weight;
+        return first_round_share(planned);
+    };
+    CHECK(share(false, false, 10) == 1);
+    CHECK(share(true, false, 10) == Approx(1.0 / timing_rounds));
+    // A long run is measured and repeated in the first of five rounds, a short one is repeated in each.
+    CHECK(share(false, true, 10) == Approx(2.0 / (timing_rounds + 1)));
+    CHECK(share(false, true, 0.3) == Approx(1.0 / timing_rounds));
 }
 
 TEST_CASE("workers tell how far they are, each at a place of its own, and leave it when they die") {
