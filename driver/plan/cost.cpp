@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/pattern.hpp"
@@ -52,14 +53,17 @@ double steps_of(const PlannedCell& planned) {
 // differences of six along two columns for each degree of freedom (engine/structure/step_derivative.hpp); for a
 // reversal two.
 double probing_steps(const PlannedCell& planned, const MethodDescription& method, const SystemSummary& system) {
-    const std::vector<std::string>& metrics = planned.run->cell.metrics;
-    const int freedoms = system.velocities - system.constraints.rank;
-    const auto is_asked = [&](const std::string& name) {
-        return matches_any(metrics, name) || matches_any(metrics, name + ".uncertainty") ? 1 : 0;
-    };
     if (planned.tolerance > 0 || method.keeps_memory) { return 0; }
-    const int forms = freedoms > most_freedoms ? 0 : is_asked("structure.symplectic") + is_asked("structure.volume");
-    return 2.0 * (forms * (12 * freedoms + 1) + 2 * is_asked("structure.reversal"));
+    const auto asked = [&](std::string_view name, std::string_view uncertainty) {
+        const std::vector<std::string>& metrics = planned.run->cell.metrics;
+        return matches_any(metrics, name) || matches_any(metrics, uncertainty) ? 1 : 0;
+    };
+    const int forms = asked("structure.symplectic", "structure.symplectic.uncertainty") +
+                      asked("structure.volume", "structure.volume.uncertainty");
+    const int reversals = asked("structure.reversal", "structure.reversal.uncertainty");
+    const int freedoms = system.velocities - system.constraints.rank;
+    const int of_form = freedoms > most_freedoms ? 0 : 12 * freedoms + 1;
+    return 2.0 * (forms * of_form + 2 * reversals);
 }
 
 // Measuring and projecting a step cost about as much as a stage.
