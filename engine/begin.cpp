@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/begin.hpp"
 
-#include <algorithm>
+#include <map>
 #include <set>
 
 #include "engine/report/report.hpp"
@@ -25,11 +25,6 @@ std::string objection(const char* what, const std::set<std::string>& expected, c
     if (expected == got) return "";
     return std::string("expected a state of this mechanism, with the ") + what + " " + listed(expected) + ", got " +
            listed(got);
-}
-
-const ReportedBody& body_named(const BeginState& begin, const std::string& name) {
-    return *std::find_if(begin.bodies.begin(), begin.bodies.end(),
-                         [&](const ReportedBody& body) { return body.name == name; });
 }
 
 BodyState state_of(const ReportedBody& body) {
@@ -118,7 +113,9 @@ std::string why_not_of(const Model& model, const BeginState& begin) {
 }
 
 Model moved_to(Model model, const BeginState& begin) {
-    for (Body& body : model.bodies) body.start = state_of(body_named(begin, body.name));
+    std::map<std::string, const ReportedBody*> given;
+    for (const ReportedBody& body : begin.bodies) given[body.name] = &body;
+    for (Body& body : model.bodies) body.start = state_of(*given.at(body.name));
     const auto springs = names_of_torsion_springs(model);
     for (std::size_t i = 0; i < springs.size(); ++i) model.torsion_springs[i].turns = begin.turns.at(springs[i]);
     return model;

@@ -85,19 +85,18 @@ class RealEngine final : public Engine {
         return rotation_stability(entry, with_defaults({}, entry.description.options));
     }
     std::string skip_reason(const Cell& cell) const override { return why_skipped(cell); }
-    Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,
-                SampleSink* samples) const override {
-        return run_cell(cell, reference, stop, samples);
+    Outcome run(const Cell& cell, const Reference* reference, const Watch& watch, SampleSink* samples) const override {
+        return run_cell(cell, reference, watch, samples);
     }
 
-    std::optional<double> run_time(const Cell& cell, const std::stop_token& stop) const override {
-        return time_cell(cell, stop);
+    std::optional<double> run_time(const Cell& cell, const Watch& watch) const override {
+        return time_cell(cell, watch);
     }
 
     using Engine::reference;
     Reference reference(const std::string& name, const ParameterValues& values, const BeginState* begin, double t_end,
-                        long samples, const std::stop_token& stop) const override {
-        return reported_reference(problem(name), values, begin, t_end, samples, stop);
+                        long samples, const Watch& watch) const override {
+        return reported_reference(problem(name), values, begin, t_end, samples, watch);
     }
     using Engine::check_reference;
     ReferenceCheck check_reference(const std::string& name, const ParameterValues& values, const BeginState* begin,

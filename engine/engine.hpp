@@ -10,7 +10,6 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "mechanics/model/data.hpp"
 #include "methods/contract/description.hpp"
 #include "problems/description.hpp"
+#include "support/watch.hpp"
 
 namespace kreisel {
 
@@ -244,7 +244,8 @@ struct SchemeRow {
     std::vector<std::string> coefficients;  ///< rationals, or decimals
 };
 
-/// All numerical code of one precision. Thread-safe: every call builds its own objects.
+/// All numerical code of one precision. Thread-safe: every call builds its own objects. What takes a Watch tells it the
+/// share that is done, of its steps or of its time where their sizes are chosen, and 1 where it has come to its end.
 class Engine {
   public:
     virtual ~Engine() = default;
@@ -274,24 +275,24 @@ class Engine {
     virtual std::string skip_reason(const Cell&) const = 0;
     /// Runs one cell. `reference` may be null: then no error.* is measured. `samples` may be null too: samples are then
     /// taken and dropped.
-    virtual Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const = 0;
-    Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop) const {
-        return run(cell, reference, stop, nullptr);
+    virtual Outcome run(const Cell&, const Reference* reference, const Watch&, SampleSink* samples) const = 0;
+    Outcome run(const Cell& cell, const Reference* reference, const Watch& watch) const {
+        return run(cell, reference, watch, nullptr);
     }
     /// A further round of a timed or repeated cell: mean CPU time of its runs, s; nothing if they do not come to the
     /// end.
-    virtual std::optional<double> run_time(const Cell&, const std::stop_token&) const = 0;
+    virtual std::optional<double> run_time(const Cell&, const Watch&) const = 0;
     /// The reference solution of a problem at `t_end`, and at so many equidistant samples on the way, from its start,
     /// or from `begin` where it is not null; requested only from the quad engine.
     virtual Reference reference(const std::string& problem, const ParameterValues&, const BeginState* begin,
-                                double t_end, long samples, const std::stop_token&) const = 0;
+                                double t_end, long samples, const Watch&) const = 0;
     Reference reference(const std::string& problem, const ParameterValues& parameters, double t_end, long samples,
-                        const std::stop_token& stop) const {
-        return reference(problem, parameters, nullptr, t_end, samples, stop);
+                        const Watch& watch) const {
+        return reference(problem, parameters, nullptr, t_end, samples, watch);
     }
     Reference reference(const std::string& problem, const ParameterValues& parameters, double t_end,
-                        const std::stop_token& stop) const {
-        return reference(problem, parameters, nullptr, t_end, 0, stop);
+                        const Watch& watch) const {
+        return reference(problem, parameters, nullptr, t_end, 0, watch);
     }
     /// Compares a reference with a computation of its states by the second route.
     virtual ReferenceCheck check_reference(const std::string& problem, const ParameterValues&, const BeginState* begin,

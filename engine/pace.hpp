@@ -12,7 +12,8 @@ inline namespace KREISEL_PRECISION {
 class Pace {
   public:
     /// Refers to both; from the time of the simulation.
-    Pace(const Cell& cell, Simulation& simulation) : cell_(cell), simulation_(simulation), t_end_(decimal(cell.t_end)) {
+    Pace(const Cell& cell, Simulation& simulation)
+        : cell_(cell), simulation_(simulation), t_begin_(simulation.time()), t_end_(decimal(cell.t_end)) {
         if (cell.steps > 0) times_ = StepTimes(simulation.time(), t_end_, cell.steps);
     }
 
@@ -20,6 +21,11 @@ class Pace {
     const Real& t_end() const { return t_end_; }
     long steps_done() const { return done_; }
     bool arrived() const { return to_tolerance() ? simulation_.time() == t_end_ : done_ == cell_.steps; }
+    /// The share of the run that is done: of its steps, or of its time where their sizes are chosen.
+    double share() const {
+        return to_tolerance() ? to_double((simulation_.time() - t_begin_) / (t_end_ - t_begin_))
+                              : static_cast<double>(done_) / static_cast<double>(cell_.steps);
+    }
 
     /// From the state of the simulation at its time, which is that of the start.
     Status begin() {
@@ -40,7 +46,7 @@ class Pace {
   private:
     const Cell& cell_;
     Simulation& simulation_;
-    Real t_end_;
+    Real t_begin_, t_end_;
     StepTimes times_;
     long done_ = 0;
 };

@@ -85,10 +85,10 @@ std::map<std::string, Number> difference_from(const ReportedState& state, const 
 }  // namespace
 
 Reference reported_reference(const Problem& problem, const ParameterValues& values, const BeginState* begin,
-                             double t_end, long samples, const std::stop_token& stop) {
+                             double t_end, long samples, const Watch& watch) {
     const auto [model, t_begin] = begun(problem, values, begin);
     const auto rows = constraint_rows(model);
-    ReferenceSolution solution = confirmed_reference(model, decimal(t_end), stop, samples, t_begin);
+    ReferenceSolution solution = confirmed_reference(model, decimal(t_end), watch, samples, t_begin);
     if (solution.interrupted) return {.state = {}, .error = {}, .interrupted = true};
     if (!solution.stopped.empty())
         return {.state = {}, .error = {}, .horizon = 0, .route = solution.route + ", stopped: " + solution.stopped};

@@ -3,8 +3,6 @@
 // References as the driver sees them: states and bounds of their errors as numbers.
 #pragma once
 
-#include <stop_token>
-
 #include "engine/engine.hpp"
 #include "problems/problem.hpp"
 
@@ -14,7 +12,7 @@ inline namespace KREISEL_PRECISION {
 /// Engine::reference; where the problem has a closed form, the distance from it counts as error too, unless the motion
 /// begins elsewhere.
 Reference reported_reference(const Problem& problem, const ParameterValues& values, const BeginState* begin,
-                             double t_end, long samples, const std::stop_token& stop);
+                             double t_end, long samples, const Watch& watch);
 
 /// Engine::check_reference.
 ReferenceCheck checked_reference(const Problem& problem, const ParameterValues& values, const BeginState* begin,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/run.hpp"
 
+#include <algorithm>
+
 #include "engine/begin.hpp"
 #include "engine/observers/conservation.hpp"
 #include "engine/observers/errors.hpp"
@@ -16,6 +18,11 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 namespace {
+
+/// Some milliseconds of a body's steps, after which a run looks at its watch.
+constexpr long steps_of_a_body = KREISEL_QUAD ? 16 : 256;
+/// What the run that is measured takes of a cell whose run is then repeated.
+constexpr double measured_share = 0.5;
 
 /// Sum of all entries: finite if and only if all entries are, except for overflow, which ends a run too.
 bool all_finite(const std::vector<Real>& y) {
@@ -65,18 +72,19 @@ class Run {
   public:
     /// `reference` and `sink` may be null.
     Run(const Cell& cell, const Reference* reference, SampleSink* sink);
-    Outcome execute(const std::stop_token& stop);
+    Outcome execute(const Watch& watch);
     /// A round of runs without measuring: their mean time, s; nothing if one has not come to its end.
-    std::optional<double> time(const std::stop_token& stop);
+    std::optional<double> time(const Watch& watch);
 
   private:
     bool observes() const { return !step_metrics_.idle() || !integral_metrics_.idle() || sampler_; }
     void observe();
-    void advance(bool observing, const std::stop_token& stop);
+    void advance(bool observing, const Watch& watch);
     void observe_step();
-    void measure(const std::stop_token& stop);
-    void time_steps(const std::stop_token& stop);
-    RepeatedTimes repeat(const std::stop_token& stop);
+    void measure(const Watch& watch);
+    double share_of_probe() const;
+    void time_steps(const Watch& watch);
+    RepeatedTimes repeat(Watch watch);
     Cost work() const;
     std::string place(long step) const;
     [[gnu::cold]] void fail(Status status, const std::string& where, const std::string& reason = "");
@@ -92,6 +100,7 @@ class Run {
     const std::vector<Real> start_;
     const Real begin_;
     Pace pace_;
+    const long steps_between_looks_;
     Observation observation_;
     StepMetrics step_metrics_;
     IntegralMetrics integral_metrics_;
@@ -112,6 +121,7 @@ Run::Run(const Cell& cell, const Reference* reference, SampleSink* sink)
       start_(placed(simulation_, cell)),
       begin_(simulation_.time()),
       pace_(cell, simulation_),
+      steps_between_looks_(std::max(1L, steps_of_a_body / simulation_.system().bodies())),
       observation_(simulation_.system()),
       step_metrics_(simulation_.system(), cell.metrics),
       integral_metrics_(simulation_.system(), cell.metrics) {
@@ -131,21 +141,30 @@ Run::Run(const Cell& cell, const Reference* reference, SampleSink* sink)
                          between_steps(cell), sink);
 }
 
-Outcome Run::execute(const std::stop_token& stop) {
+Outcome Run::execute(const Watch& watch) {
     const double begin = thread_seconds();
-    cell_.timed ? time_steps(stop) : measure(stop);
+    cell_.timed ? time_steps(watch) : measure(cell_.repeated ? watch.part(0, measured_share) : watch);
     finish();
     outcome_.cost.cpu_s = thread_seconds() - begin;
-    if (cell_.repeated && outcome_.status == "ok") outcome_.cost.run_s = repeat(stop).mean();
+    if (cell_.repeated && outcome_.status == "ok") outcome_.cost.run_s = repeat(watch.part(measured_share, 1)).mean();
     return std::move(outcome_);
 }
 
-void Run::measure(const std::stop_token& stop) {
+void Run::measure(const Watch& watch) {
     observe();
     if (structure_) structure_->observe(simulation_.time(), start_);
     if (sampler_) sampler_->begin(observation_);
-    advance(observes(), stop);
+    const double probed = share_of_probe();
+    advance(observes(), watch.part(probed, 1 - probed));
     outcome_.cost = work();
+}
+
+/// What the step at the start takes of a cell whose steps are measured at both ends, by solves.
+double Run::share_of_probe() const {
+    if (!structure_ || pace_.to_tolerance()) return 0;
+    const double stages = std::max(1, kreisel::method(cell_.method).description.stages);
+    const auto probing = static_cast<double>(structure_->evaluations());
+    return probing / (2 * probing + stages * static_cast<double>(cell_.steps));
 }
 
 void Run::observe() {
@@ -155,37 +174,44 @@ void Run::observe() {
 }
 
 /// The work counted is that of the first run.
-void Run::time_steps(const std::stop_token& stop) {
+void Run::time_steps(const Watch& watch) {
     if (memory_ > 0) outcome_.cost.memory = memory_;
-    const RepeatedTimes times = repeat(stop);
+    const RepeatedTimes times = repeat(watch);
     if (outcome_.status != "ok") return;
     outcome_.cost.run_s = times.mean();
     outcome_.cost.step_s = times.mean() / static_cast<double>(outcome_.steps_done);
 }
 
-/// Runs several times from the start, without observers.
-RepeatedTimes Run::repeat(const std::stop_token& stop) {
+/// Runs several times from the start, without observers. What takes more than one run is soon done, so that the first
+/// counts for all.
+RepeatedTimes Run::repeat(Watch watch) {
     RepeatedTimes times;
     while (outcome_.status == "ok" && !times.enough()) {
         simulation_.restart(begin_, start_);
         const double begin = thread_seconds();
-        advance(false, stop);
+        advance(false, watch);
         times.add(thread_seconds() - begin);
+        watch = watch.part(1, 1);
         if (cell_.timed && outcome_.cost.evaluations == 0) outcome_.cost = work();
     }
     return times;
 }
 
-void Run::advance(bool observing, const std::stop_token& stop) {
+void Run::advance(bool observing, const Watch& watch) {
     outcome_.steps_done = 0;
     if (const Status status = pace_.begin(); status != Status::ok)
         return fail(status, simulation_.failed_part(), simulation_.failure_reason());
     const std::vector<Real>& y = simulation_.state();
     const bool sampling = observing && sampler_;
+    long next_look = 0;
     while (!pace_.arrived()) {
-        if (outcome_.steps_done % 256 == 0 && stop.stop_requested()) {
-            outcome_.status = "interrupted";
-            return;
+        if (outcome_.steps_done >= next_look) {
+            if (watch.stop_requested()) {
+                outcome_.status = "interrupted";
+                return;
+            }
+            watch.tell(pace_.share());
+            next_look += steps_between_looks_;
         }
         if (sampling) sampler_->remember();
         const Status status = pace_.step(sampling ? sampler_->limit() : pace_.t_end());
@@ -194,6 +220,7 @@ void Run::advance(bool observing, const std::stop_token& stop) {
         outcome_.steps_done = pace_.steps_done();
         if (observing) observe_step();
     }
+    watch.tell(1);
 }
 
 void Run::observe_step() {
@@ -228,8 +255,8 @@ Cost Run::work() const {
     return cost;
 }
 
-std::optional<double> Run::time(const std::stop_token& stop) {
-    const double seconds = repeat(stop).mean();
+std::optional<double> Run::time(const Watch& watch) {
+    const double seconds = repeat(watch).mean();
     return outcome_.status == "ok" ? std::optional(seconds) : std::nullopt;
 }
 
@@ -276,12 +303,14 @@ void Run::report_end(const Real& t) {
 
 }  // namespace
 
-Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop, SampleSink* samples) {
-    return Run(cell, reference, samples).execute(stop);
+Outcome run_cell(const Cell& cell, const Reference* reference, const Watch& watch, SampleSink* samples) {
+    Outcome outcome = Run(cell, reference, samples).execute(watch);
+    if (outcome.status == "ok") watch.tell(1);
+    return outcome;
 }
 
-std::optional<double> time_cell(const Cell& cell, const std::stop_token& stop) {
-    return Run(cell, nullptr, nullptr).time(stop);
+std::optional<double> time_cell(const Cell& cell, const Watch& watch) {
+    return Run(cell, nullptr, nullptr).time(watch);
 }
 
 }  // namespace KREISEL_PRECISION

@@ -3,8 +3,6 @@
 // Runs one cell.
 #pragma once
 
-#include <stop_token>
-
 #include "engine/engine.hpp"
 #include "lie/real.hpp"
 
@@ -12,11 +10,10 @@ namespace kreisel {
 inline namespace KREISEL_PRECISION {
 
 /// `reference` and `samples` may be null: no errors are measured, samples are dropped.
-Outcome run_cell(const Cell& cell, const Reference* reference, const std::stop_token& stop,
-                 SampleSink* samples = nullptr);
+Outcome run_cell(const Cell& cell, const Reference* reference, const Watch& watch, SampleSink* samples = nullptr);
 
 /// Engine::run_time.
-std::optional<double> time_cell(const Cell& cell, const std::stop_token& stop);
+std::optional<double> time_cell(const Cell& cell, const Watch& watch);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

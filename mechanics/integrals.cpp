@@ -123,11 +123,6 @@ void add_momenta(const Shared& model, std::vector<FirstIntegral>& integrals) {
     }
 }
 
-/// Whether neither a joint nor a force acts on a body; gravity has no moment about its mass centre.
-bool is_free(const Model& model, int body, const BodyJoints& joints) {
-    return joints.empty() && !model.any([body](const auto& force) { return force.touches(body); });
-}
-
 /// |J omega|, the Casimir of so(3)*: m = J omega moves on its coadjoint orbit, a sphere [hairer2006, Sec. VII.5].
 Terms size_of_momentum(const Body& body, const BodyState& s) {
     Terms sum;
@@ -136,22 +131,22 @@ Terms size_of_momentum(const Body& body, const BodyState& s) {
 }
 
 void add_body_integrals(const Shared& model, std::vector<FirstIntegral>& integrals) {
-    const std::vector<BodyJoints> joints = joints_of_bodies(*model);
+    const std::vector<BodyTies> ties = ties_of_bodies(*model);
     for (std::size_t i = 0; i < model->bodies.size(); ++i) {
         const Body& body = model->bodies[i];
         const std::string suffix = model->bodies.size() > 1 ? "_" + body.name : "";
-        if (const auto e = free_spin_axis(*model, static_cast<int>(i), joints[i]))
+        if (const auto e = free_spin_axis(body, static_cast<int>(i), ties[i]))
             integrals.push_back(integral("body_momentum" + suffix, "N m s",
                                          "the body is symmetric about an axis along which no moment acts",
                                          [model, e = *e, i](const MotionState& s) {
                                              const Vec3 spin = model->bodies[i].J * s.bodies[i].omega;
                                              return Terms{e.dot(spin), spin.norm()};
                                          }));
-        if (is_free(*model, static_cast<int>(i), joints[i]))
+        if (ties[i].none())  // gravity has no moment about its mass centre
             integrals.push_back(integral(
                 "body_momentum_norm" + suffix, "N m s", "no moment acts on the body: the Casimir of its momentum",
                 [model, i](const MotionState& s) { return size_of_momentum(model->bodies[i], s.bodies[i]); }));
-        if (const auto top = kovalevskaya_top(*model, static_cast<int>(i), joints[i]))
+        if (const auto top = kovalevskaya_top(body, static_cast<int>(i), ties[i], model->gravity))
             integrals.push_back(
                 integral("kovalevskaya" + suffix, "1/s^4",
                          "a heavy top with A = B = 2 C and its mass centre in the plane of A and B",

@@ -69,7 +69,9 @@ void run_workers(const Plan& plan, const Forker& forker, Ledger& ledger, const R
                  const RunSettings& settings, std::ostream& messages, CampaignReport& report) {
     Progress progress(messages, plan.config.name, settings.terminal);
     const auto start = std::chrono::steady_clock::now();
-    Dispatcher dispatcher(plan, forker, ledger, resources_of(plan, settings), [&] { progress.show(ledger.progress); });
+    Dispatcher dispatcher(plan, forker, ledger, resources_of(plan, settings), [&](Dispatcher& run) {
+        if (progress.is_due()) { progress.show(run.progress()); }
+    });
     dispatcher.enqueue(wanted_references(plan, ledger, store),
                        settings.references_only ? std::vector<std::size_t>() : ledger.mine());
     dispatcher.run();
@@ -175,8 +177,8 @@ CampaignReport run_campaign(const Plan& plan, const Engines& engines, const std:
                             const RunSettings& settings, std::ostream& messages) {
     const InterruptGuard guard;
     WorkerTasks work(plan, engines, folder, settings);
-    const Forker forker([&](const Descriptor& socket, const Printed& printed, const std::stop_token& stop) {
-        work.serve(socket, printed, stop);
+    const Forker forker([&](const Descriptor& socket, const Printed& printed, const Watch& watch) {
+        work.serve(socket, printed, watch);
     });
     prepare(folder, plan);
     const std::string shard = shard_name(settings);

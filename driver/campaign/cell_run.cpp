@@ -40,10 +40,10 @@ Outcome ended(std::string status, std::string detail) {
     return outcome;
 }
 
-Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Reference* reference,
-                 const std::stop_token& stop, SampleSink* samples) {
+Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Reference* reference, const Watch& watch,
+                 SampleSink* samples) {
     try {
-        return checked(engine.run(planned.cell(), reference, stop, samples));
+        return checked(engine.run(planned.cell(), reference, watch, samples));
     } catch (const FileError&) { throw; } catch (const std::bad_alloc&) {
         return ended(status::out_of_memory, "");
     } catch (const std::exception& error) { return ended(status::exception, error.what()); } catch (...) {

@@ -3,7 +3,6 @@
 // Runs one cell and names how it ended.
 #pragma once
 
-#include <stop_token>
 #include <string>
 
 #include "records/cell/planned.hpp"
@@ -17,8 +16,8 @@ inline constexpr const char* not_an_exception = "something other than a std::exc
 Outcome ended(std::string status, std::string detail);
 
 /// Runs one cell; an exception becomes its status, except a FileError of `samples`, which may be null.
-Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Reference* reference,
-                 const std::stop_token& stop, SampleSink* samples);
+Outcome run_cell(const PlannedCell& planned, const Engine& engine, const Reference* reference, const Watch& watch,
+                 SampleSink* samples);
 
 /// The record of a cell that has run. Samples of one that threw are not kept, and have no sum.
 CellRecord record_of_run(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,

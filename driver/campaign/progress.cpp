@@ -38,35 +38,25 @@ std::string cut_to_terminal(std::string text, unsigned columns) {
     return text;
 }
 
-double seconds_left(double elapsed, double done, double total) {
-    const double presumed = total / 50;  // to have been done before, in the time that was estimated
-    return (total - done) * (elapsed + presumed) / (done + presumed);
+Progress::Progress(std::ostream& out, std::string name, bool terminal)
+    : out_(out), name_(std::move(name)), terminal_(terminal), silent_(terminal && !rewrites_lines()) {}
+
+bool Progress::is_due() const {
+    const double interval = terminal_ ? terminal_interval : log_interval;
+    return !silent_ && std::chrono::duration<double>(Clock::now() - last_).count() >= interval;
 }
 
-Progress::Progress(std::ostream& out, std::string name, bool terminal)
-    : out_(out),
-      name_(std::move(name)),
-      terminal_(terminal),
-      silent_(terminal && !rewrites_lines()),
-      start_(Clock::now()),
-      last_(start_) {}
-
 void Progress::show(const ProgressState& state) {
-    if (silent_) { return; }
-    const auto now = Clock::now();
-    const auto seconds = [](Clock::duration span) { return std::chrono::duration<double>(span).count(); };
-    if (seconds(now - last_) < (terminal_ ? terminal_interval : log_interval)) { return; }
-    last_ = now;
-    if (state.references_done < state.references && state.weight_done <= 0) { start_ = now; }  // of the cells
-    std::string text = fmt::format("{}: {}/{} cells", name_, state.done, state.total);
+    if (!is_due()) { return; }
+    last_ = Clock::now();
+    // Rounded down: 100 % is the end.
+    std::string text =
+        fmt::format("{}: {:.1f} %, {}/{} cells", name_, std::floor(1000 * state.share) / 10, state.done, state.total);
     if (state.references_done < state.references) {
         text += fmt::format(", {}/{} reference solutions", state.references_done, state.references);
     }
     if (state.failed > 0) { text += fmt::format(", {} failed", state.failed); }
-    if (state.weight_done > 0 && state.weight_total > state.weight_done) {
-        const double left = seconds_left(seconds(now - start_), state.weight_done, state.weight_total);
-        text += ", about " + duration_text(left) + " left";
-    }
+    if (state.share > 0 && state.seconds_left > 0) { text += ", about " + duration_text(state.seconds_left) + " left"; }
     if (terminal_) {
         out_ << "\r\x1b[K" << cut_to_terminal(std::move(text), terminal_columns())
              << std::flush;  // erase to the end of the line

@@ -12,7 +12,11 @@ namespace kreisel {
 /// of steps to a tolerance and of Newton iterations are guessed.
 double cost_of(const PlannedCell& planned, const MethodDescription& method, const SystemSummary& system);
 
-/// The same of a reference of that system.
+/// The part of such a cost that a cell's own job takes where its CPU time is taken in further rounds, which share the
+/// rest alike; else 1.
+double first_round_share(const PlannedCell& planned);
+
+/// The same cost of a reference of that system.
 double cost_of(const PlannedReference& planned, const SystemSummary& system);
 
 }  // namespace kreisel

@@ -133,12 +133,12 @@ std::vector<Generator> space_symmetries(const Model& model) {
 
 std::vector<Generator> spin_symmetries(const Model& model) {
     std::vector<Generator> all;
-    std::vector<BodyJoints> joints = joints_of_bodies(model);
+    std::vector<BodyTies> ties = ties_of_bodies(model);
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
         const int body = static_cast<int>(i);
         // Disks aside, what leaves a spin free is what leaves its momentum constant.
-        std::erase_if(joints[i], [&](const Joint* joint) { return is_central_disk(model, *joint, body); });
-        const auto axis = free_spin_axis(model, body, joints[i]);
+        std::erase_if(ties[i].joints, [&](const Joint* joint) { return is_central_disk(model, *joint, body); });
+        const auto axis = free_spin_axis(model.bodies[i], body, ties[i]);
         if (!axis) continue;
         Generator one;
         one.spins.assign(model.bodies.size(), Vec3::Zero());

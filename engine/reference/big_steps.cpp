@@ -71,14 +71,15 @@ bool BigSteps::append(BigStepRun& run, const Real& t, const Real& allowed) {
 
 /// The local error is that of H^{2k-1}. Steps shrink no further than to 2^-40 of the whole: a failure there is a
 /// singularity, and an inaccurate step is accepted; the halved run gives the error.
-BigStepRun BigSteps::adaptive(const Real& t_end, Real H, const std::stop_token& stop) {
+BigStepRun BigSteps::adaptive(const Real& t_end, Real H, const Watch& watch) {
     using std::pow;
     BigStepRun run = begin(H);
     const Real smallest = abs(t_end - t_begin_) / 1099511627776;
     const Real infinity = std::numeric_limits<Real>::infinity();
     while (run.times.back() != t_end) {
-        if ((run.interrupted = stop.stop_requested())) return run;
+        if ((run.interrupted = watch.stop_requested())) return run;
         const Real t = run.times.back(), left = t_end - t;
+        watch.tell(1 - to_double(left / (t_end - t_begin_)));
         const bool last = abs(H) >= abs(left), minimal = abs(H) <= smallest;
         const bool done = append(run, last ? t_end : Real(t + H), minimal ? infinity : tolerance());
         if (run.status != Status::ok) {
@@ -93,11 +94,12 @@ BigStepRun BigSteps::adaptive(const Real& t_end, Real H, const std::stop_token& 
     return run;
 }
 
-BigStepRun BigSteps::halved(const BigStepRun& coarse, const std::stop_token& stop) {
+BigStepRun BigSteps::halved(const BigStepRun& coarse, const Watch& watch) {
     BigStepRun run = begin(0);
     enlarge(run.sizes, coarse.sizes);
     for (std::size_t n = 1; n < coarse.times.size(); ++n) {
-        if ((run.interrupted = stop.stop_requested())) return run;
+        if ((run.interrupted = watch.stop_requested())) return run;
+        watch.tell(static_cast<double>(n - 1) / static_cast<double>(coarse.times.size() - 1));
         const Real middle = (coarse.times[n - 1] + coarse.times[n]) / 2;
         for (const Real& t : {middle, coarse.times[n]})
             if (!append(run, t, std::numeric_limits<Real>::infinity())) return run;

@@ -4,11 +4,11 @@
 #pragma once
 
 #include <array>
-#include <stop_token>
 #include <vector>
 
 #include "engine/reference/gbs.hpp"
 #include "engine/reference/quaternion_form.hpp"
+#include "support/watch.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -47,9 +47,9 @@ class BigSteps {
     BigSteps& operator=(const BigSteps&) = delete;
 
     /// Big steps as large as the tolerance allows, from the guess H.
-    BigStepRun adaptive(const Real& t_end, Real H, const std::stop_token& stop);
+    BigStepRun adaptive(const Real& t_end, Real H, const Watch& watch);
     /// Every big step of another run in two halves.
-    BigStepRun halved(const BigStepRun& coarse, const std::stop_token& stop);
+    BigStepRun halved(const BigStepRun& coarse, const Watch& watch);
     /// The state of a run at a time within it, by a shorter step from the last big one before.
     Status state_at(const BigStepRun& run, const Real& t, std::vector<Real>& w);
 

@@ -18,6 +18,19 @@ Real first_step(const Model& model, const Real& duration) {
     return duration / max(Real(1), Real(rate * abs(duration) / 2));
 }
 
+/// The share of the work that the coarse run takes, before its number of steps is known: big steps meet their tolerance
+/// where they are some four times shorter than the first one. The fine run has twice as many, a sample takes two.
+double coarse_share(double first_steps, long samples) {
+    const double steps = 4 * first_steps;
+    return steps / (3 * steps + 2 * static_cast<double>(samples));
+}
+
+/// What the fine run takes of the rest.
+double fine_share(std::size_t steps, long samples) {
+    const auto fine = static_cast<double>(steps), sampling = static_cast<double>(samples);
+    return fine > 0 ? fine / (fine + sampling) : 0;
+}
+
 /// Last big step up to which two runs agree.
 std::size_t agreed_steps(const BigStepRun& coarse, const BigStepRun& fine, int bodies) {
     const Real limit = Real(1) / 1000000000000;
@@ -70,11 +83,12 @@ void compare_ends(QuaternionForm& form, const Real& t_end, const BigStepRun& coa
 
 /// At t_end the states of the last big steps themselves.
 void take_samples(BigSteps& steps, const BigStepRun& coarse, const BigStepRun& fine, long count, const Real& t_end,
-                  const std::stop_token& stop, ReferenceSolution& out) {
+                  const Watch& watch, ReferenceSolution& out) {
     const Real t_begin = coarse.times.front();
     std::vector<Real> a, b;
     for (long k = 1; k <= count; ++k) {
-        if ((out.interrupted = stop.stop_requested())) return;
+        if ((out.interrupted = watch.stop_requested())) return;
+        watch.tell(static_cast<double>(k - 1) / static_cast<double>(count));
         const Real t = k == count ? t_end : Real(t_begin + (t_end - t_begin) / Real(count) * Real(k));
         for (const Status s : {steps.state_at(coarse, t, a), steps.state_at(fine, t, b)})
             if (s != Status::ok) out.stopped = name(s);
@@ -87,17 +101,20 @@ void take_samples(BigSteps& steps, const BigStepRun& coarse, const BigStepRun& f
 
 }  // namespace
 
-ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop, long samples,
+ReferenceSolution reference_solution(const Model& model, const Real& t_end, const Watch& watch, long samples,
                                      const Real& t_begin) {
     if (!isfinite(t_end)) throw std::invalid_argument("a reference solution needs a finite end time");
     BigSteps integration(model, t_begin);
-    const BigStepRun coarse = integration.adaptive(t_end, first_step(model, t_end - t_begin), stop);
-    const BigStepRun fine = integration.halved(coarse, stop);
+    const Real H = first_step(model, t_end - t_begin);
+    const double coarse_end = coarse_share(to_double((t_end - t_begin) / H), samples);
+    const BigStepRun coarse = integration.adaptive(t_end, H, watch.part(0, coarse_end));
+    const std::size_t steps = coarse.states.size() - 1;
+    const double fine_end = coarse_end + (1 - coarse_end) * fine_share(steps, samples);
+    const BigStepRun fine = integration.halved(coarse, watch.part(coarse_end, fine_end));
 
     ReferenceSolution out;
     out.interrupted = coarse.interrupted || fine.interrupted;
     if (out.interrupted) return out;
-    const std::size_t steps = coarse.states.size() - 1;
     const std::size_t agreed = agreed_steps(coarse, fine, integration.form.bodies());
     out.horizon = coarse.times[agreed];
     for (std::size_t n = 0; n <= agreed && 2 * n < fine.states.size(); ++n)
@@ -109,12 +126,13 @@ ReferenceSolution reference_solution(const Model& model, const Real& t_end, cons
         if (run->status != Status::ok) out.stopped = name(run->status);
     if (!out.stopped.empty()) return out;
     compare_ends(integration.form, t_end, coarse, fine, out);
-    if (out.stopped.empty()) take_samples(integration, coarse, fine, samples, t_end, stop, out);
+    if (out.stopped.empty()) take_samples(integration, coarse, fine, samples, t_end, watch.part(fine_end, 1), out);
     if (out.interrupted) return {.interrupted = true};
     for (std::size_t n = agreed + 1; n <= steps; ++n) {
         out.beyond.push_back({coarse.times[n], integration.form.states(fine.states[2 * n].data())});
         allow_for(out, distance(integration.form.states(coarse.states[n].data()), out.beyond.back().states));
     }
+    watch.tell(1);
     return out;
 }
 

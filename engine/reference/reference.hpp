@@ -5,7 +5,6 @@
 // coordinates; the second route shares none of them (taylor/taylor_route.hpp).
 #pragma once
 
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "engine/report/report.hpp"
 #include "mechanics/model/model.hpp"
 #include "mechanics/turns.hpp"
+#include "support/watch.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -62,10 +62,10 @@ struct ReferenceSolution {
 };
 
 /// Integrates from the start of a model at t_begin to t_end (s), which may be less: once with big steps chosen by their
-/// local error, and once with each of these halved; samples by a shorter step of each run. A stop request is checked
-/// after each big step and each sample. Throws std::invalid_argument if t_end is not finite.
-ReferenceSolution reference_solution(const Model& model, const Real& t_end, const std::stop_token& stop = {},
-                                     long samples = 0, const Real& t_begin = 0);
+/// local error, and once with each of these halved; samples by a shorter step of each run. The watch is asked and told
+/// before each big step and each sample. Throws std::invalid_argument if t_end is not finite.
+ReferenceSolution reference_solution(const Model& model, const Real& t_end, const Watch& watch = {}, long samples = 0,
+                                     const Real& t_begin = 0);
 
 /// Makes the errors of a reference at least as large as its distance from another solution.
 void allow_for(ReferenceSolution& reference, const Distance& distance);

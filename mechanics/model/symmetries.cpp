@@ -52,6 +52,16 @@ bool shifts_freely(const Anchor& anchor, const Vec3& e) {
 
 bool holds_to_ground(const Joint& joint) { return joint.first == ground || joint.second == ground; }
 
+/// Calls f(body) for the bodies, or the ground, that a force touches.
+template <class Force, class F>
+void each_touched(const Force& force, F f) {
+    if constexpr (requires { force.body; }) {
+        f(force.body);
+    } else {
+        f(force.first), f(force.second);
+    }
+}
+
 /// Unit axis e such that J = a e e^T + b (I - e e^T) to working precision, or nothing.
 std::optional<Vec3> symmetry_axis(const Mat3& J) {
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(J);
@@ -67,19 +77,18 @@ std::optional<Vec3> symmetry_axis(const Mat3& J) {
 }
 
 /// The point of a joint on one of its bodies, in body axes.
-const Vec3& end(const Joint& joint, int body) { return joint.first == body ? joint.r_first : joint.r_second; }
+const Vec3& end(const Joint& joint, int number) { return joint.first == number ? joint.r_first : joint.r_second; }
 
 /// Whether a point r of a body (body axes) lies on the axis e through its mass centre, to round-off of the size of the
 /// body.
-bool is_central(const Model& model, const Vec3& r, int body, const Vec3& e) {
-    return r.cross(e).norm() <=
-           16 * epsilon * (r.norm() + radius_of_gyration(model.bodies[static_cast<std::size_t>(body)]));
+bool is_central(const Vec3& r, const Body& body, const Vec3& e) {
+    return r.cross(e).norm() <= 16 * epsilon * (r.norm() + radius_of_gyration(body));
 }
 
 /// Whether the joint exerts no moment about the axis e through the mass centre of the body.
-bool leaves_spin(const Model& model, const Joint& joint, int body, const Vec3& e) {
-    const bool central = is_central(model, end(joint, body), body, e);
-    const Mat3& axes = joint.first == body ? joint.axes_first : joint.axes_second;
+bool leaves_spin(const Joint& joint, const Body& body, int number, const Vec3& e) {
+    const bool central = is_central(end(joint, number), body, e);
+    const Mat3& axes = joint.first == number ? joint.axes_first : joint.axes_second;
     if (joint.type->has(FreeMotion::turn_about_point)) return central;
     // Forces act on the axis, couples turn about normals of it.
     return joint.type->has(FreeMotion::turn_about_axis) && central && parallel(axes.col(2), e);
@@ -119,47 +128,48 @@ Vec3 pivot(const Model& model) {
     return point ? *point : Vec3(Vec3::Zero());
 }
 
-std::vector<BodyJoints> joints_of_bodies(const Model& model) {
-    std::vector<BodyJoints> all(model.bodies.size());
+std::vector<BodyTies> ties_of_bodies(const Model& model) {
+    std::vector<BodyTies> all(model.bodies.size());
     for (const Joint& joint : model.joints)
         for (const int body : {joint.first, joint.second})
-            if (body != ground) all[static_cast<std::size_t>(body)].push_back(&joint);
+            if (body != ground) all[static_cast<std::size_t>(body)].joints.push_back(&joint);
+    model.each([&](const auto& force, std::size_t) {
+        each_touched(force, [&](int body) {
+            if (body != ground) all[static_cast<std::size_t>(body)].centres.push_back(force.centre_on(body));
+        });
+    });
     return all;
 }
 
-std::optional<Vec3> free_spin_axis(const Model& model, int body, const BodyJoints& joints) {
-    const Body& mine = model.bodies[static_cast<std::size_t>(body)];
-    if (mine.point) return std::nullopt;
-    const auto axis = symmetry_axis(mine.J);
+std::optional<Vec3> free_spin_axis(const Body& body, int number, const BodyTies& ties) {
+    if (body.point) return std::nullopt;
+    const auto axis = symmetry_axis(body.J);
     if (!axis) return std::nullopt;
-    const auto spins = [&](const Joint* joint) { return leaves_spin(model, *joint, body, *axis); };
-    const bool free = std::all_of(joints.begin(), joints.end(), spins) && model.all([&](const auto& force) {
-        if (!force.touches(body)) return true;
-        const Vec3* centre = force.centre_on(body);
-        return centre && is_central(model, *centre, body, *axis);
-    });
+    const auto joint_leaves = [&](const Joint* joint) { return leaves_spin(*joint, body, number, *axis); };
+    const auto force_leaves = [&](const Vec3* centre) { return centre && is_central(*centre, body, *axis); };
+    const bool free = std::all_of(ties.joints.begin(), ties.joints.end(), joint_leaves) &&
+                      std::all_of(ties.centres.begin(), ties.centres.end(), force_leaves);
     return free ? axis : std::nullopt;
 }
 
-std::optional<KovalevskayaTop> kovalevskaya_top(const Model& model, int body, const BodyJoints& joints) {
-    const Body& mine = model.bodies[static_cast<std::size_t>(body)];
-    if (joints.size() != 1 || !joints[0]->type->is_ball() || !holds_to_ground(*joints[0]) || mine.point ||
-        !model.gravity.is_constant() || model.gravity.g.isZero(0) ||
-        model.any([&](const auto& force) { return force.touches(body); }))
+std::optional<KovalevskayaTop> kovalevskaya_top(const Body& body, int number, const BodyTies& ties,
+                                                const Gravity& gravity) {
+    if (ties.joints.size() != 1 || !ties.joints[0]->type->is_ball() || !holds_to_ground(*ties.joints[0]) ||
+        !ties.centres.empty() || body.point || !gravity.is_constant() || gravity.g.isZero(0))
         return std::nullopt;
-    const Vec3 lever = -end(*joints[0], body);
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia_about(mine, lever));
+    const Vec3 lever = -end(*ties.joints[0], number);
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia_about(body, lever));
     const Vec3& moments = principal.eigenvalues();  // in increasing order: C, A, B
     const Real equal = slack * moments[2];
     if (abs(moments[2] - moments[1]) > equal || abs(moments[1] - 2 * moments[0]) > equal) return std::nullopt;
     const Vec3 e3 = principal.eigenvectors().col(0);  // of either sign: q and gamma_2 change theirs with it
-    const Real l = lever.norm(), g = model.gravity.g.norm();
+    const Real l = lever.norm(), g = gravity.g.norm();
     if (l == 0 || !orthogonal(lever, e3)) return std::nullopt;
     const Vec3 e1 = (lever - lever.dot(e3) * e3).normalized();
     KovalevskayaTop top;
     top.axes << e1, e3.cross(e1), e3;
-    top.c = mine.mass * g * l / moments[0];
-    top.up = -model.gravity.g / g;
+    top.c = body.mass * g * l / moments[0];
+    top.up = -gravity.g / g;
     return top;
 }
 

@@ -26,14 +26,18 @@ bool is_invariant_under_translation(const Model& model, const Vec3& e);
 /// does.
 Vec3 pivot(const Model& model);
 
-/// The joints of one body.
-using BodyJoints = std::vector<const Joint*>;
-/// Those of each body of a model, found in one pass over its joints.
-std::vector<BodyJoints> joints_of_bodies(const Model& model);
+/// What acts on one body beside gravity. Refers to the model.
+struct BodyTies {
+    std::vector<const Joint*> joints;
+    std::vector<const Vec3*> centres;  ///< of each force what its centre_on (mechanics/forces/forces.hpp) says
+    bool none() const { return joints.empty() && centres.empty(); }
+};
+/// Those of each body of a model, found in one pass over its joints and its forces.
+std::vector<BodyTies> ties_of_bodies(const Model& model);
 
-/// Unit axis about which a body, held by these joints, is symmetric and through which all forces on it act, so that its
-/// angular momentum along it is constant; nothing for a point mass.
-std::optional<Vec3> free_spin_axis(const Model& model, int body, const BodyJoints& joints);
+/// Unit axis about which a body of this number, held by these ties, is symmetric and through which all forces on it act,
+/// so that its angular momentum along it is constant; nothing for a point mass.
+std::optional<Vec3> free_spin_axis(const Body& body, int number, const BodyTies& ties);
 
 /// Kovalevskaya's case of a heavy top, A = B = 2 C about the fixed point with the mass centre in the plane of A and B:
 /// the axes e_1 (to the mass centre), e_2, e_3 (of C) as columns, in body axes, and c = m g l/C (1/s^2)
@@ -43,7 +47,8 @@ struct KovalevskayaTop {
     Real c;
     Vec3 up;
 };
-std::optional<KovalevskayaTop> kovalevskaya_top(const Model& model, int body, const BodyJoints& joints);
+std::optional<KovalevskayaTop> kovalevskaya_top(const Body& body, int number, const BodyTies& ties,
+                                                const Gravity& gravity);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -23,7 +23,8 @@ const ForceReader& reader_of(const ForceData& data, const std::string& path, con
 /// Checks an entry, key by key.
 class EntryReader {
   public:
-    EntryReader(const Model& model, const ForceData& data, std::size_t index) : model_(model), data_(data) {
+    EntryReader(const Model& model, const reading::NamedBodies& bodies, const ForceData& data, std::size_t index)
+        : model_(model), bodies_(bodies), data_(data) {
         entry_.path = reading::place("forces", index), entry_.who = "force " + std::to_string(index);
     }
     const ForceReader& reader() const { return reader_of(data_, entry_.path, entry_.who); }
@@ -48,12 +49,12 @@ class EntryReader {
 
     void read_body() {
         name(data_.between[1]);
-        entry_.second = reading::body_named(model_, data_.between[1], entry_.path + "/body");
+        entry_.second = bodies_.index(data_.between[1], entry_.path + "/body");
         if (entry_.second == ground) entry_.refuse("body", "expected a body that moves, got \"ground\"");
     }
     void read_between() {
         name(data_.between[0] + " - " + data_.between[1]);
-        const auto bodies = reading::bodies_between(model_, data_.between, entry_.path, entry_.who);
+        const auto bodies = bodies_.between(data_.between, entry_.path, entry_.who);
         entry_.first = bodies[0], entry_.second = bodies[1];
     }
     void require_rigid(const ForceKind& kind) const {
@@ -109,6 +110,7 @@ class EntryReader {
     }
 
     const Model& model_;
+    const reading::NamedBodies& bodies_;
     const ForceData& data_;
     ForceEntry entry_;
 };
@@ -116,8 +118,9 @@ class EntryReader {
 }  // namespace
 
 void read_forces(Model& model, const std::vector<ForceData>& forces) {
+    const reading::NamedBodies bodies(model);
     for (std::size_t i = 0; i < forces.size(); ++i) {
-        EntryReader entry(model, forces[i], i);
+        EntryReader entry(model, bodies, forces[i], i);
         const ForceReader& force = entry.reader();
         force.read(entry.read(force_kind(force.name)), model);
     }

@@ -47,15 +47,16 @@ Mat3 carried_onto(const Vec3& b, const Mat3& frame) {
 /// Reads one joint.
 class JointReader {
   public:
-    JointReader(const Model& model, const JointData& data, std::size_t index, bool projected)
-        : model_(model), data_(data), projected_(projected), path_(reading::place("joints", index)) {
+    JointReader(const Model& model, const reading::NamedBodies& bodies, const JointData& data, std::size_t index,
+                bool projected)
+        : model_(model), bodies_(bodies), data_(data), projected_(projected), path_(reading::place("joints", index)) {
         who_ = "joint " + std::to_string(index) + " (" + data.between[0] + " - " + data.between[1] + ", " + data.type +
                ")";
         joint_.type = type();
     }
 
     Joint read() {
-        const auto [first, second] = reading::bodies_between(model_, data_.between, path_, who_);
+        const auto [first, second] = bodies_.between(data_.between, path_, who_);
         joint_.first = first, joint_.second = second;
         if (!data_.name.empty()) joint_.name = to_name(data_.name, path_ + "/name");
         check_point_masses();
@@ -255,6 +256,7 @@ class JointReader {
     }
 
     const Model& model_;
+    const reading::NamedBodies& bodies_;
     const JointData& data_;
     bool projected_;
     std::string path_, who_;
@@ -264,8 +266,9 @@ class JointReader {
 }  // namespace
 
 void read_joints(Model& model, const std::vector<JointData>& joints, bool projected) {
+    const reading::NamedBodies bodies(model);
     for (std::size_t i = 0; i < joints.size(); ++i)
-        model.joints.push_back(JointReader(model, joints[i], i, projected).read());
+        model.joints.push_back(JointReader(model, bodies, joints[i], i, projected).read());
 }
 
 }  // namespace KREISEL_PRECISION

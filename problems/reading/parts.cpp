@@ -17,22 +17,22 @@ std::string text(const Real& x) {
 
 std::string place(const char* list, std::size_t entry) { return std::string("/") + list + "/" + std::to_string(entry); }
 
-int body_named(const Model& model, const std::string& name, const std::string& path) {
-    if (name == "ground") return ground;
+NamedBodies::NamedBodies(const Model& model) : model_(model), indices_{{"ground", ground}} {
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) indices_.emplace(model.bodies[i].name, static_cast<int>(i));
+}
+
+int NamedBodies::index(const std::string& name, const std::string& path) const {
+    if (const auto found = indices_.find(name); found != indices_.end()) return found->second;
     std::vector<std::string> known = {"ground"};
-    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-        if (model.bodies[i].name == name) return static_cast<int>(i);
-        known.push_back(model.bodies[i].name);
-    }
+    for (const Body& body : model_.bodies) known.push_back(body.name);
     std::string list;
     for (const std::string& one : known) list += (list.empty() ? "\"" : ", \"") + one + "\"";
     throw ParameterError(path, "expected a body (" + list + "), got \"" + name + "\"", name, std::move(known));
 }
 
-std::array<int, 2> bodies_between(const Model& model, const std::array<std::string, 2>& names, const std::string& path,
-                                  const std::string& who) {
-    const std::array<int, 2> bodies = {body_named(model, names[0], path + "/between/0"),
-                                       body_named(model, names[1], path + "/between/1")};
+std::array<int, 2> NamedBodies::between(const std::array<std::string, 2>& names, const std::string& path,
+                                        const std::string& who) const {
+    const std::array<int, 2> bodies = {index(names[0], path + "/between/0"), index(names[1], path + "/between/1")};
     if (bodies[0] == bodies[1])
         throw ParameterError(path + "/between",
                              who + ": expected two different bodies, got \"" + names[0] + "\" twice");

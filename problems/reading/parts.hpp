@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <unordered_map>
 
 #include "mechanics/model/model.hpp"
 
@@ -16,11 +17,20 @@ namespace reading {
 std::string text(const Real& x);  ///< ten digits, for messages
 std::string place(const char* list, std::size_t entry);
 
-/// Index of a body, or `ground`. Throws with all names that exist.
-int body_named(const Model& model, const std::string& name, const std::string& path);
-/// Both of them, which must differ.
-std::array<int, 2> bodies_between(const Model& model, const std::array<std::string, 2>& names, const std::string& path,
-                                  const std::string& who);
+/// The bodies of a model by name; refers to it.
+class NamedBodies {
+  public:
+    explicit NamedBodies(const Model& model);
+    /// Index of a body, or `ground`. Throws ParameterError with all names that exist.
+    int index(const std::string& name, const std::string& path) const;
+    /// Both of them, which must differ.
+    std::array<int, 2> between(const std::array<std::string, 2>& names, const std::string& path,
+                               const std::string& who) const;
+
+  private:
+    const Model& model_;
+    std::unordered_map<std::string, int> indices_;
+};
 /// A point in the axes of a body; of a point mass it must be the mass centre, to 1e-9 of its coordinates.
 Vec3 point_on(const Model& model, int body, const Vector3& point, const std::string& path, const std::string& who);
 /// An axis that is not zero.

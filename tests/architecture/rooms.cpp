@@ -27,6 +27,7 @@ const std::string peer_stepper = "peers/stepper.hpp";
 const std::string double_only = "peers/double_only.hpp";
 const std::string registered = "support/registered.hpp";
 const std::string registration = "support/registration.hpp";
+const std::string watch = "support/watch.hpp";
 
 // From the bottom up; CONTRIBUTING.md draws the same.
 const std::vector<Room>& rooms() {
@@ -78,14 +79,14 @@ const std::vector<Room>& rooms() {
         {metrics, {}, {}},
         {geometry, {model_data}, {}},
         {interface,
-         {geometry, metrics, model_data, "methods/contract/description.hpp", "problems/description.hpp"},
+         {geometry, metrics, model_data, "methods/contract/description.hpp", "problems/description.hpp", watch},
          {}},
         {"engine/report", {interface, geometry, "mechanics", "lie"}, numbers},
         {"engine/structure", {"mechanics", "lie"}, numbers},
         {"engine/metrics",
          {interface, metrics, "engine/report", "engine/structure", "mechanics", "lie", registered, registration},
          numbers},
-        {"engine/reference", {interface, "engine/report", "mechanics", "lie"}, numbers},
+        {"engine/reference", {interface, "engine/report", "mechanics", "lie", watch}, numbers},
         {"engine/observers",
          {interface, "engine/metrics", "engine/report", "mechanics", "lie", "support/pattern.hpp"},
          numbers,

@@ -43,24 +43,28 @@ std::vector<OptionDescription> lift_options() {
 
 void sleep_milliseconds(long count) { std::this_thread::sleep_for(std::chrono::milliseconds(count)); }
 
-// Simulates the steps, `pause` milliseconds each, and samples; false if asked to stop.
-bool work(const Cell& cell, long pause, const std::stop_token& stop, SampleSink* samples) {
+// Simulates the steps, `pause` milliseconds each, and samples; tells how many; false if asked to stop.
+bool work(const Cell& cell, long pause, const Watch& watch, SampleSink* samples) {
     const long steps = cell.tolerance > 0 ? std::max(1L, cell.samples) : cell.steps;
     const long stride = cell.samples > 0 && samples != nullptr ? steps / cell.samples : 0;
     if (stride > 0) { samples->begin({{"t", "s"}, {"x1", "m"}}); }
     for (long i = 0; i <= steps; ++i) {
         if (pause > 0 && i > 0) { sleep_milliseconds(pause); }
-        if (pause > 0 && stop.stop_requested()) { return false; }
+        if (pause > 0 && watch.stop_requested()) { return false; }
+        if (pause > 0) { watch.tell(static_cast<double>(i) / static_cast<double>(steps)); }
         const double t = cell.t_end * static_cast<double>(i) / static_cast<double>(steps);
         if (stride > 0 && i % stride == 0) { samples->add(fmt::format("{},{}", t, std::sin(t))); }
     }
     return true;
 }
 
-// Sleeps for a number of milliseconds; false if asked to stop.
-bool sleep_unless(long milliseconds, const std::stop_token& stop) {
-    for (long i = 0; i < milliseconds && !stop.stop_requested(); ++i) { sleep_milliseconds(1); }
-    return !stop.stop_requested();
+// Sleeps for a number of milliseconds and tells how many; false if asked to stop.
+bool sleep_unless(long milliseconds, const Watch& watch) {
+    for (long i = 0; i < milliseconds && !watch.stop_requested(); ++i) {
+        watch.tell(static_cast<double>(i) / static_cast<double>(milliseconds));
+        sleep_milliseconds(1);
+    }
+    return !watch.stop_requested();
 }
 
 std::vector<ParameterDescription> mechanism() {
@@ -198,8 +202,7 @@ std::string FakeEngine::skip_reason(const Cell& cell) const {
     return "";
 }
 
-Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std::stop_token& stop,
-                        SampleSink* samples) const {
+Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const Watch& watch, SampleSink* samples) const {
     ++runs;
     Outcome outcome;
     outcome.cost.cpu_s = 1e-3 * static_cast<double>(runs);  // differs from run to run, as times do
@@ -212,7 +215,7 @@ Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std:
     if (cell.repeated) {
         outcome.cost.run_s = 1e-6 * static_cast<double>(steps) * (1 + 0.01 * static_cast<double>(runs));
     }
-    if (!work(cell, cell.method == "fake/slow" ? 1 : 0, stop, cell.timed ? nullptr : samples)) {
+    if (!work(cell, cell.method == "fake/slow" ? 1 : 0, watch, cell.timed ? nullptr : samples)) {
         outcome.status = "interrupted";
         return outcome;
     }
@@ -236,15 +239,15 @@ Outcome FakeEngine::run(const Cell& cell, const Reference* reference, const std:
     return misbehave(cell, outcome);
 }
 
-std::optional<double> FakeEngine::run_time(const Cell& cell, const std::stop_token&) const {
+std::optional<double> FakeEngine::run_time(const Cell& cell, const Watch&) const {
     timed.push_back(cell.steps);
     return 1e-7 * static_cast<double>(cell.steps + static_cast<long>(timed.size()));
 }
 
 Reference FakeEngine::reference(const std::string& problem, const ParameterValues& parameters, const BeginState*,
-                                double t_end, long samples, const std::stop_token& stop) const {
+                                double t_end, long samples, const Watch& watch) const {
     ++references;
-    if (t_end > 1000 && !sleep_unless(std::lround(t_end), stop)) {
+    if (t_end > 1000 && !sleep_unless(std::lround(t_end), watch)) {
         return {.state = {}, .error = {}, .interrupted = true};
     }
     if (problem == "double_pendulum" && t_end > 100) { throw std::runtime_error("the two step sizes do not agree"); }

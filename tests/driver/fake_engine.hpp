@@ -11,9 +11,10 @@ namespace kreisel {
 
 /// Methods: rkmk/rk4 and rkmk/midpoint (options coordinates, dexpinv), baseline/rk4_quaternion (a flag; skipped on
 /// SE3), fake/relaxed (a real option), fake/nan (fails half way), fake/infinite (reports an infinite metric), fake/slow
-/// (one millisecond per step, checks stop requests, samples on the way), fake/deaf (ignores stop requests),
-/// fake/throws, fake/throws_int, fake/pair (has an estimate of its error, which is the tolerance), fake/own (chooses
-/// its steps itself), fake/tableau (options that are texts; one of them decides its order).
+/// (one millisecond per step, checks stop requests, samples and tells its share on the way), fake/deaf (as slow, but
+/// ignores stop requests and tells nothing), fake/throws, fake/throws_int, fake/pair (has an estimate of its error,
+/// which is the tolerance), fake/own (chooses its steps itself), fake/tableau (options that are texts; one of them
+/// decides its order).
 class FakeEngine : public Engine {
   public:
     std::vector<ProblemDescription> problems() const override;
@@ -37,12 +38,12 @@ class FakeEngine : public Engine {
     RotationStability stability(const std::string& method) const override;
     std::string skip_reason(const Cell&) const override;
     using Engine::run;
-    Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;
-    std::optional<double> run_time(const Cell&, const std::stop_token&) const override;
+    Outcome run(const Cell&, const Reference* reference, const Watch&, SampleSink* samples) const override;
+    std::optional<double> run_time(const Cell&, const Watch&) const override;
     using Engine::reference;
     /// Ends after t_end ms if t_end is above 1000 and no stop is requested.
     Reference reference(const std::string& problem, const ParameterValues&, const BeginState* begin, double t_end,
-                        long samples, const std::stop_token&) const override;
+                        long samples, const Watch&) const override;
     using Engine::check_reference;
     ReferenceCheck check_reference(const std::string& problem, const ParameterValues&, const BeginState* begin,
                                    const Reference&) const override;

@@ -27,17 +27,16 @@ class OtherEngine : public Engine {
     std::vector<SchemeRow> scheme(const std::string& method) const override { return fake_.scheme(method); }
     RotationStability stability(const std::string& method) const override { return fake_.stability(method); }
     std::string skip_reason(const Cell& cell) const override { return fake_.skip_reason(cell); }
-    Outcome run(const Cell& cell, const Reference* reference, const std::stop_token& stop,
-                SampleSink* samples) const override {
-        return fake_.run(cell, reference, stop, samples);
+    Outcome run(const Cell& cell, const Reference* reference, const Watch& watch, SampleSink* samples) const override {
+        return fake_.run(cell, reference, watch, samples);
     }
-    std::optional<double> run_time(const Cell& cell, const std::stop_token& stop) const override {
-        return fake_.run_time(cell, stop);
+    std::optional<double> run_time(const Cell& cell, const Watch& watch) const override {
+        return fake_.run_time(cell, watch);
     }
     using Engine::reference;
     Reference reference(const std::string& problem, const ParameterValues& values, const BeginState* begin,
-                        double t_end, long samples, const std::stop_token& stop) const override {
-        return fake_.reference(problem, values, begin, t_end, samples, stop);
+                        double t_end, long samples, const Watch& watch) const override {
+        return fake_.reference(problem, values, begin, t_end, samples, watch);
     }
     using Engine::check_reference;
     ReferenceCheck check_reference(const std::string& problem, const ParameterValues& values, const BeginState* begin,

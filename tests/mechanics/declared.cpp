@@ -2,9 +2,12 @@
 //
 // Which first integrals a model declares. That the declared ones are constant is checked in tests/problems, which
 // does not notice a missing one.
+#include <array>
 #include <set>
+#include <utility>
 
 #include "mechanics/integrals.hpp"
+#include "mechanics/model/symmetries.hpp"
 #include "tests/mechanics/models/models.hpp"
 
 using namespace kreisel;
@@ -106,6 +109,33 @@ TEST_CASE("a joint to the ground may name its bodies in either order", "[declare
             CHECK(a[i].size({states}) == b[i].size({states}));
         }
     }
+}
+
+TEST_CASE("what acts on the bodies of a chain is found once for each end of a joint and of a force", "[declared]") {
+    const auto ends = [](int bodies) {
+        std::vector<std::pair<int, int>> links;
+        for (int i = 0; i < bodies; ++i) links.emplace_back(i == 0 ? ground : i - 1, i);
+        Model model = linked(bodies, links);
+        for (const auto& [first, second] : links) model.springs.push_back({.first = first, .second = second});
+        for (int i = 0; i < bodies; ++i) model.loads.push_back({.body = i});
+        std::array<std::size_t, 2> sum = {0, 0};
+        for (const BodyTies& ties : ties_of_bodies(model)) sum[0] += ties.joints.size(), sum[1] += ties.centres.size();
+        return sum;
+    };
+    CHECK(ends(8) == std::array<std::size_t, 2>{15, 23});
+    CHECK(ends(64) == std::array<std::size_t, 2>{127, 191});
+}
+
+TEST_CASE("a force that passes beside the axis of a body takes its spin, one on another body does not", "[declared]") {
+    Model model = standard("chain");
+    const auto keeps = [&](const std::string& body) { return declared(model).contains("body_momentum_" + body); };
+    REQUIRE(model.bodies.size() == 5);
+    model.springs.push_back({.first = ground, .second = 1, .stiffness = 1, .length = 1});
+    CHECK(keeps("link2"));
+    model.springs[0].r_second = Vec3(1, 2, 3);
+    CHECK_FALSE(keeps("link2"));
+    CHECK(keeps("link1"));
+    CHECK(keeps("link3"));
 }
 
 TEST_CASE("the size of an angular momentum is the sum of the sizes of its terms", "[declared]") {

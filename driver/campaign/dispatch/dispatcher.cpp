@@ -11,6 +11,7 @@
 #include "driver/campaign/dispatch/work.hpp"
 #include "driver/campaign/interrupt.hpp"
 #include "driver/campaign/workers/bad_end.hpp"
+#include "driver/plan/cost.hpp"
 #include "support/errors.hpp"
 
 namespace kreisel {
@@ -30,13 +31,17 @@ double seconds_since(std::chrono::steady_clock::time_point time) {
 }  // namespace
 
 void Dispatcher::enqueue(const std::vector<std::string>& references, const std::vector<std::size_t>& cells) {
-    for (const std::string& hash : references) { schedule_.add_reference(hash); }
+    for (const std::string& hash : references) {
+        schedule_.add_reference(hash);
+        efforts_.references.add(plan_.references.at(hash).weight);
+    }
     ledger_.progress.references += references.size();
     enqueued_ = ledger_.finished().size() + cells.size();
     for (const std::size_t index : cells) {
         const PlannedCell& planned = plan_.cells[index];
         if (planned.skip_reason().empty()) {
             schedule_.add_cell(index, planned.reference(), planned.weight);
+            efforts_.cells.add(planned.weight);
         } else {
             ledger_.record(index, ended(status::skipped, planned.skip_reason()));
         }
@@ -48,7 +53,7 @@ void Dispatcher::run() {
         watch_interrupt();
         if (!stopped_) { assign(); }
         wait();
-        show_();
+        show_(*this);
     }
 }
 
@@ -59,11 +64,49 @@ bool Dispatcher::has_left_something() const {
 
 void Dispatcher::time_in_turn() {
     const std::vector<std::size_t> cells = ledger_.timed_cells();
+    efforts_.cells.drop_rest();  // cells that failed have no further rounds
     for (int round = 1; round < timing_rounds; ++round) {
-        for (const std::size_t index : cells) { schedule_.add_round(index); }
+        for (const std::size_t index : cells) {
+            schedule_.add_round(index);
+            efforts_.cells.add(cost_of({Job::Kind::round, {}, {index}}, 0));
+        }
     }
     run();
     if (!stopped_) { ledger_.record_times(cells); }
+}
+
+double Dispatcher::cost_of(const Job& job, std::size_t at) const {
+    if (job.kind == Job::Kind::reference) { return plan_.references.at(job.reference).weight; }
+    const PlannedCell& planned = plan_.cells[job.cells[at]];
+    const double first = first_round_share(planned);
+    return planned.weight * (job.kind == Job::Kind::round ? (1 - first) / (timing_rounds - 1) : first);
+}
+
+JobAtWork Dispatcher::at_work(const Slot& slot) const {
+    const double told = slot.worker.told != nullptr ? slot.worker.told->load(std::memory_order_relaxed) : 0;
+    return {slot.job->kind == Job::Kind::reference, cost_of(*slot.job, slot.answered),
+            told - static_cast<double>(slot.given), seconds_since(slot.since)};
+}
+
+ProgressState Dispatcher::progress() {
+    std::vector<JobAtWork> jobs;
+    for (const Slot& slot : slots_) {
+        if (slot.job) { jobs.push_back(at_work(slot)); }
+    }
+    const Outlook expected = outlook(efforts_, jobs, resources_.workers);
+    share_shown_ = std::max(share_shown_, expected.share);
+    ProgressState state = ledger_.progress;
+    state.share = share_shown_;
+    state.seconds_left = expected.seconds_left;
+    return state;
+}
+
+void Dispatcher::account(Slot& slot, Answered kind) {
+    ++slot.given;
+    if (kind == Answered::interrupted || kind == Answered::part) { return; }
+    const double cost = cost_of(*slot.job, slot.answered);
+    Effort& effort = effort_of(*slot.job);
+    kind == Answered::found ? effort.drop(cost) : effort.end(cost, seconds_since(slot.since));
 }
 
 bool Dispatcher::busy() const {
@@ -105,7 +148,7 @@ Dispatcher::Slot* Dispatcher::idle_slot(const Job& job) {
     std::string reason;
     Worker worker = forker_.spawn(job.alone ? resources_.memory : resources_.memory / resources_.workers, reason);
     if (worker) {
-        slots_.push_back({std::move(worker), {}, {}, 0, {}});
+        slots_.push_back({std::move(worker), {}, {}, 0, 0, {}});
         return &slots_.back();
     }
     if (slots_.empty()) { throw FileError("no worker process can be started: " + reason); }
@@ -178,6 +221,7 @@ bool Dispatcher::take_answer(Slots::iterator slot, Answered kind, const std::str
         end_badly(slot, status::out_of_memory, memory_detail(text));
         return false;
     }
+    account(*slot, kind);
     if (slot->job->kind == Job::Kind::reference) {
         take_reference_answer(*slot->job, kind, text);
     } else {
@@ -220,6 +264,10 @@ void Dispatcher::take_reference_answer(const Job& job, Answered kind, const std:
 }
 
 void Dispatcher::end_badly(Slots::iterator slot, const std::string& status, const std::string& detail) {
+    if (slot->job) {
+        const JobAtWork lost = at_work(*slot);
+        effort_of(*slot->job).lose(done_of(lost), lost.taken);
+    }
     const std::optional<Job> job = std::move(slot->job);
     const std::size_t answered = slot->answered;
     slots_.erase(slot);
@@ -233,6 +281,7 @@ void Dispatcher::end_badly(Slots::iterator slot, const std::string& status, cons
 }
 
 void Dispatcher::conclude(const Job& job, std::size_t index, const std::string& status, const std::string& detail) {
+    effort_of(job).drop(cost_of(job, 0));  // of one cell, if of any
     if (job.kind == Job::Kind::reference) { return reference_failed(job.reference, status, detail); }
     if (job.kind == Job::Kind::round) { return ledger_.note_seconds(index, {}); }
     ledger_.record(index, ended(status, detail));
@@ -243,6 +292,7 @@ void Dispatcher::reference_failed(const std::string& hash, const std::string& st
     failed_[hash] = {status, detail};
     for (const std::size_t index : schedule_.take_waiting(hash)) {
         ledger_.record(index, ended(status::with_reason(status::no_reference, status), detail));
+        efforts_.cells.drop(plan_.cells[index].weight);
     }
 }
 

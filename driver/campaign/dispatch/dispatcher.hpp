@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/campaign/dispatch/effort.hpp"
 #include "driver/campaign/dispatch/job.hpp"
 #include "driver/campaign/dispatch/ledger.hpp"
 #include "driver/campaign/dispatch/schedule.hpp"
@@ -41,7 +42,7 @@ using FailedReferences = std::map<std::string, FailedReference>;  // by hash
 class Dispatcher {
   public:
     Dispatcher(const Plan& plan, const Forker& forker, Ledger& ledger, const Resources& resources,
-               std::function<void()> show)
+               std::function<void(Dispatcher&)> show)
         : plan_(plan),
           forker_(forker),
           ledger_(ledger),
@@ -60,6 +61,10 @@ class Dispatcher {
     /// Lets the workers go; those at work after an interrupt are left to the forker.
     void dismiss_idle();
 
+    /// What is done, and what is to be expected. The share never falls: where a job has to begin again it stays until
+    /// that one is as far as it was.
+    ProgressState progress();
+
     const FailedReferences& failed_references() const { return failed_; }
     /// Something the user should know, one line each.
     const std::vector<std::string>& notes() const { return notes_; }
@@ -73,11 +78,18 @@ class Dispatcher {
         Worker worker;
         MessageReader answers;
         std::optional<Job> job;
-        std::size_t answered = 0;
-        Clock::time_point since;
+        std::size_t answered = 0;  // of the job
+        std::size_t given = 0;     // answers, ever
+        Clock::time_point since;   // the job has begun, or its last answer was given
     };
     using Slots = std::list<Slot>;
 
+    Effort& effort_of(const Job& job) {
+        return job.kind == Job::Kind::reference ? efforts_.references : efforts_.cells;
+    }
+    double cost_of(const Job& job, std::size_t at) const;
+    JobAtWork at_work(const Slot& slot) const;
+    void account(Slot& slot, Answered kind);
     bool busy() const;
     bool alone() const;
     void assign();
@@ -104,8 +116,10 @@ class Dispatcher {
     Ledger& ledger_;
     Resources resources_;
     Schedule schedule_;
-    std::function<void()> show_;
+    std::function<void(Dispatcher&)> show_;
     Slots slots_;
+    Efforts efforts_;
+    double share_shown_ = 0;
     FailedReferences failed_;
     std::vector<std::string> notes_;
     std::optional<Clock::time_point> stopped_;

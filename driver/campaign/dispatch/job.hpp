@@ -31,7 +31,8 @@ enum class Answered : char {
     part = 'p',          ///< the cell was interrupted and has left samples: a line of the journal
     interrupted = 'i',   ///< the same without samples, or a reference
     seconds = 't',       ///< of a round; empty: none
-    reference = 'r',     ///< it is in the results; the text: why it is not in the cache
+    reference = 'r',     ///< it was computed and is in the results; the text: why it is not in the cache
+    found = 'k',         ///< the same of one that was known
     no_reference = 'x',  ///< what was thrown
     file_error = 'f',    ///< a file could not be read or written, which ends the run
 };

@@ -55,7 +55,6 @@ std::size_t Ledger::reuse(const JournalContents& earlier, const RunSettings& set
             continue;
         }
         mine_.push_back(i);
-        progress.weight_total += plan_.cells[i].weight;
     }
     progress.done = finished_.size();
     progress.total = finished_.size() + mine_.size();
@@ -83,7 +82,6 @@ void Ledger::append(std::size_t index, const CellEnding& ending, const std::stri
 
 void Ledger::keep(std::size_t index, const CellEnding& ending, const std::string& line) {
     append(index, ending, line);
-    progress.weight_done += plan_.cells[index].weight;
     progress.failed += ending.end == CellEnd::failed ? 1U : 0U;
     progress.done = finished_.size();
 }
@@ -96,14 +94,12 @@ std::vector<std::size_t> Ledger::timed_cells() {
         if (!run_s) { continue; }
         run_s_[index] = *run_s;
         cells.push_back(index);
-        progress.weight_total += (timing_rounds - 1) * plan_.cells[index].weight;
     }
     return cells;
 }
 
 void Ledger::note_seconds(std::size_t index, std::optional<double> run_s) {
     if (run_s) { run_s_.at(index) = std::min(run_s_.at(index), *run_s); }
-    progress.weight_done += plan_.cells[index].weight;
 }
 
 void Ledger::record_times(const std::vector<std::size_t>& cells) {

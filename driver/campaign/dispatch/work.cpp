@@ -28,15 +28,23 @@ std::string with_printed(const std::string& detail, const std::string& printed) 
     return detail.empty() ? "it printed: " + printed : detail + "; it printed: " + printed;
 }
 
-void WorkerTasks::serve(const Descriptor& socket, const Printed& printed, const std::stop_token& stop) {
+void WorkerTasks::serve(const Descriptor& socket, const Printed& printed, const Watch& watch) {
+    double given = 0;  // answers
+    const auto give = [&](const std::string& text) {
+        watch.tell(++given);  // first: who has the answer knows that it is complete
+        answer(socket, text);
+    };
     while (const auto text = receive_message(socket)) {
         const Job job = Job::read(*text);
         try {
-            if (job.kind == Job::Kind::reference) { answer(socket, answer_reference(job.reference, printed, stop)); }
+            if (job.kind == Job::Kind::reference) {
+                give(answer_reference(job.reference, printed, watch.part(given, given + 1)));
+            }
             for (const std::size_t index : job.cells) {
                 const PlannedCell& planned = plan_.cells[index];
+                const Watch one = watch.part(given, given + 1);
                 const bool round = job.kind == Job::Kind::round;
-                answer(socket, round ? answer_round(planned, stop) : answer_cell(planned, printed, stop));
+                give(round ? answer_round(planned, one) : answer_cell(planned, printed, one));
             }
         } catch (const FileError& error) {
             answer(socket, answer_text(Answered::file_error, error.what()));
@@ -46,26 +54,25 @@ void WorkerTasks::serve(const Descriptor& socket, const Printed& printed, const 
     }
 }
 
-std::string WorkerTasks::answer_reference(const std::string& hash, const Printed& printed,
-                                          const std::stop_token& stop) const {
+std::string WorkerTasks::answer_reference(const std::string& hash, const Printed& printed, const Watch& watch) const {
     const PlannedReference& planned = plan_.references.at(hash);
     auto stored = store_.find(planned);
     if (!stored) {
         const ThingLock lock = store_.lock(planned);
         stored = store_.find(planned);  // by whoever had the lock before
         if (!stored && !lock.held()) { return answer_text(Answered::interrupted); }
-        if (!stored) { return compute_reference(planned, printed, stop); }
+        if (!stored) { return compute_reference(planned, printed, watch); }
     }
-    return answer_text(Answered::reference, store_.keep(planned, *stored));
+    return answer_text(Answered::found, store_.keep(planned, *stored));
 }
 
 std::string WorkerTasks::compute_reference(const PlannedReference& planned, const Printed& printed,
-                                           const std::stop_token& stop) const {
+                                           const Watch& watch) const {
     Reference reference;
     try {
         const CpuLimit limit(timeout_);
         reference = engines_.quad().reference(planned.problem, planned.parameters, planned.begin.get(), planned.t_end,
-                                              planned.samples, stop);
+                                              planned.samples, watch);
     } catch (const std::bad_alloc&) { throw; } catch (const std::exception& error) {
         return answer_text(Answered::no_reference, with_printed(error.what(), printed.take()));
     } catch (...) { return answer_text(Answered::no_reference, with_printed(not_an_exception, printed.take())); }
@@ -84,15 +91,15 @@ const Reference* WorkerTasks::reference_of(const PlannedCell& planned) {
     return &references_.emplace(hash, std::move(stored->reference)).first->second;
 }
 
-std::string WorkerTasks::answer_cell(const PlannedCell& planned, const Printed& printed, const std::stop_token& stop) {
-    if (stop.stop_requested()) { return answer_text(Answered::interrupted); }
+std::string WorkerTasks::answer_cell(const PlannedCell& planned, const Printed& printed, const Watch& watch) {
+    if (watch.stop_requested()) { return answer_text(Answered::interrupted); }
     const Reference* reference = reference_of(planned);
     const bool sampled = planned.run->cell.samples > 0;
     TrajectoryFile samples(sampled ? folder_ / trajectory_file(planned.hash()) : std::filesystem::path());
     Outcome outcome;
     {
         const CpuLimit limit(timeout_);
-        outcome = run_cell(planned, engines_.of(planned.precision()), reference, stop, &samples);
+        outcome = run_cell(planned, engines_.of(planned.precision()), reference, watch, &samples);
     }
     outcome.detail = with_printed(outcome.detail, printed.take());
     if (outcome.status == status::interrupted) { return answer_part(planned, samples); }
@@ -124,9 +131,9 @@ std::string WorkerTasks::answer_part(const PlannedCell& planned, TrajectoryFile&
     return answer_text(Answered::part, journal_line(record_of(planned, outcome, nullptr), build_));
 }
 
-std::string WorkerTasks::answer_round(const PlannedCell& planned, const std::stop_token& stop) const {
+std::string WorkerTasks::answer_round(const PlannedCell& planned, const Watch& watch) const {
     const CpuLimit limit(timeout_);
-    const auto run_s = engines_.of(planned.precision()).run_time(planned.cell(), stop);
+    const auto run_s = engines_.of(planned.precision()).run_time(planned.cell(), watch);
     return answer_text(Answered::seconds, run_s ? fmt::format("{}", *run_s) : "");
 }
 

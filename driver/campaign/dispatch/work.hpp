@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <map>
-#include <stop_token>
 #include <string>
 
 #include "driver/campaign/campaign.hpp"
@@ -30,16 +29,16 @@ class WorkerTasks {
           timeout_(settings.timeout),
           store_(folder_, settings.cache, engines.reference_digest(), settings.references) {}
 
-    /// Answers jobs until the socket is closed.
-    void serve(const Descriptor& socket, const Printed& printed, const std::stop_token& stop);
+    /// Answers jobs until the socket is closed. The watch is told how many answers were given, the part of the next one
+    /// included.
+    void serve(const Descriptor& socket, const Printed& printed, const Watch& watch);
 
   private:
-    std::string answer_reference(const std::string& hash, const Printed& printed, const std::stop_token& stop) const;
+    std::string answer_reference(const std::string& hash, const Printed& printed, const Watch& watch) const;
     /// While it is locked: computes it and writes it down.
-    std::string compute_reference(const PlannedReference& planned, const Printed& printed,
-                                  const std::stop_token& stop) const;
-    std::string answer_cell(const PlannedCell& planned, const Printed& printed, const std::stop_token& stop);
-    std::string answer_round(const PlannedCell& planned, const std::stop_token& stop) const;
+    std::string compute_reference(const PlannedReference& planned, const Printed& printed, const Watch& watch) const;
+    std::string answer_cell(const PlannedCell& planned, const Printed& printed, const Watch& watch);
+    std::string answer_round(const PlannedCell& planned, const Watch& watch) const;
     /// Of a cell that has run; the samples are put in their place or removed.
     std::string answer_outcome(const PlannedCell& planned, const Outcome& outcome, const Reference* reference,
                                TrajectoryFile& samples) const;

@@ -5,6 +5,7 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -19,10 +20,11 @@ struct Request {
     std::uint64_t memory = 0;
 };
 
-/// Of a spawn the process, or -1 and errno; of a release or a burial how it ended.
+/// Of a spawn the process and its place among those at work, or -1 and errno; of a release or a burial how it ended.
 struct Answer {
     pid_t process = -1;
     int status = 0;
+    std::size_t place = 0;
 };
 
 struct ReceivedAnswer {

@@ -8,12 +8,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
-#include <set>
+#include <vector>
 
 #include "driver/campaign/workers/control.hpp"
 #include "driver/campaign/workers/limits.hpp"
@@ -26,11 +27,13 @@ namespace kreisel {
 namespace {
 
 constexpr int longest_farewell = 1000;  // ms
+constexpr pid_t none = 0;
 
 /// The process that forks.
 class Nursery {
   public:
-    Nursery(const Descriptor& control, const WorkerMain& work) : control_(control), work_(work) {}
+    Nursery(const Descriptor& control, const Shares& shares, const WorkerMain& work)
+        : control_(control), shares_(shares), work_(work) {}
 
     /// Until the program closes its end or is gone.
     void serve() {
@@ -41,7 +44,9 @@ class Nursery {
             if (request->kind == Request::Kind::interrupt) { signal_all(SIGTERM); }
         }
         signal_all(SIGKILL);
-        for (const pid_t worker : workers_) { ::waitpid(worker, nullptr, 0); }
+        for (const pid_t worker : workers_) {
+            if (worker != none) { ::waitpid(worker, nullptr, 0); }
+        }
     }
 
   private:
@@ -51,16 +56,26 @@ class Nursery {
         const Descriptor ours(ends[0]);
         Descriptor theirs(ends[1]);
         const Printed printed = connected ? Printed::make() : Printed(Descriptor());
+        const auto place = free_place();
+        Share* told = shares_.place(static_cast<std::size_t>(place - workers_.begin()));
+        if (told != nullptr) { *told = 0; }
         const pid_t nursery = ::getpid();
         const pid_t worker = printed.valid() ? ::fork() : -1;
         if (worker == 0) {
             ::close(control_.number());
             ::close(ours.number());
-            be_worker(nursery, theirs, printed, memory, work_);
+            be_worker(nursery, theirs, printed, {memory, told}, work_);
         }
-        if (worker < 0) { return send_answer(control_, {-1, errno}, {}); }
-        workers_.insert(worker);
-        send_answer(control_, {worker, 0}, {ours.number(), printed.number()});
+        if (worker < 0) { return send_answer(control_, {-1, errno, 0}, {}); }
+        *place = worker;
+        send_answer(control_, {worker, 0, static_cast<std::size_t>(place - workers_.begin())},
+                    {ours.number(), printed.number()});
+    }
+
+    // The first that no worker has.
+    std::vector<pid_t>::iterator free_place() {
+        const auto place = std::find(workers_.begin(), workers_.end(), none);
+        return place != workers_.end() ? place : workers_.insert(workers_.end(), none);
     }
 
     // The worker sees that its socket is closed; what watches it, a profiler or counts of coverage, then has work to
@@ -76,23 +91,26 @@ class Nursery {
         int status = 0;
         ::kill(worker, SIGKILL);  // one that has ended keeps the status it ended with
         while (::waitpid(worker, &status, 0) < 0 && errno == EINTR) {}
-        workers_.erase(worker);
-        send_answer(control_, {worker, status}, {});
+        std::replace(workers_.begin(), workers_.end(), worker, none);
+        send_answer(control_, {worker, status, 0}, {});
     }
 
     void signal_all(int signal) const {
-        for (const pid_t worker : workers_) { ::kill(worker, signal); }  // none is reaped but by bury
+        for (const pid_t worker : workers_) {
+            if (worker != none) { ::kill(worker, signal); }  // none is reaped but by bury
+        }
     }
 
     const Descriptor& control_;
+    const Shares& shares_;
     const WorkerMain& work_;
-    std::set<pid_t> workers_;
+    std::vector<pid_t> workers_;  // by place
 };
 
-[[noreturn]] void be_nursery(pid_t program, const Descriptor& control, const WorkerMain& work) {
+[[noreturn]] void be_nursery(pid_t program, const Descriptor& control, const Shares& shares, const WorkerMain& work) {
     die_with(program);
     ignore_signals({SIGINT, SIGTERM, SIGPIPE, SIGXFSZ});
-    Nursery(control, work).serve();
+    Nursery(control, shares, work).serve();
     ::_exit(0);
 }
 
@@ -114,7 +132,7 @@ Forker::Forker(const WorkerMain& work) {
     if (process_ < 0) { fail(errno); }
     if (process_ > 0) { return; }
     ::close(control_.number());
-    be_nursery(program, theirs, work);
+    be_nursery(program, theirs, shares_, work);
 }
 
 Forker::~Forker() {
@@ -131,6 +149,7 @@ Worker Forker::spawn(std::uint64_t memory, std::string& reason) const {
         worker.process = received.answer.process;
         worker.socket = std::move(received.descriptors[0]);
         worker.printed = Printed(std::move(received.descriptors[1]));
+        worker.told = shares_.place(received.answer.place);
     } else if (received.answer.process > 0) {  // it is there, but this process cannot have its descriptors
         worker.process = received.answer.process;
         bury(worker);

@@ -10,11 +10,12 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <stop_token>
 #include <string>
 
 #include "driver/campaign/workers/printed.hpp"
+#include "driver/campaign/workers/shares.hpp"
 #include "support/files.hpp"
+#include "support/watch.hpp"
 
 namespace kreisel {
 
@@ -23,11 +24,13 @@ struct Worker {
     pid_t process = -1;
     Descriptor socket;              ///< for messages (message.hpp)
     Printed printed{Descriptor()};  ///< what it prints
+    const Share* told = nullptr;    ///< what it tells its watch; may be null
     explicit operator bool() const { return process > 0; }
 };
 
-/// What runs in a worker, until its socket is closed. The token is stopped by Forker::interrupt.
-using WorkerMain = std::function<void(const Descriptor& socket, const Printed&, const std::stop_token&)>;
+/// What runs in a worker, until its socket is closed. The watch asks to stop after Forker::interrupt, and the program
+/// sees what it is told.
+using WorkerMain = std::function<void(const Descriptor& socket, const Printed&, const Watch&)>;
 
 class Forker {
   public:
@@ -48,6 +51,7 @@ class Forker {
     void interrupt() const;
 
   private:
+    Shares shares_;  // before the fork
     Descriptor control_;
     pid_t process_ = -1;
 };

@@ -58,7 +58,7 @@ void ignore_signals(std::initializer_list<int> signals) {
     }
 }
 
-void be_worker(pid_t parent, const Descriptor& socket, const Printed& printed, std::uint64_t memory,
+void be_worker(pid_t parent, const Descriptor& socket, const Printed& printed, const WorkerGoods& goods,
                const WorkerMain& work) {
     die_with(parent);
     std::stop_source stop;
@@ -69,8 +69,8 @@ void be_worker(pid_t parent, const Descriptor& socket, const Printed& printed, s
     read_nothing();
     printed.divert();
     dump_no_core();
-    limit_memory(memory);
-    work(socket, printed, stop.get_token());
+    limit_memory(goods.memory);
+    work(socket, printed, Watch(stop.get_token(), goods.told));
 #ifdef KREISEL_COVERAGE
     __gcov_dump();
 #endif

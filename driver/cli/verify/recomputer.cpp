@@ -43,7 +43,7 @@ std::string recomputed(const PlannedCell& planned, const std::optional<Reference
 }  // namespace
 
 Recomputer::Recomputer(const Plan& plan, const std::filesystem::path& folder, const Engines& engines)
-    : plan_(plan), forker_([&](const Descriptor& socket, const Printed& printed, const std::stop_token&) {
+    : plan_(plan), forker_([&](const Descriptor& socket, const Printed& printed, const Watch&) {
           while (const auto index = receive_message(socket)) {
               const PlannedCell& planned = plan.cells[std::stoul(*index)];
               const auto reference = reference_of(planned, plan, folder, engines);

@@ -16,6 +16,14 @@ bool agree(const Distance& d, const MotionSize& sizes) {
            d.omega <= limit * sizes.omega;
 }
 
+/// The share of the work that the first route takes, measured; the second one takes the rest, for samples twice.
+double first_share(long samples) { return samples > 0 ? 0.65 : 0.75; }
+
+/// Tells how many of the first route's big steps the second one has reached.
+void tell(const Watch& watch, const ReferenceSolution& first, std::size_t reached) {
+    watch.tell(static_cast<double>(reached) / static_cast<double>(first.path.size() + first.beyond.size()));
+}
+
 /// The last of the first route's big steps up to which the second one agrees, and the distance there.
 struct Agreement {
     Real horizon = 0;
@@ -23,10 +31,12 @@ struct Agreement {
     Status status = Status::ok;
 };
 
-Agreement follow(TaylorRoute& route, const ReferenceSolution& first, const std::stop_token& stop) {
+Agreement follow(TaylorRoute& route, const ReferenceSolution& first, const Watch& watch) {
     Agreement agreement;
+    std::size_t reached = 0;
     for (const ReferencePoint& point : first.path) {
-        agreement.status = route.advance(point.t, stop);
+        tell(watch, first, reached++);
+        agreement.status = route.advance(point.t, watch);
         if (agreement.status != Status::ok || route.interrupted()) break;
         const Distance d = distance(route.states(), point.states);
         if (!agree(d, first.sizes)) break;
@@ -36,10 +46,13 @@ Agreement follow(TaylorRoute& route, const ReferenceSolution& first, const std::
 }
 
 /// The largest distance between the routes from there to the end.
-void go_beyond(TaylorRoute& route, const ReferenceSolution& first, const std::stop_token& stop, Agreement& agreement) {
+void go_beyond(TaylorRoute& route, const ReferenceSolution& first, const Watch& watch, Agreement& agreement) {
+    std::size_t reached = 0;
     const auto meet = [&](const ReferencePoint& point) {
+        ++reached;
         if (abs(point.t) <= abs(agreement.horizon) || agreement.status != Status::ok || route.interrupted()) return;
-        agreement.status = route.advance(point.t, stop);
+        tell(watch, first, reached - 1);
+        agreement.status = route.advance(point.t, watch);
         agreement.distance = largest(agreement.distance, distance(route.states(), point.states));
     };
     for (const ReferencePoint& point : first.path) meet(point);
@@ -57,14 +70,15 @@ MultiplierDistance confirmed(const SampledPoint& sample, const std::vector<Real>
 
 /// Follows the samples by a run of its own, so that the one to the end is the same with and without them; false if it
 /// was asked to stop.
-bool confirm_samples(const Model& model, const Real& t_begin, const std::stop_token& stop, ReferenceSolution& out) {
+bool confirm_samples(const Model& model, const Real& t_begin, const Watch& watch, ReferenceSolution& out) {
     TaylorRoute route(model, t_begin);
     const auto rows = constraint_rows(model);
     const Real unknown = std::numeric_limits<Real>::quiet_NaN();
     Status status = Status::ok;
     Distance since;  // the horizon
     for (SampledPoint& sample : out.samples) {
-        if (status == Status::ok) status = route.advance(sample.point.t, stop);
+        watch.tell(static_cast<double>(&sample - out.samples.data()) / static_cast<double>(out.samples.size()));
+        if (status == Status::ok) status = route.advance(sample.point.t, watch);
         if (route.interrupted()) return false;
         const bool known = status == Status::ok, past = abs(sample.point.t) > abs(out.horizon);
         sample.multiplier_error = confirmed(sample, known && !past ? route.multipliers() : std::vector<Real>(), rows);
@@ -89,10 +103,10 @@ Status TaylorRoute::expand() {
     return series_.expand(t_, states_);
 }
 
-Status TaylorRoute::advance(const Real& t, const std::stop_token& stop) {
+Status TaylorRoute::advance(const Real& t, const Watch& watch) {
     const Real smallest = abs(t - t_) / 1099511627776;
     while (t_ != t) {
-        if ((interrupted_ = stop.stop_requested())) return Status::ok;
+        if ((interrupted_ = watch.stop_requested())) return Status::ok;
         if (!holds_) {
             if (const Status s = expand(); s != Status::ok) return s;
             reach_ = series_.reach(reach_ == 0 ? Real(t - t_) : Real(4 * reach_));
@@ -113,19 +127,22 @@ Status TaylorRoute::multipliers(std::vector<Real>& lambda) {
     return status;
 }
 
-ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop, long samples,
+ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const Watch& watch, long samples,
                                       const Real& t_begin) {
-    ReferenceSolution out = reference_solution(model, t_end, stop, samples, t_begin);
+    const double first_end = first_share(samples), second_end = samples > 0 ? (first_end + 1) / 2 : 1;
+    ReferenceSolution out = reference_solution(model, t_end, watch.part(0, first_end), samples, t_begin);
     if (out.interrupted || !out.stopped.empty()) return out;
     TaylorRoute route(model, t_begin);
-    Agreement agreement = follow(route, out, stop);
+    const Watch along = watch.part(first_end, second_end);
+    Agreement agreement = follow(route, out, along);
     if (route.interrupted()) return {.interrupted = true};
     out.horizon = agreement.horizon;
-    if (!confirm_samples(model, t_begin, stop, out)) return {.interrupted = true};
     if (agreement.status == Status::ok && out.horizon != t_end) {  // past the horizon: how far the routes are apart
-        go_beyond(route, out, stop, agreement);
+        go_beyond(route, out, along, agreement);
         if (route.interrupted()) return {.interrupted = true};
     }
+    if (!confirm_samples(model, t_begin, watch.part(second_end, 1), out)) return {.interrupted = true};
+    watch.tell(1);
     out.route += "; Taylor series of order " + std::to_string(taylor_order) + " in rotation matrices, " +
                  std::to_string(route.steps()) + " steps";
     if (agreement.status != Status::ok) out.route += std::string(", ended by ") + name(agreement.status);

@@ -4,11 +4,10 @@
 // with the first route (extrapolation on quaternions, mass and constraints through System).
 #pragma once
 
-#include <stop_token>
-
 #include "engine/reference/reference.hpp"
 #include "engine/reference/taylor/taylor_series.hpp"
 #include "engine/report/report.hpp"
+#include "support/watch.hpp"
 
 namespace kreisel {
 inline namespace KREISEL_PRECISION {
@@ -24,9 +23,9 @@ class TaylorRoute {
   public:
     explicit TaylorRoute(const Model& model, const Real& t_begin = 0);
 
-    /// Moves on to time t. Returns singular_kkt also if steps shrink below 2^-40 of the way: the motion has
-    /// reached a singularity.
-    Status advance(const Real& t, const std::stop_token& stop);
+    /// Moves on to time t, unless the watch asks to stop; it is told nothing. Returns singular_kkt also if steps shrink
+    /// below 2^-40 of the way: the motion has reached a singularity.
+    Status advance(const Real& t, const Watch& watch);
     bool interrupted() const { return interrupted_; }
 
     const std::vector<BodyState>& states() const { return states_; }
@@ -53,8 +52,8 @@ class TaylorRoute {
 /// which these agree to 1e-12 as well. Where the second route fails, the horizon ends, the errors at t_end are unknown,
 /// and `route` says so. Samples are confirmed in the same way, each at its time; past the horizon their errors do not
 /// fall, and from where the second route fails on they are unknown.
-ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const std::stop_token& stop = {},
-                                      long samples = 0, const Real& t_begin = 0);
+ReferenceSolution confirmed_reference(const Model& model, const Real& t_end, const Watch& watch = {}, long samples = 0,
+                                      const Real& t_begin = 0);
 
 }  // namespace KREISEL_PRECISION
 }  // namespace kreisel

@@ -26,7 +26,7 @@ class MeasuredEngine : public OtherEngine {
         all.push_back({.name = "lagrange_top"});
         return all;
     }
-    Outcome run(const Cell& cell, const Reference*, const std::stop_token&, SampleSink*) const override {
+    Outcome run(const Cell& cell, const Reference*, const Watch&, SampleSink*) const override {
         Outcome outcome;
         const double error = std::pow(static_cast<double>(cell.steps), -order_);
         outcome.metrics = {{"error.position", {error, ""}}};
@@ -34,7 +34,7 @@ class MeasuredEngine : public OtherEngine {
         return outcome;
     }
     Reference reference(const std::string&, const ParameterValues&, const BeginState*, double, long,
-                        const std::stop_token&) const override {
+                        const Watch&) const override {
         return {.state = {}, .error = {{"error.position", {certain_to_, ""}}}, .horizon = 1};
     }
 

@@ -22,7 +22,7 @@ void read_all(const Descriptor& socket) {
 
 TEST_CASE("a worker that is released comes to its own end first") {
     SharedCount ends;
-    const Forker forker([&](const Descriptor& socket, const Printed&, const std::stop_token&) {
+    const Forker forker([&](const Descriptor& socket, const Printed&, const Watch&) {
         read_all(socket);
         pause_for(0.1);  // long enough that a kill would come first
         ++ends;
@@ -37,7 +37,7 @@ TEST_CASE("a worker that is released comes to its own end first") {
 }
 
 TEST_CASE("a worker that does not end when it is released is killed") {
-    const Forker forker([&](const Descriptor& socket, const Printed&, const std::stop_token&) {
+    const Forker forker([&](const Descriptor& socket, const Printed&, const Watch&) {
         read_all(socket);
         pause_for(1000);
     });

@@ -95,9 +95,8 @@ std::string Saboteurs::skip_reason(const Cell& cell) const {
     return cell.method.starts_with(family) && !is_usual ? "a few are enough" : FakeEngine::skip_reason(cell);
 }
 
-Outcome Saboteurs::run(const Cell& cell, const Reference* reference, const std::stop_token& stop,
-                       SampleSink* samples) const {
-    if (!cell.method.starts_with(family)) { return FakeEngine::run(cell, reference, stop, samples); }
+Outcome Saboteurs::run(const Cell& cell, const Reference* reference, const Watch& watch, SampleSink* samples) const {
+    if (!cell.method.starts_with(family)) { return FakeEngine::run(cell, reference, watch, samples); }
     const std::string name = cell.method.substr(family.size());
     deeds().at(name)();
     if (name == "kill" && killed == 0) {
@@ -108,18 +107,18 @@ Outcome Saboteurs::run(const Cell& cell, const Reference* reference, const std::
         processes.push_back(::getpid());
         sleep_long();
     }
-    return FakeEngine::run(cell, reference, stop, samples);
+    return FakeEngine::run(cell, reference, watch, samples);
 }
 
 Reference Saboteurs::reference(const std::string& problem, const ParameterValues& parameters, const BeginState* begin,
-                               double t_end, long samples, const std::stop_token& stop) const {
+                               double t_end, long samples, const Watch& watch) const {
     static const char* const by_mass[] = {"", "segfault", "loop", "hoard", "throw"};
     const auto mass = parameters.find("mass");
     const double value = mass == parameters.end() ? 0 : std::get<double>(mass->second);
     for (int i = 1; i <= 4 && problem == "free_top"; ++i) {
         if (value == i) { deeds().at(by_mass[i])(); }
     }
-    return FakeEngine::reference(problem, parameters, begin, t_end, samples, stop);
+    return FakeEngine::reference(problem, parameters, begin, t_end, samples, watch);
 }
 
 }  // namespace kreisel

@@ -18,9 +18,9 @@ class Saboteurs final : public FakeEngine {
     std::vector<MethodDescription> methods() const override;
     /// Saboteurs run for the usual mass only.
     std::string skip_reason(const Cell&) const override;
-    Outcome run(const Cell&, const Reference* reference, const std::stop_token&, SampleSink* samples) const override;
+    Outcome run(const Cell&, const Reference* reference, const Watch&, SampleSink* samples) const override;
     Reference reference(const std::string& problem, const ParameterValues&, const BeginState* begin, double t_end,
-                        long samples, const std::stop_token&) const override;
+                        long samples, const Watch&) const override;
 
     mutable SharedCount killed;       ///< by sabotage/kill
     mutable SharedNumbers processes;  ///< of sabotage/sleep
