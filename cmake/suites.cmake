@@ -14,7 +14,7 @@ target_link_libraries(kreisel_rapid PUBLIC rapidcheck)
 
 # Folders of a suite below tests/, where they are not the one of its name.
 set(KREISEL_FOLDERS_campaign campaign campaign/mechanisms)
-set(KREISEL_FOLDERS_driver driver driver/cli driver/config driver/diff driver/plan driver/workers fuzz)
+set(KREISEL_FOLDERS_driver driver driver/cli driver/config driver/diff driver/harm driver/plan driver/workers fuzz)
 set(KREISEL_FOLDERS_methods methods methods/control methods/families methods/implicit methods/steps)
 set(KREISEL_FOLDERS_metamorphic metamorphic metamorphic/descriptions metamorphic/models)
 set(KREISEL_FOLDERS_orders orders judges/families judges/steps judges/steps/multistep judges/steps/splitting)

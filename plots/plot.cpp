@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <memory>
 #include <set>
 
 #include "plots/figures/cells/joined.hpp"
@@ -18,6 +17,7 @@
 #include "records/sums/sum_list.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -38,22 +38,29 @@ void write_and_draw(const Figure& figure, const Results& results, const std::fil
 }
 
 // What gnuplot reads is not listed: its first line tells whose it is.
-void require_own_settings(const std::filesystem::path& file) {
-    std::error_code error;
-    if (!std::filesystem::exists(file, error) || read_text(file).starts_with(Settings().text())) { return; }
-    throw FileError(
-        fmt::format("{}: expected nothing at this name, or what kreisel plot has written, got another "
-                    "file; please move it away",
-                    file.string()));
+std::filesystem::path gnuplot_file(const std::filesystem::path& folder, const Figure& figure) {
+    return folder / "plotdata" / (figure.name + ".gp");
+}
+
+// Where no list of sums tells whose the files of a figure are, what gnuplot has read for them does.
+void require_own_figure(const std::filesystem::path& folder, const Figure& figure) {
+    const auto gp = gnuplot_file(folder, figure);
+    std::vector<std::filesystem::path> files = {gp};
+    for (const std::string& file : files_of(figure)) { files.push_back(folder / file); }
+    require_own(files, gp, Settings().text());
 }
 
 // In a folder of results the files are derived ones, elsewhere files like any other.
 void draw(Figure& figure, const Results& results, const PlotSettings& settings) {
     figure.note = what_is_wanting(results);
-    if (!settings.output.empty()) { return write_and_draw(figure, results, settings.output); }
+    if (!settings.output.empty()) {
+        require_own_figure(settings.output, figure);
+        return write_and_draw(figure, results, settings.output);
+    }
     const std::filesystem::path& folder = settings.folders.front();
     require_derived(folder, files_of(figure));
-    require_own_settings(folder / "plotdata" / (figure.name + ".gp"));
+    const auto gp = gnuplot_file(folder, figure);
+    require_own({gp}, gp, Settings().text());
     announce_files(folder, files_of(figure));
     try {
         write_and_draw(figure, results, folder);
@@ -64,18 +71,26 @@ void draw(Figure& figure, const Results& results, const PlotSettings& settings) 
     record_sums(folder, files_of(figure));
 }
 
-using Locked = std::unique_ptr<FolderLock>;
+// That figures can be written, before they are drawn.
+void require_writable(const PlotSettings& settings) {
+    if (!settings.output.empty()) { return; }
+    const std::filesystem::path& folder = settings.folders.front();
+    const std::string why = why_not_writable(folder);
+    if (why.empty()) { return; }
+    throw FileError(
+        fmt::format("{}: cannot be written: {}; -o FOLDER draws elsewhere", (folder / "figures").string(), why));
+}
 
-// Each folder once.
-std::vector<Locked> locked(const std::vector<std::filesystem::path>& folders) {
-    std::vector<Locked> locks;
+// Each folder once. The first is written to unless figures go elsewhere.
+std::vector<FolderLock> locked(const PlotSettings& settings) {
+    std::vector<FolderLock> locks;
     std::set<std::filesystem::path> known;
-    for (const std::filesystem::path& folder : folders) {
-        require_results(folder);
+    for (const std::filesystem::path& folder : settings.folders) {
         if (!known.insert(std::filesystem::canonical(folder)).second) {
             throw UsageError(fmt::format("plot: expected each folder once, got {} again", folder.string()));
         }
-        locks.push_back(std::make_unique<FolderLock>(folder, ""));
+        const bool writes = settings.output.empty() && locks.empty();
+        locks.push_back(writes ? FolderLock(folder, "") : FolderLock::of_reader(folder));
     }
     return locks;
 }
@@ -98,7 +113,9 @@ Exit plot_command(const PlotSettings& settings, const PlannedIn& planned) {
     if (settings.folders.size() > 1 && settings.figure.empty()) {
         throw UsageError("plot: expected --figure FILE, which says what figures of several folders show; got none");
     }
-    const std::vector<Locked> folders = locked(settings.folders);
+    for (const std::filesystem::path& folder : settings.folders) { require_results(folder); }
+    require_writable(settings);
+    const std::vector<FolderLock> folders = locked(settings);
     std::vector<Results> all;
     for (const std::filesystem::path& folder : settings.folders) {
         all.push_back(read_results(folder, planned ? PlannedCells([&] { return planned(folder); }) : PlannedCells()));

@@ -16,6 +16,7 @@
 #include "records/remarks/past_horizon.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -75,7 +76,7 @@ Results read_aloud(const std::filesystem::path& folder, const PlannedCells& plan
 
 Exit chosen_table_command(const std::filesystem::path& folder, const TableChoice& choice, const PlannedCells& planned) {
     require_results(folder);
-    const FolderLock lock(folder, "");
+    const FolderLock lock = FolderLock::of_reader(folder);
     const Results results = read_aloud(folder, planned);
     std::cout << chosen_table(results, choice);
     return results.damage.empty() ? Exit::ok : Exit::io;
@@ -83,13 +84,18 @@ Exit chosen_table_command(const std::filesystem::path& folder, const TableChoice
 
 Exit table_command(const std::filesystem::path& folder, const PlannedCells& planned) {
     require_results(folder);
-    const FolderLock lock(folder, "");
+    const std::string why_not = why_not_writable(folder);
+    const FolderLock lock = why_not.empty() ? FolderLock(folder, "") : FolderLock::of_reader(folder);
     const Results results = read_aloud(folder, planned);
     print_counts(results);
     TableCollector tables;
     for (const ResultTable& table : result_tables()) {
         if (!table.applies(results)) { continue; }
         for (TablePair& pair : table.make(results)) { tables.add(std::move(pair), table.is_printed(results)); }
+    }
+    if (!why_not.empty()) {
+        throw FileError(fmt::format("{}: cannot be written: {}; the tables are printed only",
+                                    (folder / "tables").string(), why_not));
     }
     replace_derived(folder, "tables", tables.texts());
     fmt::print("tables in {}\n", (folder / "tables").string());

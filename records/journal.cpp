@@ -135,10 +135,12 @@ std::vector<std::string> journal_damage(const std::filesystem::path& folder) {
     std::vector<std::string> damage;
     for (const auto& file : shard_files(folder, "journal", ".jsonl")) {
         long number = 0;
-        for_each_line(file, [&](std::uint64_t, const std::string& line) {
-            ++number;
-            if (sum_state(line) != SumState::holds) { complain(damage, damaged_line(file, number)); }
-        });
+        try {
+            for_each_line(file, [&](std::uint64_t, const std::string& line) {
+                ++number;
+                if (sum_state(line) != SumState::holds) { complain(damage, damaged_line(file, number)); }
+            });
+        } catch (const FileError& error) { damage.emplace_back(error.what()); }
     }
     return damage;
 }

@@ -60,8 +60,8 @@ std::filesystem::path journal_file(const std::filesystem::path& folder, const st
 /// Throws FileError if a journal cannot be read.
 JournalContents read_journals(const std::filesystem::path& folder, const std::string& build);
 
-/// A text for each line whose sum does not hold. A torn last line is none: whatever kills a run leaves one. Throws
-/// FileError if a journal cannot be read.
+/// A text for each line whose sum does not hold, and each journal that cannot be read. A torn last line is no damage:
+/// whatever kills a run leaves one.
 std::vector<std::string> journal_damage(const std::filesystem::path& folder);
 
 /// Removes a torn last line, so that the next one starts on a line of its own.

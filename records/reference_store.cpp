@@ -123,8 +123,10 @@ bool is_whole_reference(const std::string& text) { return sum_state(text, sum_of
 std::vector<std::string> reference_damage(const std::filesystem::path& folder) {
     std::vector<std::string> damage;
     for (const auto& file : files_like(folder / "references", "", ".json")) {
-        if (is_whole_reference(read_text(file))) { continue; }
-        damage.push_back(file.string() + ":1: damaged: its sum does not hold");
+        try {
+            if (is_whole_reference(read_text(file))) { continue; }
+            damage.push_back(file.string() + ":1: damaged: its sum does not hold");
+        } catch (const FileError& error) { damage.emplace_back(error.what()); }
     }
     return damage;
 }

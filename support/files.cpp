@@ -13,6 +13,7 @@
 
 #include "support/errors.hpp"
 #include "support/hash.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -49,6 +50,13 @@ int open_file(const std::filesystem::path& file, int flags) {
     return ::open(file.c_str(), flags | O_CLOEXEC, file_mode);
 }
 
+std::ifstream opened(const std::filesystem::path& file) {
+    require_file(file);
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) { fail(file, "cannot be read", errno); }
+    return stream;
+}
+
 }  // namespace
 
 Descriptor::~Descriptor() { close(); }
@@ -66,9 +74,9 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 std::string read_text(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
+    std::ifstream stream = opened(file);
     std::ostringstream text;
-    if (!stream || (stream.peek() != std::ifstream::traits_type::eof() && !(text << stream.rdbuf())) || stream.bad()) {
+    if ((stream.peek() != std::ifstream::traits_type::eof() && !(text << stream.rdbuf())) || stream.bad()) {
         fail(file, "cannot be read", errno);
     }
     return text.str();
@@ -82,8 +90,7 @@ std::vector<std::string> read_lines(const std::filesystem::path& file) {
 }
 
 void for_each_piece(const std::filesystem::path& file, const std::function<void(std::string_view piece)>& visit) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) { fail(file, "cannot be read", errno); }
+    std::ifstream stream = opened(file);
     std::string piece(piece_size, '\0');
     while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0) {
         visit(std::string_view(piece).substr(0, static_cast<std::size_t>(stream.gcount())));
@@ -92,13 +99,12 @@ void for_each_piece(const std::filesystem::path& file, const std::function<void(
 }
 
 bool for_each_line(const std::filesystem::path& file,
-                   const std::function<void(std::uint64_t begin, const std::string& line)>& visit) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) { fail(file, "cannot be read", errno); }
+                   const std::function<void(std::uint64_t begin, const std::string& line)>& visit, TornLine torn) {
+    std::ifstream stream = opened(file);
     std::uint64_t begin = 0;
     for (std::string line; std::getline(stream, line); begin += line.size() + 1) {
+        if (!stream.eof() || torn == TornLine::visited) { visit(begin, line); }
         if (stream.eof()) { return false; }
-        visit(begin, line);
     }
     if (stream.bad()) { fail(file, "cannot be read", errno); }
     return true;
@@ -115,7 +121,7 @@ AtomicFile::AtomicFile(std::filesystem::path file)
     : file_(std::move(file)),
       temporary_(fmt::format("{}.{}.part", file_.string(), ::getpid())),
       descriptor_(open_file(temporary_, O_WRONLY | O_CREAT | O_TRUNC)) {
-    if (!descriptor_.valid()) { fail(temporary_, "cannot be opened", errno); }
+    if (!descriptor_.valid()) { fail(file_, "cannot be written", errno); }
 }
 
 AtomicFile::~AtomicFile() {
@@ -144,7 +150,9 @@ void AtomicFile::give_up(int error) {
     fail(file_, "cannot be written", error);
 }
 
-LineFile::LineFile(std::filesystem::path file) : file_(std::move(file)), descriptor_(open_file(file_, O_RDONLY)) {
+LineFile::LineFile(std::filesystem::path file) : file_(std::move(file)) {
+    require_file(file_);
+    descriptor_ = Descriptor(open_file(file_, O_RDONLY));
     if (!descriptor_.valid()) { fail(file_, "cannot be read", errno); }
 }
 
@@ -161,9 +169,9 @@ std::string LineFile::line(std::uint64_t begin, std::size_t size) const {
     return text;
 }
 
-LineAppender::LineAppender(std::filesystem::path file, Start start)
-    : file_(std::move(file)),
-      descriptor_(open_file(file_, O_WRONLY | O_CREAT | O_APPEND | (start == Start::empty ? O_TRUNC : 0))) {
+LineAppender::LineAppender(std::filesystem::path file, Start start) : file_(std::move(file)) {
+    if (what_is_no_file(file_) != "a device") { require_file(file_); }
+    descriptor_ = Descriptor(open_file(file_, O_WRONLY | O_CREAT | O_APPEND | (start == Start::empty ? O_TRUNC : 0)));
     const off_t end = descriptor_.valid() ? ::lseek(descriptor_.number(), 0, SEEK_END) : -1;
     if (end < 0) { fail(file_, "cannot be opened", errno); }
     end_ = static_cast<std::uint64_t>(end);
@@ -183,6 +191,19 @@ FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& s
       shard_lock_(shard.empty() ? -1 : open_file(folder / (".lock." + shard), O_RDWR | O_CREAT)) {
     acquire(folder_lock_, !shard.empty(), folder);
     if (!shard.empty()) { acquire(shard_lock_, false, folder); }
+}
+
+FolderLock FolderLock::of_reader(const std::filesystem::path& folder) {
+    const auto file = folder / ".lock";
+    FolderLock lock;
+    lock.folder_lock_ = Descriptor(open_file(file, O_RDWR | O_CREAT));
+    const bool read_only = errno == EROFS || errno == EACCES || errno == EPERM;
+    if (!lock.folder_lock_.valid() && read_only) {
+        lock.folder_lock_ = Descriptor(open_file(file, O_RDONLY));
+        if (!lock.folder_lock_.valid() && errno == ENOENT) { return lock; }
+    }
+    lock.acquire(lock.folder_lock_, true, folder);
+    return lock;
 }
 
 void FolderLock::acquire(Descriptor& descriptor, bool shared, const std::filesystem::path& folder) const {

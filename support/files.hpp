@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Files that are complete or absent, and that notice a full disk. All functions throw FileError with the path and
-// reason.
+// reason. Names of folders, named pipes and devices are refused by all that reads (support/paths/at_path.hpp).
 #pragma once
 
 #include <cstdint>
@@ -34,16 +34,20 @@ class Descriptor {
 };
 
 void make_folder(const std::filesystem::path& folder);
+
 std::string read_text(const std::filesystem::path& file);
 std::vector<std::string> read_lines(const std::filesystem::path& file);
 
 /// Calls `visit` with the bytes of a file, piece after piece.
 void for_each_piece(const std::filesystem::path& file, const std::function<void(std::string_view piece)>& visit);
 
-/// Calls `visit` with each line that has an end, and the byte at which it begins, one at a time. False if the last line
-/// has none.
+/// What happens to a last line without an end.
+enum class TornLine { left_out, visited };
+
+/// Calls `visit` with each line, and the byte at which it begins, one at a time. False if the last one has no end.
 bool for_each_line(const std::filesystem::path& file,
-                   const std::function<void(std::uint64_t begin, const std::string& line)>& visit);
+                   const std::function<void(std::uint64_t begin, const std::string& line)>& visit,
+                   TornLine torn = TornLine::left_out);
 
 /// Writes to a temporary file beside `file` and renames it, so that a reader never sees half a file.
 void write_atomically(const std::filesystem::path& file, std::string_view text);
@@ -100,8 +104,12 @@ class FolderLock {
   public:
     /// `shard` "": the whole folder. Several shards with different names may share a folder.
     FolderLock(const std::filesystem::path& folder, const std::string& shard);
+    /// Of one who reads only: several may, while nobody writes. Where the lock file can only be read it is locked so;
+    /// where there is none, and none can be made, nobody writes.
+    static FolderLock of_reader(const std::filesystem::path& folder);
 
   private:
+    FolderLock() = default;
     void acquire(Descriptor& descriptor, bool shared, const std::filesystem::path& folder) const;
     Descriptor folder_lock_, shard_lock_;
 };

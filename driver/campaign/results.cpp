@@ -75,6 +75,8 @@ void write_results(const Plan& plan, const FinishedCells& finished, const TableU
         lines.add("\n");
         table.add(line);
     });
+    // Once each, before it is there: a reader of a run that was killed takes what is announced for unfinished.
+    announce_files(folder, {"results.jsonl"});
     lines.keep();
     announce_files(folder, {"results.csv"});
     if (!table.is_whole()) {
@@ -82,7 +84,7 @@ void write_results(const Plan& plan, const FinishedCells& finished, const TableU
         for_each_line_of(plan, finished, [&](const ResultLine& line) { table.add(line); });
     }
     table.keep();
-    record_sums(folder, {"results.csv"});
+    record_sums(folder, {"results.jsonl", "results.csv"});
 }
 
 ManifestSubject manifest_subject(const Plan& plan) {

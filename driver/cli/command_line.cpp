@@ -182,13 +182,17 @@ void CommandLine::add_results() {
     plot->add_option("--figure", arguments_.figure,
                      "JSON file of a figure, or a list of them, as under \"figure\" in configs (default: those of\n"
                      "the config); asked for where there are several folders, whose cells it draws together");
-    plot->add_option("-o,--output", arguments_.output,
-                     "Folder in which figures/ and plotdata/ are written (default: the first folder)");
+    plot->add_option(
+        "-o,--output", arguments_.output,
+        "Folder in which figures/ and plotdata/ are written (default: the first folder); files there that\n"
+        "are not of kreisel are refused");
     CLI::App* report = command("report", "One page (HTML) with results, tables, figures and motion", [this, planned] {
         return report_command(arguments_.folder, arguments_.output, planned);
     });
     add_folder(report);
-    report->add_option("-o,--output", arguments_.output, "File to write (default: report.html in the folder)");
+    report->add_option(
+        "-o,--output", arguments_.output,
+        "File to write (default: report.html in the folder); one that is there and not of kreisel is refused");
     CLI::App* verify = command("verify", "Computes some cells again and compares them byte for byte", [this] {
         return verify_command(arguments_.folder, arguments_.cells, arguments_.seed, build_id(), engines_, terminal_);
     });
@@ -203,7 +207,8 @@ void CommandLine::add_diff() {
                              [this] { return diff_command(arguments_.diff, terminal_.out, terminal_.messages); });
     diff->add_option("A", settings.a, "A folder that kreisel run has written")->required();
     diff->add_option("B", settings.b, "Another one")->required();
-    diff->add_option("--csv", settings.csv, "Write every difference to this file");
+    diff->add_option("--csv", settings.csv,
+                     "Write every difference to this file; one that is there and not of kreisel is refused");
     diff->add_option("--within", settings.within,
                      "Take final states and metrics for the same up to this fraction of the scale of their\n"
                      "quantity in the cell, and leave out counts, constraints, references and samples");

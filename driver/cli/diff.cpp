@@ -10,12 +10,14 @@
 #include "records/diff/compare_cells.hpp"
 #include "records/diff/recorded_folder.hpp"
 #include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
 namespace {
 
 constexpr std::size_t most_rows = 20;
+constexpr const char* beginning_of_differences = "difference,cell in A,cell in B,";  // of the table in full
 
 void print_comparison(const DiffSettings& settings, const CellComparison& comparison, std::ostream& out) {
     fmt::print(out, "A: {}\nB: {}\n", settings.a.string(), settings.b.string());
@@ -36,6 +38,7 @@ Exit diff_command(const DiffSettings& settings, std::ostream& out, std::ostream&
     if (settings.within && !(*settings.within > 0 && std::isfinite(*settings.within))) {
         throw UsageError(fmt::format("--within: expected a number greater than 0, got {}", *settings.within));
     }
+    if (!settings.csv.empty()) { require_own({settings.csv}, settings.csv, beginning_of_differences); }
     const RecordedFolder a = read_recorded_folder(settings.a), b = read_recorded_folder(settings.b);
     for (const RecordedFolder* folder : {&a, &b}) {
         if (!folder->warning.empty()) { fmt::print(messages, "{}\n", folder->warning); }

@@ -18,6 +18,7 @@
 #include "records/trajectory_file.hpp"
 #include "support/files.hpp"
 #include "support/in_shell.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -28,6 +29,7 @@ struct MergedManifests {
     std::optional<Document> config;
     PlanOfParts plan;
     std::vector<std::string> runs;
+    std::vector<std::string> damage;  // manifests that are left out
 };
 
 void add_manifest(const std::filesystem::path& file, const std::string& build, MergedManifests& merged) {
@@ -45,7 +47,8 @@ void add_manifest(const std::filesystem::path& file, const std::string& build, M
     merged.runs.push_back(std::move(manifest.run));
 }
 
-// `build` empty: of any build.
+// `build` empty: of any build. Of a part whose manifest is damaged the journal is taken nevertheless: its lines have
+// sums, and tell by themselves of which cell and build they are.
 MergedManifests read_manifests(const Paths& folders, const std::string& build) {
     MergedManifests merged;
     for (const auto& folder : folders) {
@@ -55,19 +58,32 @@ MergedManifests read_manifests(const Paths& folders, const std::string& build) {
         const auto files = shard_files(folder, "manifest", ".json");
         if (files.empty()) {
             const std::vector<std::string> damage = run_damage(folder);
-            if (!damage.empty()) { throw FileError(damage.front()); }
+            merged.damage.insert(merged.damage.end(), damage.begin(), damage.end());
+            if (!damage.empty()) { continue; }
             throw UsageError(fmt::format("{}: expected a folder that kreisel run has written, got one without manifest",
                                          folder.string()));
         }
-        for (const auto& file : files) { add_manifest(file, build, merged); }
+        for (const auto& file : files) {
+            try {
+                add_manifest(file, build, merged);
+            } catch (const FileError& error) { merged.damage.emplace_back(error.what()); }
+        }
     }
+    if (!merged.config) { throw FileError(merged.damage.front()); }
     return merged;
 }
 
 // Results of another config would be lost.
 void require_no_others(const std::filesystem::path& target, const Document& config) {
     for (const auto& file : shard_files(target, "manifest", ".json")) {
-        if (read_manifest(file).config.value == config.value) { continue; }
+        try {
+            if (read_manifest(file).config.value == config.value) { continue; }
+        } catch (const FileError& error) {
+            throw FileError(
+                fmt::format("{}; what else is in {} is therefore not written over: -o FOLDER merges into "
+                            "another folder",
+                            error.what(), target.string()));
+        }
         throw UsageError(
             fmt::format("{}: expected a new folder or results of the config that is merged, got those of "
                         "another one ({})",
@@ -89,7 +105,7 @@ class Merger {
 
     void add(const std::filesystem::path& folder) {
         for (const std::string& text : run_damage(folder)) { complain(text); }
-        const JournalContents journals = read_journals(folder, build_);
+        const JournalContents journals = journals_of(folder);
         for (const std::string& text : journals.complaints) { complain(text); }
         if (!journals.foreign.empty()) {
             fmt::print(messages_, "{}: {} cells of another build are left out\n", folder.string(),
@@ -111,6 +127,15 @@ class Merger {
     bool damaged() const { return damaged_; }
 
   private:
+    JournalContents journals_of(const std::filesystem::path& folder) {
+        try {
+            return read_journals(folder, build_);
+        } catch (const FileError& error) {
+            complain(error.what());
+            return {};
+        }
+    }
+
     void complain(const std::string& text) {
         fmt::print(messages_, "{}\n", text);
         damaged_ = true;
@@ -145,6 +170,7 @@ class Merger {
         if (from == target_ || !std::filesystem::is_directory(from / "references")) { return; }
         make_folder(target_ / "references");
         for (const auto& file : files_like(from / "references", "", ".json")) {
+            if (!what_is_no_file(file).empty()) { continue; }  // run_damage says so
             const std::string text = read_text(file);
             if (is_whole_reference(text)) { write_atomically(target_ / "references" / file.filename(), text); }
         }

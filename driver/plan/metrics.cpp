@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "driver/plan/metric_names.hpp"
@@ -47,6 +48,30 @@ bool can_be_measured(const Plan& plan, const std::string& name) {
     });
 }
 
+bool is_plain(const std::string& pattern) { return pattern.find('*') == std::string::npos; }
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::string> measurable_among(const std::vector<std::string>& names, const Plan& plan) {
+    std::vector<std::string> measurable;
+    std::copy_if(names.begin(), names.end(), std::back_inserter(measurable),
+                 [&](const std::string& name) { return can_be_measured(plan, name); });
+    return measurable;
+}
+
+// Names, and the patterns of whole groups that fit some of them.
+std::vector<std::string> with_groups(std::vector<std::string> names) {
+    const std::size_t count = names.size();
+    for (const char* group : {"error.*", "defect.*", "structure.*", "invariant.*"}) {
+        const auto end = names.begin() + static_cast<std::ptrdiff_t>(count);
+        const bool fits = std::any_of(names.begin(), end, [&](const auto& name) { return matches(group, name); });
+        if (fits) { names.emplace_back(group); }
+    }
+    return names;
+}
+
 }  // namespace
 
 std::vector<std::string> known_metrics(const Plan& plan) {
@@ -57,29 +82,41 @@ std::vector<std::string> known_metrics(const Plan& plan) {
     return metric_names({integrals.begin(), integrals.end()});
 }
 
-void check_metrics(const std::vector<std::string>& names, Diagnostics& sink, Plan& plan) {
+std::vector<std::string> unknown_metrics(const std::vector<std::string>& names, const Config& config) {
+    std::vector<std::string> unknown;
+    if (!config.metrics_given) { return unknown; }
+    for (const std::string& name : config.metrics) {
+        if (is_plain(name) && !contains(names, name)) { unknown.push_back(name); }
+    }
+    return unknown;
+}
+
+void check_metrics(const std::vector<std::string>& names, const std::vector<std::string>& taken, Diagnostics& sink,
+                   Plan& plan) {
     if (!plan.config.metrics_given) { return; }
-    std::vector<std::string> suggestions = names;
-    suggestions.insert(suggestions.end(), {"error.*", "defect.*", "structure.*", "invariant.*"});
     for (std::size_t i = 0; i < plan.config.metrics.size(); ++i) {
         const std::string& pattern = plan.config.metrics[i];
-        const bool plain = pattern.find('*') == std::string::npos;
         const std::string pointer = fmt::format("/metrics/{}", i);
         const auto fits = [&](const std::string& name) { return matches(pattern, name); };
-        if (plain && std::none_of(names.begin(), names.end(), fits)) {
+        if (contains(taken, pattern)) {
+            plan.warnings.push_back(fmt::format("{}: {} is left out: --filter took the problems that have it away",
+                                                pointer, in_quotes(pattern)));
+        } else if (is_plain(pattern) && !contains(names, pattern)) {
             sink.add({.pointer = pointer,
                       .expected = "a metric of these problems, or a pattern that fits one (see kreisel list metrics)",
                       .got = in_quotes(pattern),
                       .suggestion = nearest_name(pattern, names),
                       .rule = Rule::metric});
         } else if (std::none_of(names.begin(), names.end(),
-                                [&](const auto& name) { return fits(name) && can_be_measured(plan, name); })) {
-            const std::string nearest = plain ? "" : nearest_name(pattern, suggestions);
+                                [&](const std::string& name) { return fits(name) && can_be_measured(plan, name); })) {
+            const std::string nearest =
+                is_plain(pattern) ? "" : nearest_name(pattern, with_groups(measurable_among(names, plan)));
             plan.warnings.push_back(fmt::format("{}: {} fits no metric that a cell of this config can measure{}",
                                                 pointer, in_quotes(pattern),
                                                 nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?"));
         }
     }
+    std::erase_if(plan.config.metrics, [&](const std::string& name) { return contains(taken, name); });
 }
 
 }  // namespace kreisel

@@ -111,6 +111,21 @@ void summarise(const Config& config, const Engines& engines, Diagnostics& sink, 
     plan.warnings = summaries.warnings();
 }
 
+// Plain names of metrics that the config has without its filters only. What is wrong with the problems that a filter
+// took away is of no interest.
+std::vector<std::string> taken_metrics(const std::vector<std::string>& metrics, const Config& config,
+                                       const Engines& engines, const Document& document) {
+    std::vector<std::string> unknown = unknown_metrics(metrics, config);
+    if (!config.whole || unknown.empty()) { return {}; }
+    Plan whole;
+    Diagnostics unheard(document);
+    summarise(*config.whole, engines, unheard, whole);
+    const std::vector<std::string> known = known_metrics(whole);
+    std::erase_if(unknown,
+                  [&](const auto& name) { return std::find(known.begin(), known.end(), name) == known.end(); });
+    return unknown;
+}
+
 void warn(Plan& plan) {
     plan.warnings.insert(plan.warnings.begin(), plan.config.warnings.begin(), plan.config.warnings.end());
     if (plan.skipped() == plan.cells.size()) {
@@ -139,7 +154,7 @@ Plan make_plan(const Document& document, const Config& config, const Engines& en
     sink.raise();
     check_begins(engines, sink, plan);
     const auto metrics = known_metrics(plan);
-    check_metrics(metrics, sink, plan);
+    check_metrics(metrics, taken_metrics(metrics, config, engines, document), sink, plan);
     const auto check = config.whole ? check_filtered_figures : check_figures;
     check(document, plan, metrics, engines.binary64, sink);
     cross_axes(engines, sink, plan);

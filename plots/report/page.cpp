@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "support/base64.hpp"
 #include "support/sha256.hpp"
 
@@ -52,6 +54,11 @@ std::string json_within_html(const std::string& json) { return replaced(json, '<
 
 std::string html_escaped(const std::string& text) {
     return replaced(replaced(replaced(replaced(text, '&', "&amp;"), '<', "&lt;"), '>', "&gt;"), '"', "&quot;");
+}
+
+std::string report_page_mark() {
+    const std::string_view page = page_text;
+    return std::string(page.substr(0, page.find("{1}")));
 }
 
 std::string report_page(const std::string& title, const std::string& data) {

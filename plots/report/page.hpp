@@ -12,6 +12,9 @@ std::string json_within_html(const std::string& json);
 /// Text within HTML.
 std::string html_escaped(const std::string& text);
 
+/// How every page begins.
+std::string report_page_mark();
+
 /// The page. Its policy (Content-Security-Policy) allows this one script, by its SHA-256, inline styles, and images and
 /// files that the script makes; nothing is ever requested.
 std::string report_page(const std::string& title, const std::string& data);

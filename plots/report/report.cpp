@@ -19,6 +19,7 @@
 #include "records/remarks/past_horizon.hpp"
 #include "records/sums/sum_list.hpp"
 #include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -59,6 +60,15 @@ std::string data_json(const Results& results, const std::filesystem::path& folde
         .text();
 }
 
+// That the page can be written, before it is made.
+void require_place(const std::filesystem::path& folder, const std::filesystem::path& output) {
+    if (!output.empty()) { return require_own({output}, output, report_page_mark()); }
+    const std::string why = why_not_writable(folder);
+    if (why.empty()) { return; }
+    throw FileError(fmt::format("{}: cannot be written: {}; -o FILE writes the page elsewhere",
+                                (folder / report_file).string(), why));
+}
+
 // In the folder it is one of its derived files, elsewhere a file like any other.
 void write_page(const std::string& page, const std::filesystem::path& folder, const std::filesystem::path& output) {
     if (!output.empty()) { return write_atomically(output, page); }
@@ -73,7 +83,8 @@ void write_page(const std::string& page, const std::filesystem::path& folder, co
 Exit report_command(const std::filesystem::path& folder, const std::filesystem::path& output,
                     const PlannedCells& planned) {
     require_results(folder);
-    const FolderLock lock(folder, "");
+    require_place(folder, output);
+    const FolderLock lock = output.empty() ? FolderLock(folder, "") : FolderLock::of_reader(folder);
     const Results results = read_results(folder, planned);
     print_wanting(results);
     const ReportFigures figures = report_figures(results);

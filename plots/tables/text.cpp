@@ -12,6 +12,7 @@
 #include "support/csv.hpp"
 #include "support/files.hpp"
 #include "support/number_text.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -69,6 +70,8 @@ std::vector<std::string> mapped(const std::vector<std::string>& cells, const Esc
     std::transform(cells.begin(), cells.end(), std::back_inserter(result), escape);
     return result;
 }
+
+std::string markdown_title(const TextTable& table) { return "# " + markdown_escaped(table.title) + "\n"; }
 
 }  // namespace
 
@@ -145,7 +148,7 @@ std::string markdown_text(const TextTable& table) {
     const auto line = [](const std::vector<std::string>& cells) {
         return "| " + joined(mapped(cells, markdown_escaped), " | ") + " |\n";
     };
-    std::string text = "# " + markdown_escaped(table.title) + "\n\n";
+    std::string text = markdown_title(table) + "\n";
     for (const std::string& note : table.notes) { text += markdown_escaped(note) + "\n\n"; }
     text += line(table.columns) + "|";
     for (const bool is_number : number_columns(table)) { text += is_number ? " ---: |" : " --- |"; }
@@ -165,10 +168,13 @@ std::string csv_text(const TextTable& table) {
 }
 
 void write_table(const std::filesystem::path& folder, const TextTable& full, const TextTable& brief) {
+    const auto csv = folder / (full.name + ".csv"), md = folder / (brief.name + ".md");
+    const auto tex = folder / (brief.name + ".tex");
+    require_own({csv, md, tex}, md, markdown_title(brief));
     make_folder(folder);
-    write_atomically(folder / (full.name + ".csv"), csv_text(full));
-    write_atomically(folder / (brief.name + ".md"), markdown_text(brief));
-    write_atomically(folder / (brief.name + ".tex"), latex_text(brief));
+    write_atomically(csv, csv_text(full));
+    write_atomically(md, markdown_text(brief));
+    write_atomically(tex, latex_text(brief));
 }
 
 }  // namespace kreisel

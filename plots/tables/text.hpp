@@ -38,7 +38,8 @@ std::string markdown_text(const TextTable& table);
 /// RFC 4180. Text that a spreadsheet would read as a formula is preceded by an apostrophe; notes are left out.
 std::string csv_text(const TextTable& table);
 
-/// Writes folder/<name>.md, .csv and .tex. `full` goes to the CSV, `brief` to the others. Throws FileError.
+/// Writes folder/<name>.md, .csv and .tex. `full` goes to the CSV, `brief` to the others. Throws FileError,
+/// also where one of them is there and the Markdown there has not this title: then it is someone else's.
 void write_table(const std::filesystem::path& folder, const TextTable& full, const TextTable& brief);
 
 }  // namespace kreisel

@@ -12,6 +12,7 @@
 #include "records/trajectory_file.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -23,7 +24,9 @@ bool is_found(const std::filesystem::path& file) {
 }
 
 std::string not_there(const std::filesystem::path& file) {
-    return fmt::format("{}: damaged: it is not there", file.string());
+    const std::string kind = what_is_no_file(file);
+    return fmt::format("{}: damaged: {}", file.string(),
+                       kind.empty() ? "it is not there" : "expected a file, got " + kind);
 }
 
 std::filesystem::path journal_of(const std::filesystem::path& manifest) {

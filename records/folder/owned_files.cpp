@@ -12,6 +12,8 @@
 #include "records/sums/sum_list.hpp"
 #include "records/trajectory_file.hpp"
 #include "support/errors.hpp"
+#include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -86,7 +88,8 @@ bool OwnedFiles::has(const std::string& path) const {
 
 void OwnedFiles::require(const std::vector<std::string>& paths) const {
     for (const std::string& path : paths) {
-        if (!is_there(folder_ / path) || has(path)) { continue; }
+        const std::string kind = what_is_no_file(folder_ / path);
+        if ((!is_there(folder_ / path) && (kind.empty() || kind == "a device")) || has(path)) { continue; }
         throw UsageError(
             fmt::format("{}: expected nothing at this name, or a file that a manifest of this folder "
                         "lists, got another one; please move it away",
@@ -103,7 +106,7 @@ void OwnedFiles::remove_results() const {
         if (path.ends_with(part_ending)) { path.resize(path.size() - part_ending.size()); }
         if (has(path)) { remove_file(file); }
     }
-    if (is_there(folder_ / sum_list_name)) { withdraw_files(folder_, {"results.csv", geometry_file}); }
+    if (is_there(folder_ / sum_list_name)) { withdraw_files(folder_, {"results.jsonl", "results.csv", geometry_file}); }
 }
 
 void remove_parts(const std::filesystem::path& folder, const std::function<bool(const std::string& cell)>& stale) {

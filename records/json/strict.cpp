@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "support/errors.hpp"
+#include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -142,6 +144,12 @@ void refuse_encoding(const Document& document) {
     }
 }
 
+// The pipe of `kreisel check <(...)` has a writer, and /dev/stdin is open: waiting for them is what was asked for.
+bool is_descriptor(const std::filesystem::path& file) {
+    const std::string path = std::filesystem::absolute(file).lexically_normal().string();
+    return path.starts_with("/dev/") || path.starts_with("/proc/");
+}
+
 }  // namespace
 
 Document parse_document(std::string file, std::string text) {
@@ -156,9 +164,9 @@ Document parse_document(std::string file, std::string text) {
 }
 
 Document read_document(const std::filesystem::path& file) {
-    std::error_code error;
-    if (std::filesystem::is_directory(file, error)) {
-        throw UsageError(fmt::format("{}: expected a file, got a folder", file.string()));
+    const std::string kind = what_is_no_file(file);
+    if (kind == "a folder" || (!kind.empty() && !is_descriptor(file))) {
+        throw UsageError(fmt::format("{}: expected a file, got {}", file.string(), kind));
     }
     std::ifstream stream(file, std::ios::binary);
     if (!stream) { throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno))); }

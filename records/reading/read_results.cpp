@@ -4,9 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -55,7 +52,10 @@ void add_times(const std::filesystem::path& folder, const std::string& build, Sh
     const bool timed =
         (kind != nullptr && kind->repeated) || std::any_of(results.rows.begin(), results.rows.end(), is_timed);
     if (build.empty() || !timed) { return; }
-    const JournalContents journals = read_journals(folder, build);  // folder_damage tells of their damaged lines
+    JournalContents journals;
+    try {
+        journals = read_journals(folder, build);  // folder_damage tells of their damaged lines
+    } catch (const FileError&) { return; }        // and of one that is no file
     const JournalLines lines = journals.lines();
     for (ResultRow& row : results.rows) {
         const auto found = journals.cells.find(row.cell);
@@ -125,9 +125,8 @@ void add_missing(const std::vector<CellIdentity>& planned, Sharing& sharing, Res
 // One after the other, also a last one without an end: all together may take more memory than the rows.
 template <class Visit>
 void visit_lines(const std::filesystem::path& file, const Visit& visit) {
-    std::ifstream stream(file, std::ios::binary);
-    for (std::string line; std::getline(stream, line);) { visit(line); }
-    if (!stream.eof()) { throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno))); }
+    for_each_line(
+        file, [&](std::uint64_t, const std::string& line) { visit(line); }, TornLine::visited);
 }
 
 // Lines of this format have sums; where the format is not known one sum tells of all.

@@ -8,6 +8,7 @@
 
 #include "support/files.hpp"
 #include "support/hash.hpp"
+#include "support/paths/at_path.hpp"
 #include "support/sha256.hpp"
 
 namespace kreisel {
@@ -30,7 +31,9 @@ bool is_entry(const std::string& line) {
 }
 
 // What `table`, `plot` and `report` write can be made again at any time.
-bool is_of_run(const std::string& path) { return path == "results.csv" || path == "geometry.json"; }
+bool is_of_run(const std::string& path) {
+    return path == "results.jsonl" || path == "results.csv" || path == "geometry.json";
+}
 
 bool is_file(const std::filesystem::path& file) {
     std::error_code error;
@@ -49,6 +52,9 @@ bool is_path_below(const std::string& path) {
 SumList read_sum_list(const std::filesystem::path& folder) {
     const auto file = folder / sum_list_name;
     SumList list;
+    if (const std::string kind = what_is_no_file(file); !kind.empty()) {
+        list.damage = fmt::format("{}: damaged: expected a file, got {}", file.string(), kind);
+    }
     if (!is_file(file)) { return list; }
     const std::string text = read_text(file);
     std::istringstream lines(text);
@@ -122,6 +128,10 @@ std::vector<std::string> sum_list_damage(const std::filesystem::path& folder) {
     for (const auto& [path, sum] : list.sums) {
         const auto file = folder / path;
         if (sum == unfinished_sum) { continue; }
+        if (const std::string kind = what_is_no_file(file); !kind.empty()) {
+            damage.push_back(fmt::format("{}: damaged: expected a file, got {}", file.string(), kind));
+            continue;
+        }
         if (!is_file(file)) {
             if (is_of_run(path)) { damage.push_back(fmt::format("{}: damaged: it is not there", file.string())); }
             continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// DIR/sums.sha256: the sums of results.csv, tables and figures, which have no room for one of their own.
+// DIR/sums.sha256: the sums of results.csv, tables and figures, which have no room for one of their own,
+// and of results.jsonl, whose lines have sums that do not tell of their order.
 // `sha256sum -c sums.sha256` checks them too. Its last line is a comment with the sum of the others.
 #pragma once
 

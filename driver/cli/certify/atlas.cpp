@@ -14,6 +14,7 @@
 #include "plots/tables/table.hpp"
 #include "records/reading/read_results.hpp"
 #include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -145,8 +146,10 @@ Exit atlas_command(const Paths& folders, const std::filesystem::path& output, co
         if (output.empty()) { print_sheet(method, orders, terminal.out); }
     }
     if (!output.empty()) {
+        const auto file = output / "atlas.tex";
+        require_own({file}, file, "\\atlasmethod{");
         make_folder(output);
-        write_atomically(output / "atlas.tex", latex);
+        write_atomically(file, latex);
     }
     return Exit::ok;
 }

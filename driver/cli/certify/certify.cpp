@@ -160,6 +160,7 @@ Exit certify_command(const std::string& name, bool is_long, const std::filesyste
                      const Terminal& terminal) {
     const MethodDescription method = method_called(name, engines.binary64);
     DataSheet sheet = described(method, engines.binary64);
+    if (!output.empty()) { require_own_sheet(output, method.name); }
     const TemporaryFolder folder;
     std::vector<std::string> complaints;
     try {

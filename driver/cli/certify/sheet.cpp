@@ -7,8 +7,23 @@
 
 #include "plots/tables/latex.hpp"
 #include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
+
+namespace {
+
+struct SheetFiles {
+    std::filesystem::path txt, md, tex;
+};
+
+SheetFiles files_of_sheet(const std::filesystem::path& folder, const std::string& name) {
+    std::string file = name;
+    std::replace(file.begin(), file.end(), '/', '-');
+    return {folder / (file + ".txt"), folder / (file + ".md"), folder / (file + ".tex")};
+}
+
+}  // namespace
 
 std::string terminal_text(const DataSheet& sheet) {
     std::string text = sheet.title + "\n";
@@ -40,13 +55,17 @@ std::string latex_text(const DataSheet& sheet) {
     return text + "\\end{itemize}\n";
 }
 
+void require_own_sheet(const std::filesystem::path& folder, const std::string& name) {
+    const auto [txt, md, tex] = files_of_sheet(folder, name);
+    require_own({txt, md, tex}, md, fmt::format("# {}: ", name));
+}
+
 void write_sheet(const std::filesystem::path& folder, const std::string& name, const DataSheet& sheet) {
-    std::string file = name;
-    std::replace(file.begin(), file.end(), '/', '-');
-    std::filesystem::create_directories(folder);
-    write_atomically(folder / (file + ".txt"), terminal_text(sheet));
-    write_atomically(folder / (file + ".md"), markdown_text(sheet));
-    write_atomically(folder / (file + ".tex"), latex_text(sheet));
+    const auto [txt, md, tex] = files_of_sheet(folder, name);
+    make_folder(folder);
+    write_atomically(txt, terminal_text(sheet));
+    write_atomically(md, markdown_text(sheet));
+    write_atomically(tex, latex_text(sheet));
 }
 
 }  // namespace kreisel

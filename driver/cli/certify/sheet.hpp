@@ -23,6 +23,9 @@ std::string markdown_text(const DataSheet& sheet);
 /// A section with tables, for a document that loads booktabs.
 std::string latex_text(const DataSheet& sheet);
 
+/// Throws FileError where a file of another origin is at a name that `write_sheet` would write.
+void require_own_sheet(const std::filesystem::path& folder, const std::string& name);
+
 /// Writes DIR/name.txt, .md and .tex, where a name "rkmk/rk4" becomes rkmk-rk4. Throws FileError.
 void write_sheet(const std::filesystem::path& folder, const std::string& name, const DataSheet& sheet);
 

@@ -12,6 +12,8 @@ namespace kreisel {
 namespace {
 
 constexpr const char* one_config = "A JSON file, or the name of a config that comes with kreisel";
+constexpr const char* folder_for_table =
+    "Folder for the table as Markdown, CSV and LaTeX; files there that are not of kreisel are refused";
 
 }  // namespace
 
@@ -37,14 +39,16 @@ void add_inquiries(CommandLine& line) {
                                      line.terminal());
         });
     linearise->add_option("config", line.arguments().configs, one_config)->required()->expected(1);
-    linearise->add_option("-o,--output", line.arguments().output, "Folder for the table as Markdown, CSV and LaTeX");
+    linearise->add_option("-o,--output", line.arguments().output, folder_for_table);
     CLI::App* certify =
         line.command("certify", "The data sheet of a method: what it declares, and what is observed", [&line] {
             return certify_command(line.arguments().name, line.arguments().is_long, line.arguments().output,
                                    line.engines(), line.terminal());
         });
     certify->add_option("method", line.arguments().name, "Its name, as kreisel list methods shows it")->required();
-    certify->add_option("-o,--output", line.arguments().output, "Folder for the sheet as text, Markdown and LaTeX");
+    certify->add_option(
+        "-o,--output", line.arguments().output,
+        "Folder for the sheet as text, Markdown and LaTeX; files there that are not of kreisel are refused");
     certify->add_flag("--long", line.arguments().is_long,
                       "Follow the energy over a million steps and more, not ten thousand");
     CLI::App* atlas = line.command(
@@ -52,11 +56,12 @@ void add_inquiries(CommandLine& line) {
             return atlas_command(line.arguments().folders, line.arguments().output, line.engines(), line.terminal());
         });
     atlas->add_option("folder", line.arguments().folders, "Results of convergence studies");
-    atlas->add_option("-o,--output", line.arguments().output, "Folder for atlas.tex");
+    atlas->add_option("-o,--output", line.arguments().output,
+                      "Folder for atlas.tex; one there that is not of kreisel is refused");
     CLI::App* published =
         line.command("published", "Published numbers beside ours, and the digits that agree",
                      [&line] { return published_command(line.arguments().output, line.engines(), line.terminal()); });
-    published->add_option("-o,--output", line.arguments().output, "Folder for the table as Markdown, CSV and LaTeX");
+    published->add_option("-o,--output", line.arguments().output, folder_for_table);
 }
 
 }  // namespace kreisel

@@ -18,6 +18,7 @@
 #include "records/results.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -160,7 +161,7 @@ fs::path file_named(const Document& config, const Node& begin, const Diagnostics
     sink.raise();
     const fs::path file = (folder_of(config, std::string(begin_place) + "/file") / *path).lexically_normal();
     if (path->empty() || !fs::is_regular_file(file)) {
-        written.violates(Rule::file, expected_samples, in_quotes(*path) + ", which is no file");
+        written.violates(Rule::file, expected_samples, which_is_no_file(in_quotes(*path), file));
         sink.raise();
     }
     return file;

@@ -12,6 +12,8 @@
 #include "records/json/strict.hpp"
 #include "records/manifest.hpp"
 #include "support/errors.hpp"
+#include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -31,8 +33,8 @@ std::filesystem::path extended_by(const Document& document) {
     if (path && path->empty()) { root.find(extends_key)->mismatch(expected); }
     sink.raise();
     const std::filesystem::path file = std::filesystem::path(document.file).parent_path() / *path;
-    if (!std::filesystem::exists(file) || std::filesystem::is_directory(file)) {
-        root.find(extends_key)->violates(Rule::file, expected, in_quotes(*path) + ", which is no file");
+    if (!std::filesystem::is_regular_file(file)) {
+        root.find(extends_key)->violates(Rule::file, expected, which_is_no_file(in_quotes(*path), file));
     }
     sink.raise();
     return file;

@@ -7,6 +7,7 @@
 #include "records/json/node.hpp"
 #include "records/json/strict.hpp"
 #include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -67,7 +68,7 @@ void insert_at(Document& config, const std::string& pointer) {
     sink.raise();
     const fs::path file = (folder_of(config, pointer + "/file") / *path).lexically_normal();
     if (path->empty() || !fs::is_regular_file(file)) {
-        written.violates(Rule::file, expected_path, in_quotes(*path) + ", which is no file");
+        written.violates(Rule::file, expected_path, which_is_no_file(in_quotes(*path), file));
         sink.raise();
     }
     json patch = parameters.json();

@@ -12,6 +12,7 @@
 #include "support/errors.hpp"
 #include "support/files.hpp"
 #include "support/nearest.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -102,7 +103,7 @@ json with_points(const Document& document, const std::string& pointer) {
     sink.raise();
     const std::filesystem::path file = (folder_of(document, pointer + "/file") / *path).lexically_normal();
     if (!std::filesystem::is_regular_file(file)) {
-        written.violates(Rule::file, expected_path, in_quotes(*path) + ", which is no file");
+        written.violates(Rule::file, expected_path, which_is_no_file(in_quotes(*path), file));
         sink.raise();
     }
     const CsvFile csv(file);

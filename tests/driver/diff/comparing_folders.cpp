@@ -9,6 +9,7 @@
 
 #include "records/cell/line.hpp"
 #include "records/provenance.hpp"
+#include "records/sums/sum_list.hpp"
 #include "tests/driver/command_line.hpp"
 
 using namespace kreisel;
@@ -39,6 +40,8 @@ struct TwoFolders {
     void rewrite(const std::vector<std::string>& lines) const {
         std::ofstream file(b / "results.jsonl");
         for (const std::string& line : lines) { file << line << "\n"; }
+        file.close();
+        record_sums(b, {"results.jsonl"});
     }
     /// Replaces one value in one line of B.
     void set(std::size_t index, const std::string& pointer, const nlohmann::json& value) const {

@@ -6,6 +6,7 @@
 #include "driver/config/composition/filter.hpp"
 #include "driver/config/resolved.hpp"
 #include "support/errors.hpp"
+#include "tests/driver/other_engine.hpp"
 #include "tests/driver/plan/planned.hpp"
 
 namespace kreisel::narrowed_tests {
@@ -85,6 +86,60 @@ TEST_CASE("what a config never had is refused with a filter too") {
                Catch::Contains("/figure/select/problem/1: expected a problem of this experiment, got \"tip\""));
     CHECK_THAT(refusal(R"({"kind": "convergence", "metric": "error.postion"})", fewer),
                Catch::Contains("did you mean \"error.position\"?"));
+}
+
+/// Of which the heavy top alone has a momentum, and the free body no constraints.
+class TopsOwnMomentum final : public OtherEngine {
+  public:
+    SystemSummary summary(const std::string& problem, const ParameterValues& values,
+                          const std::string& formulation) const override {
+        SystemSummary summary = OtherEngine::summary(problem, values, formulation);
+        if (problem == "heavy_top") { summary.integrals.push_back({"momentum", "N m s", "about the vertical"}); }
+        if (problem == "free_top") {
+            summary.constraints = {};
+            summary.integrals.clear();
+        }
+        return summary;
+    }
+};
+
+const TopsOwnMomentum tops_own_momentum;
+const Engines with_momentum{tops_own_momentum, tops_own_momentum};
+
+Plan measuring(const std::string& metrics, const std::vector<std::string>& filters) {
+    const Document document = parse_document("test.json", R"({"name": "n", "kind": "drift",
+        "problems": ["heavy_top", "free_top"], "methods": ["rkmk/rk4"], "time": {"end": 1, "steps": [4]},
+        "metrics": )" + metrics + "}");
+    Config config = read_config(document, Catalogue(with_momentum.binary64));
+    if (!filters.empty()) { apply_filters(filters, config); }
+    return make_plan(document, config, with_momentum);
+}
+
+TEST_CASE("a metric of problems that a filter takes away is left out with a warning; one that none has is refused") {
+    const std::string both = R"(["invariant.momentum", "defect.orthogonality"])";
+    CHECK(measuring(both, {}).config.metrics.size() == 2);
+    CHECK(measuring(both, {"problems=heavy_top"}).warnings.empty());
+    const Plan plan = measuring(both, {"problems=free_top"});
+    CHECK(plan.config.metrics == std::vector<std::string>{"defect.orthogonality"});
+    CHECK(plan.warnings == std::vector<std::string>{"/metrics/0: \"invariant.momentum\" is left out: --filter took "
+                                                    "the problems that have it away"});
+    CHECK(plan_of(parse_document("manifest.json", resolved_config(plan.config)), with_momentum).cells.size() == 1);
+    for (const auto& filters : {std::vector<std::string>{}, {"problems=free_top"}}) {
+        CHECK_THROWS_WITH(measuring(R"(["invariant.momentun"])", filters),
+                          Catch::Contains("/metrics/0: expected a metric of these problems"));
+    }
+}
+
+TEST_CASE("of a pattern that fits nothing to measure no such pattern is suggested") {
+    const auto warning = [](const std::string& pattern) {
+        const Plan plan = measuring("[\"" + pattern + "\"]", {"problems=free_top"});
+        REQUIRE(plan.warnings.size() == 1);
+        return plan.warnings.front();
+    };
+    CHECK(warning("invariant.*") ==
+          "/metrics/0: \"invariant.*\" fits no metric that a cell of this config can measure");
+    CHECK(warning("invarian.*") == "/metrics/0: \"invarian.*\" fits no metric that a cell of this config can measure");
+    CHECK_THAT(warning("defekt.*"), Catch::EndsWith("; did you mean \"defect.*\"?"));
 }
 
 }  // namespace kreisel::narrowed_tests

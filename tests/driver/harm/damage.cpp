@@ -18,37 +18,11 @@
 #include "records/sums/summed_text.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
-#include "tests/driver/command_line.hpp"
+#include "tests/driver/harm/small_folder.hpp"
 
 using namespace kreisel;
 
 namespace {
-
-/// Two cells with samples and a reference, in a folder that has all files of a format.
-struct SmallFolder {
-    ScratchFolder scratch;
-    std::string config = scratch.file("small.json", R"({"name": "small", "kind": "convergence",
-        "problems": ["heavy_top"], "methods": ["rkmk/rk4"], "time": {"end": 1, "steps": [2, 4]},
-        "output": {"samples": 2}})");
-    std::filesystem::path folder = scratch / "out";
-
-    SmallFolder() {
-        REQUIRE(run_program({"run", config, "-o", folder.string(), "-j", "1"}).code == 0);
-        REQUIRE(run_program({"table", folder.string()}).code == 0);
-    }
-    /// A file of each sort.
-    std::vector<std::filesystem::path> files() const {
-        std::vector<std::filesystem::path> all;
-        for (const char* name : {"results.jsonl", "journal.jsonl", "manifest.json", "results.csv", "sums.sha256"}) {
-            all.push_back(folder / name);
-        }
-        all.push_back(folder / "geometry.json");
-        for (const char* below : {"trajectories", "references"}) {
-            all.push_back(std::filesystem::directory_iterator(folder / below)->path());
-        }
-        return all;
-    }
-};
 
 /// The text with one byte changed, for each byte, and cut at each length; every `stride`-th of both.
 template <class Visit>
@@ -223,6 +197,27 @@ TEST_CASE("a cell that has two lines in results.jsonl is named with its line, an
     CHECK(read_recorded_folder(small.folder).cells.size() == 2);
 }
 
+TEST_CASE("lines of results.jsonl in another order are noticed, though each has its sum") {
+    const SmallFolder small;
+    const auto file = small.folder / "results.jsonl";
+    const std::string text = contents(file), folder = small.folder.string();
+    const std::size_t second = text.find('\n') + 1;
+    put(file, text.substr(second) + text.substr(0, second));
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"table", folder},
+                                                  {"report", folder},
+                                                  {"verify", folder, "--cells", "0"},
+                                                  {"diff", folder, folder}}) {
+        const auto result = run_program(words);
+        CAPTURE(words.front(), result.messages);
+        CHECK(result.code == 3);
+        CHECK_THAT(result.messages, Catch::Contains("results.jsonl: damaged: it is not what sums.sha256 says"));
+    }
+    CHECK(read_results(small.folder).rows.size() == 2);
+    REQUIRE(run_program({"run", small.config, "-o", folder, "--resume"}).code == 0);
+    CHECK(contents(file) == text);
+    CHECK(run_program({"verify", folder, "--cells", "0"}).code == 0);
+}
+
 TEST_CASE("a file of a run that is missing is named by each reader") {
     const SmallFolder small;
     const std::string folder = small.folder.string();
@@ -265,6 +260,51 @@ TEST_CASE("a part whose manifest is missing cannot be merged, and a folder witho
                !Catch::Contains("--resume goes on"));
 }
 
+TEST_CASE(
+    "a part whose manifest is damaged is named and stops no merge: its intact lines are taken, what is missing told") {
+    const ScratchFolder scratch;
+    const std::string config = scratch.file("good.json", good_config());
+    const auto run = [&](const std::string& folder, const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"run", config, "-o", (scratch / folder).string(), "-j", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        REQUIRE(run_program(words).code == 0);
+    };
+    run("a", {"--shard", "1/2"});
+    run("b", {"--shard", "2/2"});
+    run("whole", {});
+    const auto manifest = scratch / "b" / "manifest.2-of-2.json", journal = scratch / "b" / "journal.2-of-2.jsonl";
+    const auto merge = [&](const std::string& first, const std::string& second, const std::string& into) {
+        return run_program(
+            {"merge", (scratch / first).string(), (scratch / second).string(), "-o", (scratch / into).string()});
+    };
+    std::string text = contents(manifest);
+    text[text.size() / 2] = '#';
+    put(manifest, text);
+    const auto merged = merge("a", "b", "ab");
+    CHECK(merged.code == 3);
+    CHECK_THAT(merged.messages, Catch::Contains("manifest.2-of-2.json: damaged: its sum does not hold"));
+    CHECK(contents(scratch / "ab" / "results.jsonl") == contents(scratch / "whole" / "results.jsonl"));
+    std::filesystem::remove(manifest);
+    const auto lost = merge("a", "b", "ab");
+    CHECK(lost.code == 3);
+    CHECK_THAT(lost.messages, Catch::Contains("manifest.2-of-2.json: damaged: it is not there"));
+    CHECK(contents(scratch / "ab" / "results.jsonl") == contents(scratch / "whole" / "results.jsonl"));
+    put(manifest, text);
+    const std::string lines = contents(journal);
+    put(journal, lines.substr(0, lines.find('\n') + 1));
+    const auto fewer = merge("b", "a", "ba");  // the damaged one first
+    CHECK(fewer.code == 3);
+    CHECK_THAT(fewer.messages, Catch::Contains("missing: rkmk/"));
+    CHECK_THAT(fewer.messages, Catch::Contains("compute what is missing with: kreisel run "));
+    CHECK(run_program({"run", (scratch / "ba" / "manifest.json").string(), "-o", (scratch / "ba").string(), "--resume"})
+              .code == 0);
+    CHECK(contents(scratch / "ba" / "results.jsonl") == contents(scratch / "whole" / "results.jsonl"));
+    const auto onto = merge("a", "b", "b");
+    CHECK(onto.code == 3);
+    CHECK_THAT(onto.messages, Catch::Contains("-o FOLDER merges into another folder"));
+    CHECK(run_program({"merge", (scratch / "b").string(), "-o", (scratch / "bb").string()}).code == 3);
+}
+
 TEST_CASE("a resume says what is damaged, and computes it again to the same bytes") {
     const SmallFolder small;
     const std::string before = outputs(small.folder);
@@ -292,6 +332,7 @@ TEST_CASE("sha256sum checks the listed files") {
         "cd '" + small.folder.string() + "' && sha256sum --check --strict --quiet sums.sha256 2>&1";
     CHECK(std::system(command.c_str()) == 0);
     CHECK_THAT(contents(small.folder / "sums.sha256"), Catch::Contains("  results.csv\n"));
+    CHECK_THAT(contents(small.folder / "sums.sha256"), Catch::Contains("  results.jsonl\n"));
     CHECK_THAT(contents(small.folder / "sums.sha256"), Catch::Contains("  tables/orders.tex\n"));
 }
 
