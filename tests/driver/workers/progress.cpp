@@ -18,6 +18,8 @@
 #include "driver/campaign/workers/forker.hpp"
 #include "driver/campaign/workers/message.hpp"
 #include "driver/plan/cost.hpp"
+#include "driver/plan/plan.hpp"
+#include "records/json/strict.hpp"
 #include "tests/driver/command_line.hpp"
 #include "tests/driver/workers/program_process.hpp"
 
