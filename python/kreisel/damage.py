@@ -15,7 +15,7 @@ _ENTRY = re.compile(rb"([0-9a-f]{64})  (.+)", re.DOTALL)
 
 
 def refusal(file: Path) -> str:
-    """What is at the name of a file and is none, such as a pipe, which would keep a reader waiting; empty for a file."""
+    """What is at the name of a file and is none, such as a pipe, which keeps a reader waiting; empty for a file."""
     mode = file.stat().st_mode
     if stat.S_ISREG(mode):
         return ""
