@@ -78,7 +78,12 @@ Exit chosen_table_command(const std::filesystem::path& folder, const TableChoice
     require_results(folder);
     const FolderLock lock = FolderLock::of_reader(folder);
     const Results results = read_aloud(folder, planned);
-    std::cout << chosen_table(results, choice);
+    try {
+        std::cout << chosen_table(results, choice);
+    } catch (const UsageError& error) {
+        if (results.damage.empty()) { throw; }
+        std::cerr << error.what() << "\n";  // what is damaged may have had it
+    }
     return results.damage.empty() ? Exit::ok : Exit::io;
 }
 

@@ -52,7 +52,7 @@ void add_manifest(const std::filesystem::path& file, const std::string& build, M
 MergedManifests read_manifests(const Paths& folders, const std::string& build) {
     MergedManifests merged;
     for (const auto& folder : folders) {
-        if (!std::filesystem::is_directory(folder)) {
+        if (std::error_code error; !std::filesystem::is_directory(folder, error)) {
             throw FileError(fmt::format("{}: there is no such folder", folder.string()));
         }
         const auto files = shard_files(folder, "manifest", ".json");
@@ -167,7 +167,8 @@ class Merger {
     }
 
     void copy_references(const std::filesystem::path& from) {
-        if (from == target_ || !std::filesystem::is_directory(from / "references")) { return; }
+        std::error_code error;
+        if (from == target_ || !std::filesystem::is_directory(from / "references", error)) { return; }
         make_folder(target_ / "references");
         for (const auto& file : files_like(from / "references", "", ".json")) {
             if (!what_is_no_file(file).empty()) { continue; }  // run_damage says so

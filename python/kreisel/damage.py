@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import re
+import stat
 from pathlib import Path, PurePosixPath
 from typing import Any, Iterator
 
@@ -13,24 +14,38 @@ _UNFINISHED = "0" * 64  # the sum of a file that is being written
 _ENTRY = re.compile(rb"([0-9a-f]{64})  (.+)", re.DOTALL)
 
 
+def refusal(file: Path) -> str:
+    """What is at the name of a file and is none, such as a pipe, which keeps a reader waiting; empty for a file."""
+    mode = file.stat().st_mode
+    if stat.S_ISREG(mode):
+        return ""
+    kinds = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a named pipe"), (stat.S_ISSOCK, "a socket"))
+    return f"{file}: expected a file, got {next((kind for test, kind in kinds if test(mode)), 'a device')}"
+
+
 def journal_damage(manifest_file: Path, manifest: dict[str, Any]) -> Iterator[str]:
-    """A journal that has become shorter than its manifest says, or is gone."""
+    """A journal that is shorter or longer than its manifest says, ends within a line, or is gone."""
     expected = manifest.get("journal", {}).get("bytes")
     journal = manifest_file.with_name(manifest_file.name.replace("manifest", "journal", 1) + "l")
     if expected is None:
         return
     if not journal.is_file():
         yield f"{journal}: damaged: it is not there"
-    elif journal.stat().st_size < expected:
-        text = journal.read_bytes()
-        yield (f"{journal}:{text.count(10) + 1}: damaged: expected {expected} bytes, got {len(text)}: "
-               "its end is missing")
+        return
+    text = journal.read_bytes()
+    if len(text) != expected or (text and text[-1:] != b"\n"):
+        fault = ("its end is missing" if len(text) < expected else
+                 "something has been added" if len(text) > expected else "its last line is torn")
+        yield (f"{journal}:{text.count(10, 0, expected) + 1}: damaged: expected {expected} bytes, got {len(text)}: "
+               f"{fault}")
 
 
 def reference_damage(folder: Path) -> Iterator[str]:
     """References whose sum does not hold."""
     for file in sorted((folder / "references").glob("*.json")):
-        if sum_state(file.read_bytes(), after=b'"}\n') is not SumState.HOLDS:
+        if refused := refusal(file):
+            yield refused
+        elif sum_state(file.read_bytes(), after=b'"}\n') is not SumState.HOLDS:
             yield f"{file}:1: damaged: its sum does not hold"
 
 

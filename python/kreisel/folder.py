@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from .damage import journal_damage, listed_damage, reference_damage
+from .damage import journal_damage, listed_damage, reference_damage, refusal
 from .errors import FormatError, MissingResults
 from .numbers import parse_json
 from .sums import SumState, hash_text, line_sum_holds, sum_state
@@ -31,6 +31,8 @@ class FolderContents:
 
 def _read_manifest(file: Path) -> dict[str, Any] | str:
     """The manifest, or what is wrong with it."""
+    if refused := refusal(file):
+        return refused
     text = file.read_bytes()
     state = sum_state(text, b',\n  "sum": "', b'"\n}\n')
     if state is SumState.WRONG:

@@ -14,6 +14,7 @@
 #include "records/sums/summed_text.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -50,7 +51,7 @@ void note_damaged_samples(const std::filesystem::path& folder, RecordedFolder& r
 /// What results.jsonl lacks at its end.
 void note_missing_lines(const std::filesystem::path& folder, std::size_t lines, RecordedFolder& result) {
     const auto file = manifest_file(folder, "");
-    if (!std::filesystem::exists(file)) { return; }
+    if (!is_taken(file)) { return; }
     try {
         std::string missing = missing_lines(folder / "results.jsonl", lines, read_manifest(file));
         if (!missing.empty()) { result.damage.push_back(std::move(missing)); }
@@ -74,11 +75,12 @@ void drop_older_lines(std::vector<RecordedCell>& cells) {
 
 RecordedFolder read_recorded_folder(const std::filesystem::path& folder) {
     RecordedFolder result;
-    if (std::error_code error; !std::filesystem::is_directory(folder, error)) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error)) {
         throw FileError(fmt::format("{}: there is no such folder", folder.string()));
     }
     const bool known = format_of(folder) >= folder_format;
-    const bool finished = std::filesystem::exists(folder / "results.jsonl");
+    const bool finished = std::filesystem::exists(folder / "results.jsonl", error);
     result.damage = finished ? folder_damage(folder) : run_damage(folder);
     if (finished) {
         note_missing_lines(folder, read_cells(folder / "results.jsonl", known, true, result), result);

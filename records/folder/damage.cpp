@@ -53,15 +53,22 @@ std::string missing_sum_list(const std::filesystem::path& folder) {
     return wanted && !is_found(file) ? not_there(file) : "";
 }
 
-std::string shortened_journal(const std::filesystem::path& manifest_path, const ManifestState& state) {
+// What a run that has ended says of its journal: nothing is appended before another run has said that it begins.
+std::string changed_journal(const std::filesystem::path& manifest_path, const ManifestState& state) {
     const auto journal = journal_of(manifest_path);
     if (!state.journal) { return ""; }
     std::error_code error;
     if (!std::filesystem::is_regular_file(journal, error)) { return not_there(journal); }
-    if (std::filesystem::file_size(journal, error) >= *state.journal) { return ""; }
+    const std::uintmax_t size = std::filesystem::file_size(journal, error);
+    const bool ends_in_line = size == 0 || LineFile(journal).line(size - 1, 1) == "\n";
+    if (size == *state.journal && ends_in_line) { return ""; }
     const std::string text = read_text(journal);
-    return fmt::format("{}:{}: damaged: expected {} bytes, got {}: its end is missing", journal.string(),
-                       std::count(text.begin(), text.end(), '\n') + 1, *state.journal, text.size());
+    const auto known = text.begin() + static_cast<std::ptrdiff_t>(std::min<std::uintmax_t>(size, *state.journal));
+    const char* fault = size < *state.journal   ? "its end is missing"
+                        : size > *state.journal ? "something has been added"
+                                                : "its last line is torn";
+    return fmt::format("{}:{}: damaged: expected {} bytes, got {}: {}", journal.string(),
+                       std::count(text.begin(), known, '\n') + 1, *state.journal, text.size(), fault);
 }
 
 }  // namespace
@@ -70,7 +77,7 @@ std::vector<std::string> run_damage(const std::filesystem::path& folder) {
     std::vector<std::string> damage = missing_manifests(folder);
     for (const auto& file : shard_files(folder, "manifest", ".json")) {
         try {
-            const std::string journal = shortened_journal(file, read_manifest(file).state);
+            const std::string journal = changed_journal(file, read_manifest(file).state);
             if (!journal.empty()) { damage.push_back(journal); }
         } catch (const FileError& error) { damage.emplace_back(error.what()); } catch (const UsageError&) {
             continue;

@@ -17,6 +17,7 @@
 #include "records/sums/summed_text.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
+#include "support/paths/at_path.hpp"
 
 namespace kreisel {
 
@@ -78,7 +79,7 @@ std::optional<ManifestContents> contents_of(const std::filesystem::path& file) {
 std::optional<ManifestContents> read_manifest_into(const std::filesystem::path& folder, Results& results) {
     const auto file = folder / "manifest.json";
     results.name = std::filesystem::absolute(folder).lexically_normal().filename().string();
-    if (!std::filesystem::exists(file)) { return std::nullopt; }
+    if (!is_taken(file)) { return std::nullopt; }
     nlohmann::json manifest;
     try {
         manifest = read_summed_manifest(file).value;

@@ -32,6 +32,12 @@ std::string kind_of(mode_t mode) {
     }
 }
 
+// As mktemp makes it.
+bool is_empty_file(const std::filesystem::path& file) {
+    std::error_code error;
+    return what_is_no_file(file).empty() && std::filesystem::file_size(file, error) == 0 && !error;
+}
+
 bool begins_with(const std::filesystem::path& file, std::string_view mark) {
     if (!what_is_no_file(file).empty()) { return false; }
     std::ifstream stream(file, std::ios::binary);
@@ -44,6 +50,11 @@ bool begins_with(const std::filesystem::path& file, std::string_view mark) {
 std::string what_is_no_file(const std::filesystem::path& path) {
     struct stat status = {};
     return ::stat(path.c_str(), &status) == 0 ? kind_of(status.st_mode) : "";
+}
+
+bool leads_to_file(const std::filesystem::path& path) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error);
 }
 
 bool is_taken(const std::filesystem::path& path) {
@@ -67,7 +78,8 @@ std::string why_not_writable(const std::filesystem::path& folder) {
 
 void require_own(const std::vector<std::filesystem::path>& files, const std::filesystem::path& witness,
                  std::string_view mark) {
-    const auto taken = std::find_if(files.begin(), files.end(), is_taken);
+    const auto taken = std::find_if(files.begin(), files.end(),
+                                    [](const auto& file) { return is_taken(file) && !is_empty_file(file); });
     if (taken == files.end()) { return; }
     if (begins_with(witness, mark)) { return; }
     throw FileError(

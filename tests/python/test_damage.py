@@ -98,6 +98,28 @@ class Damage(unittest.TestCase):
                 file.write_bytes(text)
                 self.assertEqual(read_folder(folder).damage, [f"{file}:1: damaged: its sum does not hold"])
 
+    def test_a_pipe_is_named_and_not_waited_for(self):
+        folder = copy_of("orders", self.folder.parent)
+        for file in (folder / "manifest.json", first_of(folder, "references/*.json")):
+            whole = file.read_bytes()
+            file.unlink()
+            os.mkfifo(file)
+            self.assertIn(f"{file}: expected a file, got a named pipe", read_folder(folder).damage)
+            file.unlink()
+            file.write_bytes(whole)
+        self.assertEqual(read_folder(folder).damage, [])
+
+    def test_what_the_journal_has_more_is_named(self):
+        file = self.folder / "journal.jsonl"
+        whole = file.read_bytes()
+        for text, fault in ((whole + whole.split(b"\n")[0] + b"\n", "something has been added"),
+                            (bytes(len(whole)), "its last line is torn")):
+            file.write_bytes(text)
+            ran = subprocess.run([os.environ["KREISEL"], "table", self.folder], capture_output=True, text=True)
+            said = [line for line in damage_of(self.folder) if fault in line]
+            self.assertEqual(len(said), 1)
+            self.assertIn(said[0], ran.stderr)
+
     def test_the_line_is_named(self):
         file = self.folder / "results.jsonl"
         lines = file.read_bytes().split(b"\n")

@@ -144,7 +144,7 @@ class StateOfSample {
 // Of samples in a results folder: throws where their cell records another sum.
 void check_sum_of_samples(const fs::path& file) {
     const fs::path folder = file.parent_path().parent_path(), results = folder / "results.jsonl";
-    if (file.parent_path().filename() != "trajectories" || !fs::is_regular_file(results)) { return; }
+    if (file.parent_path().filename() != "trajectories" || !leads_to_file(results)) { return; }
     const std::string cell = file.stem().string();
     for (const std::string& line : read_lines(results)) {
         if (line.find(cell) == std::string::npos) { continue; }
@@ -160,7 +160,7 @@ fs::path file_named(const Document& config, const Node& begin, const Diagnostics
     const auto path = written.text(expected_samples, 4096);
     sink.raise();
     const fs::path file = (folder_of(config, std::string(begin_place) + "/file") / *path).lexically_normal();
-    if (path->empty() || !fs::is_regular_file(file)) {
+    if (path->empty() || !leads_to_file(file)) {
         written.violates(Rule::file, expected_samples, which_is_no_file(in_quotes(*path), file));
         sink.raise();
     }

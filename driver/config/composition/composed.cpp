@@ -33,7 +33,7 @@ std::filesystem::path extended_by(const Document& document) {
     if (path && path->empty()) { root.find(extends_key)->mismatch(expected); }
     sink.raise();
     const std::filesystem::path file = std::filesystem::path(document.file).parent_path() / *path;
-    if (!std::filesystem::is_regular_file(file)) {
+    if (!leads_to_file(file)) {
         root.find(extends_key)->violates(Rule::file, expected, which_is_no_file(in_quotes(*path), file));
     }
     sink.raise();

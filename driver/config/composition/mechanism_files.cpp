@@ -67,7 +67,7 @@ void insert_at(Document& config, const std::string& pointer) {
     const auto path = written.text(expected_path, 4096);
     sink.raise();
     const fs::path file = (folder_of(config, pointer + "/file") / *path).lexically_normal();
-    if (path->empty() || !fs::is_regular_file(file)) {
+    if (path->empty() || !leads_to_file(file)) {
         written.violates(Rule::file, expected_path, which_is_no_file(in_quotes(*path), file));
         sink.raise();
     }

@@ -102,7 +102,7 @@ json with_points(const Document& document, const std::string& pointer) {
     const auto path = written.text(expected_path, 4096);
     sink.raise();
     const std::filesystem::path file = (folder_of(document, pointer + "/file") / *path).lexically_normal();
-    if (!std::filesystem::is_regular_file(file)) {
+    if (!leads_to_file(file)) {
         written.violates(Rule::file, expected_path, which_is_no_file(in_quotes(*path), file));
         sink.raise();
     }

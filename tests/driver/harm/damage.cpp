@@ -218,6 +218,38 @@ TEST_CASE("lines of results.jsonl in another order are noticed, though each has 
     CHECK(run_program({"verify", folder, "--cells", "0"}).code == 0);
 }
 
+TEST_CASE("what a journal has more than its run has written, or has in place of its last line, is noticed") {
+    const SmallFolder small;
+    const auto file = small.folder / "journal.jsonl";
+    const std::string text = contents(file), first = text.substr(0, text.find('\n') + 1);
+    const std::pair<std::string, std::string> changed[] = {{text + first, "something has been added"},
+                                                           {text + "torn", "something has been added"},
+                                                           {std::string(text.size(), '\0'), "its last line is torn"},
+                                                           {first, "its end is missing"}};
+    for (const auto& [damaged, fault] : changed) {
+        put(file, damaged);
+        for (const std::vector<std::string>& words :
+             {std::vector<std::string>{"table", small.folder.string()},
+              {"merge", small.folder.string(), "-o", (small.scratch / "merged").string()}}) {
+            const auto result = run_program(words);
+            CAPTURE(words.front(), result.messages);
+            CHECK(result.code == 3);
+            CHECK_THAT(result.messages, Catch::Contains("journal.jsonl:") && Catch::Contains(fault));
+        }
+    }
+    put(file, text);
+    CHECK(run_program({"table", small.folder.string()}).code == 0);
+}
+
+TEST_CASE("a table that damage has taken away is damage, and no wrong name") {
+    const SmallFolder small;
+    const auto ask = [&] { return run_program({"table", small.folder.string(), "--table", "orders"}).code; };
+    CHECK(ask() == 0);
+    CHECK(run_program({"table", small.folder.string(), "--table", "order"}).code == 2);
+    put(small.folder / "results.jsonl", "");
+    CHECK(ask() == 3);
+}
+
 TEST_CASE("a file of a run that is missing is named by each reader") {
     const SmallFolder small;
     const std::string folder = small.folder.string();

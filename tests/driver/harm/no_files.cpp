@@ -72,6 +72,30 @@ TEST_CASE("what is no file at the name of one of results is named by each reader
     for (const auto& words : commands) { CHECK(run_program(words).code == 0); }
 }
 
+TEST_CASE("links that lead in a circle are told in words of kreisel") {
+    const SmallFolder small;
+    const std::string folder = small.folder.string();
+    for (const char* name : {"results.jsonl", "journal.jsonl", "manifest.json", "sums.sha256"}) {
+        const fs::path file = small.folder / name;
+        const std::string text = contents(file);
+        fs::remove(file);
+        fs::create_symlink(name, file);
+        for (const std::vector<std::string>& words : {std::vector<std::string>{"table", folder, "--table", "errors"},
+                                                      {"verify", folder, "--cells", "0"},
+                                                      {"diff", folder, folder}}) {
+            const auto result = run_program(words);
+            CAPTURE(name, words.front(), result.messages);
+            CHECK(result.code == 3);
+            CHECK_THAT(result.messages, Catch::Contains(name) && !Catch::Contains("filesystem error"));
+        }
+        put_back(file, text);
+    }
+    fs::create_symlink("loop.json", small.scratch / "loop.json");
+    const auto extends = run_program({"check", small.scratch.file("extends.json", R"({"extends": "loop.json"})")});
+    CHECK(extends.code == 2);
+    CHECK_THAT(extends.messages, Catch::Contains("which is no file"));
+}
+
 TEST_CASE("a resume refuses a journal that is no file, and does away with other names of its own") {
     const Alarm alarm;
     const SmallFolder small;

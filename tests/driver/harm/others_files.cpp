@@ -37,7 +37,7 @@ void check_output(const Output& output) {
     CHECK_THAT(refused.messages, Catch::Contains(output.file.string() + ": expected nothing at this name, or what "
                                                                         "kreisel has written, got another file"));
     CHECK(contents(output.file) == notes);
-    fs::remove(output.file);
+    std::ofstream(output.file).close();  // nothing to lose
     CHECK(run().code < 2);
     const std::string written = contents(output.file);
     CHECK(run().code < 2);
