@@ -63,8 +63,10 @@ class DependentCoordinates final : public Correction {
     Real entry(Eigen::Index i, Eigen::Index j) const { return rows_.C(i, j) * unit_[j] / row_unit_[i]; }
     Eigen::Index column(Eigen::Index k) const { return columns_[static_cast<std::size_t>(k)]; }
 
-    /// By complete pivoting: the columns of the pivots become the first ones.
+    /// By complete pivoting: the columns of the pivots become the first ones. Of pivots that are nearly the same the first
+    /// one: rows over their largest entry have many that are 1 but for round-off, which would choose else.
     void choose() {
+        constexpr double even = 1 + 1.0 / 1024;
         for (Eigen::Index j = 0; j < work_.cols(); ++j)
             for (Eigen::Index i = 0; i < work_.rows(); ++i) work_(i, j) = entry(i, j);
         std::iota(columns_.begin(), columns_.end(), Eigen::Index(0));
@@ -72,7 +74,7 @@ class DependentCoordinates final : public Correction {
             Eigen::Index row = k, best = k;
             for (Eigen::Index j = k; j < work_.cols(); ++j)
                 for (Eigen::Index i = k; i < work_.rows(); ++i)
-                    if (abs(work_(i, j)) > abs(work_(row, best))) row = i, best = j;
+                    if (abs(work_(i, j)) > even * abs(work_(row, best))) row = i, best = j;
             if (work_(row, best) == 0) return;  // `eliminate` meets the same pivot
             work_.row(k).swap(work_.row(row));
             work_.col(k).swap(work_.col(best));

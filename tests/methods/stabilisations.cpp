@@ -91,3 +91,18 @@ TEST_CASE("a partition moves as many coordinates as there are rows, and keeps th
         CHECK(moved == first);
     }
 }
+
+TEST_CASE("a partition is not chosen by round-off", "[methods]") {
+    if (KREISEL_QUAD) return;  // slow, and the same code
+    const auto end = [](const Real& factor) {
+        Trip trip(standard("heavy_top"), "SO3xR3", method("rkmk/rk4"), "coordinate_partitioning");
+        for (Real* v = trip.system->v(trip.y.data()); v != trip.y.data() + trip.y.size(); ++v) *v *= factor;
+        REQUIRE(trip.run(1, 2000) == Status::ok);
+        return VecX(Eigen::Map<const VecX>(trip.y.data(), static_cast<Eigen::Index>(trip.y.size())));
+    };
+    const VecX undisturbed = end(1);
+    for (int units = 1; units < 12; ++units) {
+        INFO(units << " units of round-off");
+        CHECK(to_double((end(1 + units * epsilon) - undisturbed).norm() / undisturbed.norm()) < 1e-11);
+    }
+}
