@@ -35,8 +35,6 @@ const std::vector<Exception>& exceptions() {
          "this weight counts metres and radians alike: what is nearest depends on the unit of length"},
         {"*", "restarted", "*", "*", "coordinate_partitioning*",
          "a restart chooses anew which coordinates depend on the others"},
-        {"*", "moved*", "*", "*", "coordinate_partitioning*",
-         "of two pivots that are equal, round-off chooses the dependent coordinate"},
         {"prismatic joints", "moved by 1000 km", "multistep/bliedf2", "SO3xR3", "none",
          "far away its iteration takes changes below eps |x|/h for round-off: they grow until they are larger"},
         {"*", "turned", "baseline/rk4_euler_angles", "*", "*", "Euler angles prefer directions of space"},
