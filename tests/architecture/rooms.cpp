@@ -124,7 +124,7 @@ const std::vector<Room>& rooms() {
          {"fmt/", "nlohmann/"},
          talks},
         {"plots", {"plots", "records", "support"}, {"fmt/"}, talks},
-        {"driver/config/urdf", {"records/json", "support"}, {"boost/qvm/", "fmt/", "nlohmann/", "pugixml.hpp"}, talks},
+        {"driver/config/urdf", {"records/json", "support"}, {"boost/locale/utf.hpp", "boost/qvm/", "fmt/", "nlohmann/", "pugixml.hpp"}, talks},
         {"driver/config",
          {"driver/config/urdf", "plots/figures/kind.hpp", "plots/figures/spec.hpp", "plots/figures/schema.hpp",
           "plots/figures/overlay/overlay_files.hpp", "records", interface, "methods/contract/description.hpp",
