@@ -298,8 +298,8 @@ void require_one_element(const pugi::xml_document& document, Complaints& complai
 
 void parse(const std::string& text, pugi::xml_document& document, Complaints& complaints) {
     require_encoding(text, complaints);
-    const auto result = document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_fragment,
-                                             pugi::encoding_utf8);
+    const auto result =
+        document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_fragment, pugi::encoding_utf8);
     if (!result) {
         complaints.add(complaints.line_at(result.offset),
                        fmt::format("expected XML, got an error: {}", result.description()));
