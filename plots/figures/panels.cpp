@@ -7,6 +7,7 @@
 
 #include "plots/figures/enhanced_text.hpp"
 #include "plots/figures/layout.hpp"
+#include "plots/figures/marks/offset_marks.hpp"
 #include "plots/figures/settings.hpp"
 #include "support/files.hpp"
 
@@ -103,6 +104,31 @@ void write_contents(Settings& settings, const std::filesystem::path& plotdata, c
     settings.numbers("last_mark", last_mark);
 }
 
+// The points of all panels that bear marks, curve after curve; panel p owns first[p] to last[p].
+void write_offset_marks(Settings& settings, const std::filesystem::path& plotdata, const PanelFigure& figure) {
+    std::vector<std::string> files;
+    std::vector<double> styles, first, last, bearing;
+    for (const Panel& panel : figure.panels) {
+        first.push_back(static_cast<double>(files.size() + 1));
+        const auto marked = offset_marks(panel);
+        for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+            bearing.push_back(marked[i].empty() ? 0 : 1);
+            if (marked[i].empty()) { continue; }
+            std::vector<Point> points;
+            for (const std::size_t k : marked[i]) { points.push_back(panel.curves[i].points[k]); }
+            files.push_back(fmt::format("{}.{}.marks.dat", figure.name, bearing.size()));
+            styles.push_back(panel.curves[i].style);
+            write_atomically(plotdata / files.back(), points_text(points, panel));
+        }
+        last.push_back(static_cast<double>(files.size()));
+    }
+    settings.strings("marks_file", files);
+    settings.numbers("marks_style", styles);
+    settings.numbers("first_marks", first);
+    settings.numbers("last_marks", last);
+    settings.numbers("bears_marks", bearing);
+}
+
 }  // namespace
 
 void write_panels(const std::filesystem::path& plotdata, const PanelFigure& figure) {
@@ -117,6 +143,7 @@ void write_panels(const std::filesystem::path& plotdata, const PanelFigure& figu
     write_layout(settings, layout);
     write_axes(settings, figure, layout.panel_width);
     write_contents(settings, plotdata, figure);
+    write_offset_marks(settings, plotdata, figure);
     write_atomically(plotdata / (figure.name + ".gp"), settings.text());
 }
 

@@ -13,8 +13,8 @@ page_width = width_cm
 page_height = 7.6 / 8.5 * width_cm
 do for [format in 'pdf svg png'] {
     load scripts . '/terminal.gp'
-    splot data . '.shadow.dat' using 1:2:3 with lines ls 101, \
-          data . '.path.dat' using 1:2:3 with lines ls 100, \
+    splot data . '.shadow.dat' using 1:2:3 with lines ls 100001, \
+          data . '.path.dat' using 1:2:3 with lines ls 100000, \
           data . '.tops.dat' using 1:2:3:4 with lines lw 0.9 lc palette
     unset output
 }

@@ -33,7 +33,7 @@ do for [format in 'pdf svg png'] {
         set multiplot
     }
     set border 3 lw 0.7
-    set grid x y ls 101
+    set grid x y ls 100001
     set tics nomirror out scale 0.5, 0.25
     # SVG has them lower than the other formats, near the label of the axis.
     if (format eq 'svg') { set xtics offset 0, 0.45 } else { set xtics offset 0, 0 }
@@ -87,19 +87,17 @@ do for [format in 'pdf svg png'] {
                     set arrow 2000 + c from screen entry_x, screen entry_y to screen entry_x + 0.75 * letter_scale / width_cm, screen entry_y nohead ls curve_style[c]
                 }
                 set label 2000 + c curve_label[c] at screen entry_x + 0.9 * letter_scale / width_cm, screen entry_y left
-                if (curve_with ne 'lines') {
+                if (curve_with ne 'lines' || bears_marks[c]) {
                     set label 3000 + c '' at screen entry_x + 0.375 * letter_scale / width_cm, screen entry_y point ls curve_style[c]
                 }
             }
         }
-        if (has_guides[p]) {
-            plot 'plotdata/' . figure_name . '.guides' . p . '.dat' with lines ls 100 notitle, \
-                 for [k = first_curve[p]:last_curve[p]] 'plotdata/' . curve_file[drawn[k]] \
-                 with @curve_with ls curve_style[drawn[k]]
-        } else {
-            plot for [k = first_curve[p]:last_curve[p]] 'plotdata/' . curve_file[drawn[k]] \
-                 with @curve_with ls curve_style[drawn[k]]
-        }
+        guides = has_guides[p] ? "'plotdata/' . figure_name . '.guides' . p . '.dat' with lines ls 100000 notitle, " : ''
+        curves = "for [k = first_curve[p]:last_curve[p]] 'plotdata/' . curve_file[drawn[k]] with " . curve_with . ' ls curve_style[drawn[k]]'
+        # Lines of one colour bear marks, each between those of the others: dashes do not show on a line of their colour.
+        bears = curve_with eq 'lines' && last_marks[p] >= first_marks[p]
+        offsets = bears ? ", for [k = first_marks[p]:last_marks[p]] 'plotdata/' . marks_file[k] with points ls marks_style[k]" : ''
+        eval 'plot ' . guides . curves . offsets
     }
     unset multiplot
     unset output

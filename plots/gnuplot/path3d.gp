@@ -14,7 +14,7 @@ page_width = width_cm
 page_height = 7.6 / 8.5 * width_cm
 do for [format in 'pdf svg png'] {
     load scripts . '/terminal.gp'
-    splot data . '.shadow.dat' using 1:2:3 with lines ls 101, \
+    splot data . '.shadow.dat' using 1:2:3 with lines ls 100001, \
           data . '.path.dat' using 1:2:3:4 with lines lw 1.2 lc palette, \
           data . '.ends.dat' index 0 using 1:2:3 with points pt 6 ps 0.7 lw 1.2 lc rgb 'black', \
           data . '.ends.dat' index 1 using 1:2:3 with points pt 7 ps 0.7 lc rgb 'black'

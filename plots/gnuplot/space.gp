@@ -9,7 +9,7 @@ set view elevation, azimuth, 1.12
 set view equal xyz
 set xyplane at low_3
 set border 127 + 256 + 512 lw 0.5 lc rgb '#999999'
-set grid x y ls 101
+set grid x y ls 100001
 set tics nomirror scale 0.5 textcolor rgb 'black'
 # Some four intervals of 1, 2 or 5 times a power of ten.
 quarter = (high_1 - low_1) / 4

@@ -14,10 +14,10 @@ set dashtype 11 (2, 2)
 set dashtype 12 (10, 3, 2, 3)
 set dashtype 13 (10, 3, 2, 3, 2, 3)
 
-do for [i = 1:63] {
+do for [i = 1:630] {
     set style line i lc rgb colour[1 + (i - 1) % 7] pt mark[1 + (i - 1) % 9] ps 0.65 lw 1.3 dt dashes[1 + ((i - 1) + (i - 1) / 7) % 5]
 }
-set style line 100 lc rgb '#777777' lw 0.8 dt 1
-set style line 101 lc rgb '#bbbbbb' lw 0.5 dt 1
+set style line 100000 lc rgb '#777777' lw 0.8 dt 1
+set style line 100001 lc rgb '#bbbbbb' lw 0.5 dt 1
 set encoding utf8
 set minussign

@@ -9,6 +9,7 @@
 
 #include "plots/figures/kind.hpp"
 #include "plots/figures/kinds/panel_kind.hpp"
+#include "plots/figures/marks/offset_marks.hpp"
 #include "plots/figures/spec.hpp"
 #include "plots/report/places.hpp"
 #include "records/json/lists.hpp"
@@ -38,25 +39,27 @@ std::string fitted_json(const Curve& curve) {
     return fmt::format("[{}]", fmt::join(indices, ","));
 }
 
-std::string curve_json(const Curve& curve, const std::string& x) {
+std::string curve_json(const Curve& curve, const std::string& x, const std::vector<std::size_t>& marked) {
     ObjectWriter object;
     object.member("label", json_text(curve.label))
         .member("style", std::to_string(curve.style))
         .member("x", x)
         .member("y", coordinates_json(curve.points, &Point::y));
     if (!curve.fitted.empty()) { object.member("fitted", fitted_json(curve)); }
+    if (!marked.empty()) { object.member("marked", fmt::format("[{}]", fmt::join(marked, ","))); }
     return object.text();
 }
 
 // Of a panel. Where a curve has the x of an earlier one, which all samples at the same times have, its `x` is the index
 // of that curve.
-std::string curves_json(const std::vector<Curve>& curves) {
+std::string curves_json(const Panel& panel) {
+    const auto marked = offset_marks(panel);
     std::map<std::string, std::string> first;
     std::size_t count = 0;
-    return json_list(curves, [&](const Curve& curve) {
+    return json_list(panel.curves, [&](const Curve& curve) {
         const std::string x = coordinates_json(curve.points, &Point::x);
-        const auto [known, is_new] = first.emplace(x, std::to_string(count++));
-        return curve_json(curve, is_new ? x : known->second);
+        const auto [known, is_new] = first.emplace(x, std::to_string(count));
+        return curve_json(curve, is_new ? x : known->second, marked[count++]);
     });
 }
 
@@ -129,7 +132,7 @@ std::string json_value(const Panel& panel) {
         .member("log_x", flag_json(panel.log_x))
         .member("log_y", flag_json(panel.log_y))
         .member("from_zero", flag_json(panel.from_zero))
-        .member("curves", curves_json(panel.curves))
+        .member("curves", curves_json(panel))
         .member("guides", json_list(panel.guides, guide_json))
         .member("marks", json_list(panel.marks, mark_json))
         .text();

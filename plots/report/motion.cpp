@@ -19,7 +19,7 @@ namespace kreisel {
 
 namespace {
 
-constexpr std::size_t fewest_instants = 120, bytes_of_pose = 59, bytes_of_time = 11;
+constexpr std::size_t fewest_instants = 80, bytes_of_pose = 59, bytes_of_time = 11;
 
 std::string point_json(const Vector3& point) { return json_list(point, json_number); }
 
@@ -68,12 +68,12 @@ struct MotionSelection {
 };
 
 // Fewer instants of all cells, and where these become too few the first cells only.
-MotionSelection selection_of(std::vector<ShownCell> cells, const TrajectoryTable& one) {
+MotionSelection selection_of(std::vector<ShownCell> cells, const TrajectoryTable& one, std::size_t room) {
     const std::size_t bodies = std::max<std::size_t>(bodies_in(one).size(), 1), shown = std::min(bodies, most_bodies);
     const std::size_t bytes = bytes_of_pose * shown + bytes_of_time + bytes_of_forces(one) * shown / bodies;
-    const std::size_t most_cells = std::max<std::size_t>(room_for_motion / (bytes * fewest_instants), 1);
+    const std::size_t most_cells = std::max<std::size_t>(room / (bytes * fewest_instants), 1);
     if (cells.size() > most_cells) { cells.resize(most_cells); }
-    const std::size_t instants = room_for_motion / (bytes * std::max<std::size_t>(cells.size(), 1));
+    const std::size_t instants = room / (bytes * std::max<std::size_t>(cells.size(), 1));
     return {std::move(cells), std::clamp<std::size_t>(instants, 2, most_instants)};
 }
 
@@ -81,10 +81,10 @@ class MotionWriter {
   public:
     explicit MotionWriter(const std::filesystem::path& folder) : mechanisms_(read_geometry(folder)) {}
 
-    std::string json(const std::vector<ShownCell>& all) {
+    std::string json(const std::vector<ShownCell>& all, std::size_t room) {
         std::string list;
         if (!all.empty()) {
-            const MotionSelection selection = selection_of(all, read_trajectory(*all.front().result));
+            const MotionSelection selection = selection_of(all, read_trajectory(*all.front().result), room);
             for (const ShownCell& cell : selection.cells) {
                 list += (list.empty() ? "" : ",") + cell_json(cell, selection.instants);
             }
@@ -155,12 +155,17 @@ class MotionWriter {
 
 }  // namespace
 
-std::string report_motion(const Results& results, const std::filesystem::path& folder) {
+std::size_t room_for_motion(std::size_t others) {
+    constexpr std::size_t most = 990000, least = 100000, data_of_page = 2250000;
+    return others + most <= data_of_page ? most : std::max(data_of_page - std::min(others, data_of_page), least);
+}
+
+std::string report_motion(const Results& results, const std::filesystem::path& folder, std::size_t room) {
     std::vector<ShownCell> cells;
     for (std::size_t i = 0; i < results.rows.size(); ++i) {
         if (results.rows[i].has_trajectory) { cells.push_back({i, &results.rows[i]}); }
     }
-    return MotionWriter(folder).json(cells);
+    return MotionWriter(folder).json(cells, room);
 }
 
 }  // namespace kreisel

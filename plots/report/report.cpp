@@ -46,6 +46,8 @@ std::vector<std::string> remarks_on(const Results& results) {
 std::string data_json(const Results& results, const std::filesystem::path& folder, const std::string& figures) {
     std::vector<std::string> damage = results.damage;
     if (!results.warning.empty()) { damage.push_back(results.warning); }
+    const std::string tables = report_tables(results);
+    const std::size_t room = room_for_motion(figures.size() + tables.size());
     return ObjectWriter()
         .member("name", json_text(results.name))
         .member("kind", json_text(results.kind))
@@ -55,8 +57,8 @@ std::string data_json(const Results& results, const std::filesystem::path& folde
         .member("config", results.config.empty() ? "null" : results.config)
         .member("provenance", provenance_json(folder))
         .member("figures", figures)
-        .member("motions", report_motion(results, folder))
-        .member("tables", report_tables(results))
+        .member("motions", report_motion(results, folder, room))
+        .member("tables", tables)
         .text();
 }
 

@@ -34,6 +34,7 @@ class Curve:
     x: np.ndarray
     y: np.ndarray
     fitted: tuple[int, ...] = ()  #: which points the order or law in the label was fitted to
+    marked: tuple[int, ...] = ()  #: which points of a line bear its mark, beside another one of its colour
 
 
 @dataclass(frozen=True)
@@ -91,7 +92,8 @@ def _abscissae(curves: list[dict[str, Any]]) -> list[np.ndarray]:
 
 
 def _panel(data: dict[str, Any]) -> Panel:
-    curves = tuple(Curve(one["label"], one["style"], x, _array(one["y"]), tuple(one.get("fitted", ())))
+    curves = tuple(Curve(one["label"], one["style"], x, _array(one["y"]), tuple(one.get("fitted", ())),
+                         tuple(one.get("marked", ())))
                    for one, x in zip(data["curves"], _abscissae(data["curves"])))
     guides = tuple((_array(one["x"]), _array(one["y"])) for one in data["guides"])
     marks = tuple(Mark(**one) for one in data["marks"])

@@ -30,13 +30,15 @@ class Page:
         return self.font_size / FONT_SIZE
 
 
-def _panel_width(legends: Sequence[Sequence[str]], columns: int, page: Page) -> float:
-    """A legend is never cut: a panel is at least as wide as its longest entry, unless the width is given."""
+def _panel_width(legends: Sequence[Sequence[str]], titles: Sequence[str], columns: int, page: Page) -> float:
+    """Neither legends nor titles are cut: a panel is at least as wide as its longest entry and as its title, unless the
+    width is given."""
     if page.width is not None:
         return page.width / columns
     widest = max((len(label) for labels in legends for label in labels), default=0)
+    title = max(map(len, titles), default=0)
     width = PANEL_WIDTH if columns <= 2 else PAGE_WIDTH / columns
-    return max(width, page.scale * (_SAMPLE + _CHARACTER * widest + _RIGHT))
+    return max(width, page.scale * (max(_SAMPLE + _CHARACTER * widest, _LEFT + _CHARACTER * title) + _RIGHT))
 
 
 def _legend_height(labels: Sequence[str]) -> float:
@@ -44,14 +46,15 @@ def _legend_height(labels: Sequence[str]) -> float:
     return sum(_ROW + (_RAISED if "^" in label else 0) for label in labels)
 
 
-def new_axes(legends: Sequence[Sequence[str]], columns: int = 1, title: str = "", page: Page = Page()) -> list[Axes]:
-    """Axes for one panel for each legend, on a new page that leaves space for these below."""
+def new_axes(legends: Sequence[Sequence[str]], columns: int = 1, title: str = "", page: Page = Page(),
+             titles: Sequence[str] = ()) -> list[Axes]:
+    """Axes for one panel for each legend, on a new page that leaves space for these below and for `titles` above."""
     import matplotlib.pyplot as plt
 
     columns, scale, axes_height = min(columns, len(legends)), page.scale, page.axes_height
     rows = [legends[at:at + columns] for at in range(0, len(legends), columns)]
     heights = [axes_height + scale * (_TOP + _BELOW + max(map(_legend_height, row)) + _BOTTOM) for row in rows]
-    width = _panel_width(legends, columns, page)
+    width = _panel_width(legends, titles, columns, page)
     heading = scale * _TITLE * (title.count("\n") + 1) if title else 0
     page_width, page_height = columns * width, sum(heights) + heading
     figure = plt.figure(figsize=(page_width * CM, page_height * CM))

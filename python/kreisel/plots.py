@@ -40,7 +40,9 @@ def draw_panel(ax: Axes, panel: Panel, with_marks: bool, page: Page = Page(), wi
     for x, y in panel.guides:
         ax.plot(_drawable(x, panel.log_x), _drawable(y, panel.log_y), **style.GUIDE)
     for curve in panel.curves:
-        looks = style.line_style(curve.style, with_marks)
+        looks = style.line_style(curve.style, with_marks or bool(curve.marked))
+        if not with_marks and curve.marked:
+            looks["markevery"] = list(curve.marked)
         ax.plot(_drawable(curve.x, panel.log_x), _drawable(curve.y, panel.log_y),
                 label=matplotlib_text(curve.label) or None, **(looks if with_lines else {**looks, "linestyle": "none"}))
     for mark in panel.marks:
@@ -66,7 +68,8 @@ def draw_figure(data: Drawn) -> Figure:
         return draw_space(data)
     title = "\n".join(filter(None, map(plain_text, (data.title, data.note))))
     page = Page(data.width, data.axes_height, data.font_size)
-    axes = new_axes([[curve.label for curve in panel.curves] for panel in data.panels], data.columns, title, page)
+    axes = new_axes([[curve.label for curve in panel.curves] for panel in data.panels], data.columns, title, page,
+                    [plain_text(panel.title) for panel in data.panels])
     with style.house_style(page.font_size):
         for ax, panel in zip(axes, data.panels):
             draw_panel(ax, panel, data.with_marks, page, data.with_lines)

@@ -162,12 +162,14 @@ TEST_CASE("a motion is on the page with the poses of its samples and the shapes 
     const Shapes boxes = {{"top", {.type = "box", .size = Vector3{0.1, 0.2, 0.3}}}};
     write_geometry(folder.path(), {{{"a1"}, top, boxes}});
     CHECK(read_geometry(folder.path()) == std::vector<CellGeometry>{{{"a1"}, top, boxes}});
-    const auto given = nlohmann::json::parse(report_motion(read_results(folder.path()), folder.path()));
+    const auto given =
+        nlohmann::json::parse(report_motion(read_results(folder.path()), folder.path(), room_for_motion(0)));
     CHECK(given.at("mechanisms").at(0).at("bodies").at(0).at("shape") == "box");
     CHECK(given.at("mechanisms").at(0).at("bodies").at(0).at("sizes") == nlohmann::json({0.1, 0.2, 0.3}));
     write_geometry(folder.path(), {{{"a1"}, top}});
     CHECK(read_geometry(folder.path()) == std::vector<CellGeometry>{{{"a1"}, top}});
-    const auto motion = nlohmann::json::parse(report_motion(read_results(folder.path()), folder.path()));
+    const auto motion =
+        nlohmann::json::parse(report_motion(read_results(folder.path()), folder.path(), room_for_motion(0)));
     const auto& cell = motion.at("cells").at(0);
     CHECK(cell.at("mechanism") == 0);
     CHECK(cell.at("bodies") == nlohmann::json({"top"}));
@@ -186,6 +188,17 @@ TEST_CASE("a motion is on the page with the poses of its samples and the shapes 
     CHECK(motion.at("mechanisms").at(0).at("links").at(0).at("force") == false);
     CHECK(motion.at("mechanisms").at(0).at("links").at(1).at("force") == true);
     CHECK(motion.at("remarks").empty());
+    const auto narrow = nlohmann::json::parse(report_motion(read_results(folder.path()), folder.path(), 1000));
+    CHECK(unpacked<double>(narrow.at("cells").at(0).at("t")).size() < 15);
+    CHECK(narrow.at("remarks").size() == 1);
+}
+
+TEST_CASE("motions have less room on a page with many other data, but always some") {
+    const std::size_t most = room_for_motion(0), others = 1500000;
+    CHECK(room_for_motion(others / 2) == most);
+    CHECK(room_for_motion(others) < most);
+    CHECK(room_for_motion(others) + others <= 2350000);
+    CHECK(room_for_motion(10 * others) > 0);
 }
 
 TEST_CASE("forces of joints are packed for the page, with what drives them, and weights and loads told") {

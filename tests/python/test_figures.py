@@ -56,8 +56,30 @@ class Style(unittest.TestCase):
         self.assertEqual(style.PALETTE, tuple(colours))
 
     def test_guides_are_those_of_gnuplot(self):
-        for number, ours in ((100, style.GUIDE), (101, style.GRID)):
+        for number, ours in ((100000, style.GUIDE), (100001, style.GRID)):
             self.assertIn(f"set style line {number} lc rgb '{ours['color']}'", STYLE)
+
+    def test_lines_of_one_colour_bear_marks_where_the_program_says(self):
+        import matplotlib.pyplot as plt
+
+        self.addCleanup(plt.close, "all")
+        x = np.linspace(1, 2, 9)
+        curves = Curve("a", 1, x, x, (), (1, 5)), Curve("b", 8, x, x, (), (3, 7)), Curve("c", 2, x, x)
+        lines = draw_figure(FigureData("f", "", "", 1, False,
+                                       (Panel("", "", "", False, False, False, curves, (), ()),))).axes[0].get_lines()
+        self.assertEqual([(line.get_marker(), line.get_markevery()) for line in lines],
+                         [("o", [1, 5]), ("p", [3, 7]), ("None", None)])
+
+    def test_titles_of_panels_do_not_meet(self):
+        import matplotlib.pyplot as plt
+
+        self.addCleanup(plt.close, "all")
+        title = ", ".join(f"rkmk/method{i}" for i in range(6))
+        curve = Curve("a", 1, np.ones(2), np.ones(2)),
+        figure = draw_figure(FigureData("f", "", "", 2, True, (Panel(title, "", "", True, True, False, curve, (), ()),) * 2))
+        figure.canvas.draw()
+        first, second = (ax.title.get_window_extent() for ax in figure.axes)
+        self.assertTrue(first.x0 >= 0 and first.x1 < second.x0 and second.x1 <= figure.bbox.x1)
 
     def test_labels(self):
         for label, text in (("|x − x_{ref}| [m]", r"|x − x$_{\mathrm{ref}}$| [m]"),

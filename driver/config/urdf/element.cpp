@@ -79,14 +79,14 @@ std::string Element::text(const char* attribute) const {
     return value(attribute);
 }
 
-std::vector<double> Element::numbers(const char* attribute) const {
+std::optional<std::vector<double>> Element::numbers(const char* attribute) const {
     std::vector<double> values;
     std::istringstream words(value(attribute));
     for (std::string word; words >> word;) {
         const auto value = number_of(word);
         if (!value) {
             error(fmt::format("expected numbers as {}, got {}", attribute, in_quotes(word)));
-            return {};
+            return std::nullopt;
         }
         values.push_back(*value);
     }
@@ -107,9 +107,9 @@ double Element::required_number(const char* attribute) const {
 
 std::array<double, 3> Element::vector(const char* attribute, std::array<double, 3> otherwise) const {
     if (!has(attribute)) { return otherwise; }
-    const std::vector<double> values = numbers(attribute);
-    if (values.size() == 3) { return {values[0], values[1], values[2]}; }
-    error(fmt::format("expected three numbers as {}, got {}", attribute, in_quotes(value(attribute))));
+    const auto values = numbers(attribute);
+    if (values && values->size() == 3) { return {(*values)[0], (*values)[1], (*values)[2]}; }
+    if (values) { error(fmt::format("expected three numbers as {}, got {}", attribute, in_quotes(value(attribute)))); }
     return otherwise;
 }
 

@@ -58,7 +58,8 @@ class Element {
 
   private:
     std::string value(const char* attribute) const { return element_.attribute(attribute).value(); }
-    std::vector<double> numbers(const char* attribute) const;
+    /// Nothing, with an error, where a word is no number.
+    std::optional<std::vector<double>> numbers(const char* attribute) const;
 
     pugi::xml_node element_;
     Complaints* sink_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/locale/utf.hpp>
 #include <cmath>
 
 #include "driver/config/urdf/robot.hpp"
@@ -264,15 +265,49 @@ struct Doubles final : pugi::xml_tree_walker {
     Complaints* complaints;
 };
 
-void parse(const std::string& text, pugi::xml_document& document, Complaints& complaints) {
-    const auto result = document.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
-    if (result.status == pugi::status_no_document_element) {
-        complaints.add(1, "expected <robot>, got no element");
-    } else if (!result) {
-        complaints.add(complaints.line_at(result.offset),
-                       fmt::format("expected XML, got an error: {}", result.description()));
+// Names become JSON, which has no other encoding.
+void require_encoding(const std::string& text, Complaints& complaints) {
+    const auto complain = [&](std::ptrdiff_t at, const std::string& got) {
+        complaints.add(complaints.line_at(at), "expected UTF-8 text, got " + got);
+    };
+    if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+        complain(static_cast<std::ptrdiff_t>(zero), "a zero byte");
+    }
+    for (auto at = text.begin(); at != text.end();) {
+        const auto start = at;
+        if (!boost::locale::utf::is_valid_codepoint(boost::locale::utf::utf_traits<char>::decode(at, text.end()))) {
+            complain(start - text.begin(), fmt::format("the byte 0x{:02X}", static_cast<unsigned char>(*start)));
+            break;
+        }
     }
     complaints.raise();
+}
+
+// The parser takes any number of elements, and text between them.
+void require_one_element(const pugi::xml_document& document, Complaints& complaints) {
+    for (const pugi::xml_node& node : document.children()) {
+        const bool is_text = node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
+        const bool is_second = node.type() == pugi::node_element && node != document.document_element();
+        if (!is_text && !is_second) { continue; }
+        complaints.add(complaints.line_at(node.offset_debug()),
+                       "expected one element <robot>, got " + (is_text ? "text" : fmt::format("<{}>", node.name())) +
+                           " beside it");
+    }
+    complaints.raise();
+}
+
+void parse(const std::string& text, pugi::xml_document& document, Complaints& complaints) {
+    require_encoding(text, complaints);
+    const auto result =
+        document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_fragment, pugi::encoding_utf8);
+    if (!result) {
+        complaints.add(complaints.line_at(result.offset),
+                       fmt::format("expected XML, got an error: {}", result.description()));
+    } else if (!document.document_element()) {
+        complaints.add(1, "expected <robot>, got no element");
+    }
+    complaints.raise();
+    require_one_element(document, complaints);
     Doubles doubles(complaints);
     document.traverse(doubles);
     complaints.raise();

@@ -26,7 +26,9 @@ std::optional<Solid> solid_of(const Element& drawn) {
         solid.type = "sphere";
         solid.sizes = {diameter, diameter, diameter};
     }
-    const bool extends = std::all_of(solid.sizes.a, solid.sizes.a + 3, [](double size) { return size > 0; });
+    const bool extends = std::all_of(solid.sizes.a, solid.sizes.a + 3, [](double size) {
+        return size > 0 && std::isfinite(size);  // of doubled radii
+    });
     return extends ? std::optional<Solid>(solid) : std::nullopt;
 }
 

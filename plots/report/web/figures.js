@@ -16,7 +16,7 @@ function legendView(panel, figure, state, changed) {
     };
     const button = make(
         'button', {type: 'button', onclick: toggle, title: 'Click: show or hide. Shift-click: this one alone.'},
-        swatch(curve.style, figure.marks), make('span', {}, htmlLabel(curve.label || 'curve')));
+        swatch(curve.style, figure.marks || (curve.marked || []).length > 0), make('span', {}, htmlLabel(curve.label || 'curve')));
     return {curve, button};
   });
   const list = make('ul', {class: 'legend', 'aria-label': 'Legend'}, entries.map(({button}) => make('li', {}, button)));

@@ -134,9 +134,11 @@ function curveOf(curve, scale, withMarks, withLines) {
       [draw('path', {d: pathOf(curve.x, curve.y, scale), 'stroke-dasharray': dashOf(curve.style)})] :
       [];
   const fitted = new Set(curve.fitted || []);
-  if (withMarks) {
+  // Of lines, those of one colour bear marks, each between those of the others.
+  const offsets = new Set(curve.marked || []);
+  if (withMarks || offsets.size) {
     curve.x.forEach((x, i) => {
-      if (!isDrawn(x, curve.y[i], scale.log)) return;
+      if (!(withMarks || offsets.has(i)) || !isDrawn(x, curve.y[i], scale.log)) return;
       parts.push(draw('path', {
         class: fitted.has(i) ? 'mark fitted' : 'mark',
         d: outlineOf(curve.style),

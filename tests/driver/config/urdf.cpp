@@ -231,6 +231,11 @@ TEST_CASE("each robot that cannot be taken is refused at its line", "[urdf]") {
         {"<robot><link", "r.urdf:1: expected XML, got an error"},
         {"<robot>\n<link>\n</robot>", "r.urdf:3: expected XML, got an error"},
         {"", "r.urdf:1: expected <robot>, got no element"},
+        {robot(a + b + j) + "\n<robot/>", "expected one element <robot>, got <robot> beside it"},
+        {robot(a + b + j) + "junk", "expected one element <robot>, got text beside it"},
+        {robot("\n<link name=\"\xE4rm\"/>"), "r.urdf:3: expected UTF-8 text, got the byte 0xE4"},
+        {robot(a + "\n<link name=\"\xFF\"/>"), "expected UTF-8 text, got the byte 0xFF"},
+        {robot(a + std::string(1, '\0')), "expected UTF-8 text, got a zero byte"},
         {robot(a + "<link name=\"b\" name=\"c\"/>"),
          "r.urdf:3: <link \"b\">: expected each attribute once, got name twice"},
         {"<robt/>", "r.urdf:1: <robt>: expected <robot>, got <robt>"},
@@ -258,6 +263,7 @@ TEST_CASE("each robot that cannot be taken is refused at its line", "[urdf]") {
         CHECK_THAT(complaint(text), Contains(expected));
     }
     CHECK(complaint(robot(a + b + j)).empty());
+    CHECK(complaint("\xEF\xBB\xBF<?xml version=\"1.0\"?>\n" + robot("<!-- \xC3\xA4 -->" + a + b + j)).empty());
     CHECK_THAT(complaint(robot(a + b + j), {.positions = {{"k", 1}}, .rates = {}, .holds_root = {}}),
                Contains("positions: expected the name of a joint that turns or slides, got \"k\""));
 }
