@@ -104,8 +104,7 @@ bool Newton::converged(const Progress& progress) const {
     const Real most = min(max(root_of_epsilon, Real(stagnant * newton_.gain() * unit)), Real(1) / 1024);
     if (!(residual_ <= most * size)) return false;
     if (now <= close * epsilon * size) return true;
-    const bool stands_still = progress.still > 1 && 8 * now > 7 * before;  // slow steps go on: H learns no more of them
-    if (stands_still && now <= round_off(stagnant)) return true;
+    if (progress.still > 1 && now <= round_off(stagnant)) return true;
     if (!(2 * now > before) || !(before > 0)) return false;
     // After a fresh Newton step it is the residual's own round-off, of terms as large as the Jacobian makes them.
     const Real noise = unit * max(Real(stagnant), Real(close * newton_.gain()));

@@ -39,16 +39,6 @@ class QuarterTurn final : public Equations {
     Real size() const override { return 1; }
 };
 
-/// r(x) = 9/20 (x - 1), whose fixed point iteration takes a little less than half of the error away at each step.
-class SlowLine final : public Equations {
-  public:
-    Status residual(const Real* x, Real* r) override {
-        r[0] = 9 * (x[0] - 1) / 20;
-        return Status::ok;
-    }
-    Real size() const override { return 1; }
-};
-
 /// Squares with round-off of terms that are far larger than their sum: another one at each place.
 class NoisySquares final : public Equations {
   public:
@@ -99,14 +89,6 @@ TEST_CASE("Newton's iteration does not end where its inverse Jacobian hides the 
     Real x[2] = {sqrt(epsilon) / 16, 0};
     REQUIRE(newton.solve(equations, VecX::Ones(2), x) == Status::ok);
     for (const Real& unknown : x) CHECK(abs(unknown) <= 8 * epsilon);
-}
-
-TEST_CASE("Newton's iteration goes on while it gains, although too little is left to learn from", "[methods]") {
-    SlowLine equations;
-    Newton newton(1);
-    Real x = 1 + 4000 * epsilon;
-    REQUIRE(newton.solve(equations, VecX::Ones(1), &x) == Status::ok);
-    CHECK(abs(x - 1) <= 160 * epsilon);
 }
 
 TEST_CASE("Newton's iteration says why it fails", "[methods]") {
