@@ -96,7 +96,7 @@ Earlier earlier_results(const Plan& plan, const std::filesystem::path& folder, c
     }
     if (!settings.resume) {
         if (settings.overwrite) {
-            (shard.empty() ? OwnedFiles(folder) : OwnedFiles::of_shard(folder, shard)).remove_results();
+            (shard.empty() ? OwnedFiles(folder) : OwnedFiles::of_shard(folder, shard)).remove_results(shard);
         }
         return {};
     }

@@ -97,9 +97,14 @@ void OwnedFiles::require(const std::vector<std::string>& paths) const {
     }
 }
 
-void OwnedFiles::remove_results() const {
+void OwnedFiles::remove_results(const std::string& shard) const {
+    const auto manifests = shard_files(folder_, "manifest", ".json");
+    const auto is_manifest = [&](const std::filesystem::path& file) {
+        return std::find(manifests.begin(), manifests.end(), file) != manifests.end();
+    };
     for (const std::string& pattern : files_) {
-        if (pattern.find('*') == std::string::npos && pattern != sum_list_name) { remove_file(folder_ / pattern); }
+        const bool kept = pattern == sum_list_name || is_manifest(folder_ / pattern);
+        if (pattern.find('*') == std::string::npos && !kept) { remove_file(folder_ / pattern); }
     }
     for (const auto& file : trajectories_in(folder_)) {
         std::string path = "trajectories/" + file.filename().string();
@@ -107,6 +112,10 @@ void OwnedFiles::remove_results() const {
         if (has(path)) { remove_file(file); }
     }
     if (is_there(folder_ / sum_list_name)) { withdraw_files(folder_, {"results.jsonl", "results.csv", geometry_file}); }
+    for (const auto& manifest : manifests) {
+        const bool listed = has(manifest.filename().string());
+        if (listed && manifest != manifest_file(folder_, shard)) { remove_file(manifest); }
+    }
 }
 
 void remove_parts(const std::filesystem::path& folder, const std::function<bool(const std::string& cell)>& stale) {

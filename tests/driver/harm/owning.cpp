@@ -100,10 +100,27 @@ TEST_CASE("the manifest lists what the run writes, and --overwrite removes that 
     }
     CHECK(std::find(files.begin(), files.end(), "trajectories/*.csv") != files.end());
     CHECK_FALSE(OwnedFiles(own.folder).has("trajectories/mine.csv"));
-    OwnedFiles(own.folder).remove_results();
+    OwnedFiles(own.folder).remove_results("");
     CHECK(std::filesystem::is_empty(own.folder / "trajectories"));
     CHECK_FALSE(std::filesystem::exists(own.folder / "journal.jsonl"));
     CHECK(read_sum_list(own.folder).sums.empty());  // what is removed is not missing
+}
+
+TEST_CASE("a run that is killed while --overwrite removes results is resumed") {
+    const OwnedFolder own;
+    REQUIRE(own.run().code == 0);
+    REQUIRE(run_program({"table", own.folder.string()}).code == 0);
+    const std::string results = contents(own.folder / "results.jsonl");
+    OwnedFiles(own.folder).remove_results("");
+    REQUIRE_FALSE(std::filesystem::exists(own.folder / "results.jsonl"));
+    const auto resumed = own.run({"--resume"});
+    CAPTURE(resumed.messages);
+    CHECK(resumed.code == 0);
+    CHECK(contents(own.folder / "results.jsonl") == results);
+    CHECK_FALSE(OwnedFiles(own.folder).empty());
+    std::filesystem::remove(own.folder / "manifest.json");
+    std::filesystem::remove(own.folder / "journal.jsonl");
+    CHECK(own.run({"--resume"}).code == 2);  // what nobody owns is refused still
 }
 
 TEST_CASE("names that leave the folder are never followed") {
