@@ -71,6 +71,13 @@ void draw(Figure& figure, const Results& results, const PlotSettings& settings) 
     record_sums(folder, files_of(figure));
 }
 
+// Where the folder of the results is the one to draw into, figures are derived files of it, as without an output.
+PlotSettings with_place(PlotSettings settings) {
+    std::error_code error;
+    if (std::filesystem::equivalent(settings.output, settings.folders.front(), error)) { settings.output.clear(); }
+    return settings;
+}
+
 // That figures can be written, before they are drawn.
 void require_writable(const PlotSettings& settings) {
     if (!settings.output.empty()) { return; }
@@ -109,7 +116,8 @@ bool is_drawn(const Draw& draw_it) {
 
 }  // namespace
 
-Exit plot_command(const PlotSettings& settings, const PlannedIn& planned) {
+Exit plot_command(const PlotSettings& wanted, const PlannedIn& planned) {
+    const PlotSettings settings = with_place(wanted);
     if (settings.folders.size() > 1 && settings.figure.empty()) {
         throw UsageError("plot: expected --figure FILE, which says what figures of several folders show; got none");
     }

@@ -160,7 +160,11 @@ Document read_summed_manifest(const std::filesystem::path& file) {
             throw FileError(fmt::format("{}: damaged: it has no sum", file.string()));
         }
         return document;
-    } catch (const UsageError& error) { throw FileError(fmt::format("damaged: {}", error.what())); }
+    } catch (const UsageError& error) {
+        // What a parser says of a config says nothing of a file that is cut or overwritten, but where.
+        const std::string told = error.what(), place = told.substr(0, told.find(": ", file.string().size()));
+        throw FileError(fmt::format("{}: damaged: expected the JSON that a run has written", place));
+    }
 }
 
 ManifestContents read_manifest(const std::filesystem::path& file) {

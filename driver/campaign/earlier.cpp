@@ -26,6 +26,24 @@ std::size_t foreign_cells(const Plan& plan, const JournalContents& earlier, cons
     return count;
 }
 
+std::set<std::string> cells_of(const Plan& plan, const RunSettings& settings) {
+    std::set<std::string> cells;
+    for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
+        cells.insert(plan.cells[i].hash());
+    }
+    return cells;
+}
+
+// Of a part among others its own: they keep samples in one folder.
+void remove_results(const Plan& plan, const std::filesystem::path& folder, const RunSettings& settings) {
+    const std::string shard = shard_name(settings);
+    const auto manifests = shard_files(folder, "manifest", ".json");
+    const bool among_others = !shard.empty() && manifests != std::vector{manifest_file(folder, shard)};
+    const std::set<std::string> own = among_others ? cells_of(plan, settings) : std::set<std::string>();
+    const auto is_mine = [&](const std::string& cell) { return !among_others || own.contains(cell); };
+    (shard.empty() ? OwnedFiles(folder) : OwnedFiles::of_shard(folder, shard)).remove_results(shard, is_mine);
+}
+
 // The files that a run would write.
 std::vector<std::string> would_write(const Plan& plan, const RunSettings& settings) {
     std::vector<std::string> paths = files_of_run(shard_name(settings), false, false);
@@ -77,10 +95,7 @@ void remove_leftovers(const Plan& plan, const std::filesystem::path& folder, con
         remove_torn_files(folder, OwnedFiles(folder));
         return;
     }
-    std::set<std::string> mine;
-    for (const std::size_t i : cells_of_shard(plan, settings.shard, settings.shards)) {
-        mine.insert(plan.cells[i].hash());
-    }
+    const std::set<std::string> mine = cells_of(plan, settings);
     remove_parts(folder, [&](const std::string& cell) { return is_stale(cell) && mine.contains(cell); });
 }
 
@@ -95,9 +110,7 @@ Earlier earlier_results(const Plan& plan, const std::filesystem::path& folder, c
         adopt_derived_files(folder);
     }
     if (!settings.resume) {
-        if (settings.overwrite) {
-            (shard.empty() ? OwnedFiles(folder) : OwnedFiles::of_shard(folder, shard)).remove_results();
-        }
+        if (settings.overwrite) { remove_results(plan, folder, settings); }
         return {};
     }
     Earlier earlier{read_journals(folder, settings.build)};

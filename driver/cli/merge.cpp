@@ -212,8 +212,12 @@ Exit merge_command(const Paths& folders, const std::filesystem::path& output, co
     OwnedFiles(target).require(files_of_run("", false, false));
     ManifestState state{.build = build,
                         .started = utc_now(),
+                        .counts = count_cells(plan, FinishedCells(plan.cells.size()), {}),
                         .files = files_of_run("", plan.config.samples > 0, !plan.references.empty()),
                         .earlier = std::move(manifests.runs)};
+    const auto write_state = [&] { write_manifest(manifest_file(target, ""), manifest_subject(plan), state); };
+    write_state();  // before anything that it lists
+    remove_torn_files(target, OwnedFiles(target));
     Merger merger(plan, target, taken, terminal.messages);
     for (const auto& folder : folders) { merger.add(folder); }
     merger.keep_journal();
@@ -222,7 +226,7 @@ Exit merge_command(const Paths& folders, const std::filesystem::path& output, co
     const CellCounts counts = state.counts = count_cells(plan, merger.finished(), {});
     state.ended = utc_now();
     state.journal = std::filesystem::file_size(journal_file(target, ""));
-    write_manifest(manifest_file(target, ""), manifest_subject(plan), state);
+    write_state();
     fmt::print(terminal.messages, "{}: {} ok, {} skipped, {} failed, {} missing; results in {}\n", plan.config.name,
                counts.ok, counts.skipped, counts.failed, counts.missing, target.string());
     if (counts.missing > 0) { list_missing(plan, merger.finished(), target, terminal.messages); }

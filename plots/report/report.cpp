@@ -62,6 +62,13 @@ std::string data_json(const Results& results, const std::filesystem::path& folde
         .text();
 }
 
+// The page of the folder is a derived file of it also where it is given as the output.
+bool is_page_of(const std::filesystem::path& folder, const std::filesystem::path& output) {
+    std::error_code error;
+    const auto parent = output.has_parent_path() ? output.parent_path() : std::filesystem::path(".");
+    return output.empty() || (output.filename() == report_file && std::filesystem::equivalent(parent, folder, error));
+}
+
 // That the page can be written, before it is made.
 void require_place(const std::filesystem::path& folder, const std::filesystem::path& output) {
     if (!output.empty()) { return require_own({output}, output, report_page_mark()); }
@@ -82,9 +89,10 @@ void write_page(const std::string& page, const std::filesystem::path& folder, co
 
 }  // namespace
 
-Exit report_command(const std::filesystem::path& folder, const std::filesystem::path& output,
+Exit report_command(const std::filesystem::path& folder, const std::filesystem::path& wanted,
                     const PlannedCells& planned) {
     require_results(folder);
+    const std::filesystem::path output = is_page_of(folder, wanted) ? std::filesystem::path() : wanted;
     require_place(folder, output);
     const FolderLock lock = output.empty() ? FolderLock(folder, "") : FolderLock::of_reader(folder);
     const Results results = read_results(folder, planned);

@@ -78,6 +78,8 @@ OwnedFiles::OwnedFiles(const std::filesystem::path& folder, bool all, const std:
             const auto listed =
                 manifest.format < folder_format ? files_of_run(shard_of(file), true, true) : manifest.state.files;
             files_.insert(files_.end(), listed.begin(), listed.end());
+            // Also where one of a part has been given this name.
+            files_.push_back(file.filename().string());
         } catch (const UsageError&) { continue; }  // not a manifest of kreisel
     }
 }
@@ -97,16 +99,28 @@ void OwnedFiles::require(const std::vector<std::string>& paths) const {
     }
 }
 
-void OwnedFiles::remove_results() const {
+void OwnedFiles::remove_results(const std::string& shard,
+                                const std::function<bool(const std::string& cell)>& mine) const {
+    const auto manifests = shard_files(folder_, "manifest", ".json");
+    const auto is_manifest = [&](const std::filesystem::path& file) {
+        return std::find(manifests.begin(), manifests.end(), file) != manifests.end();
+    };
     for (const std::string& pattern : files_) {
-        if (pattern.find('*') == std::string::npos && pattern != sum_list_name) { remove_file(folder_ / pattern); }
+        const bool kept = pattern == sum_list_name || is_manifest(folder_ / pattern);
+        if (pattern.find('*') == std::string::npos && !kept) { remove_file(folder_ / pattern); }
     }
     for (const auto& file : trajectories_in(folder_)) {
         std::string path = "trajectories/" + file.filename().string();
         if (path.ends_with(part_ending)) { path.resize(path.size() - part_ending.size()); }
-        if (has(path)) { remove_file(file); }
+        if (has(path) && mine(std::filesystem::path(path).stem().string())) { remove_file(file); }
     }
     if (is_there(folder_ / sum_list_name)) { withdraw_files(folder_, {"results.jsonl", "results.csv", geometry_file}); }
+    const auto kept = manifest_file(folder_, shard);
+    for (const auto& manifest : manifests) {
+        if (manifest == kept || !has(manifest.filename().string())) { continue; }
+        if (!is_taken(kept)) { std::filesystem::rename(manifest, kept); }
+        remove_file(manifest);
+    }
 }
 
 void remove_parts(const std::filesystem::path& folder, const std::function<bool(const std::string& cell)>& stale) {
@@ -117,7 +131,7 @@ void remove_parts(const std::filesystem::path& folder, const std::function<bool(
 }
 
 void remove_torn_files(const std::filesystem::path& folder, const OwnedFiles& owned) {
-    for (const char* below : {"", "references"}) {
+    for (const char* below : {"", "references", "trajectories"}) {
         for (const auto& file : files_like(folder / below, "", ".part")) {
             // write_atomically: NAME.PID.part
             const auto numbered = file.stem();

@@ -30,8 +30,10 @@ class OwnedFiles {
     bool has(const std::string& path) const;
     /// Throws UsageError if there is a file, at one of these names below the folder, that is not listed.
     void require(const std::vector<std::string>& paths) const;
-    /// Removes results and samples, with their parts. References stay, for they can be used again.
-    void remove_results() const;
+    /// Removes results, the samples of the cells that `mine` names, with their parts, and manifests but for the one of
+    /// `shard`, which the run that begins replaces: were it killed in between, what is left would be nobody's.
+    /// References stay, for they can be used again.
+    void remove_results(const std::string& shard, const std::function<bool(const std::string& cell)>& mine) const;
 
   private:
     OwnedFiles(const std::filesystem::path& folder, bool all, const std::string& shard);

@@ -56,9 +56,10 @@ void apply_filter(const std::string& filter, Config& config) {
     const std::string patterns = equals == std::string::npos ? "" : filter.substr(equals + 1);
     const auto itself = [](const std::string& name) { return std::vector<std::string>{name}; };
     const auto by_name = [](const OptionedEntry& entry) { return std::vector<std::string>{entry.name}; };
-    if (patterns.empty() || std::find(axes.begin(), axes.end(), axis) == axes.end()) {
+    const bool known = std::find(axes.begin(), axes.end(), axis) != axes.end();
+    if (patterns.empty() || !known) {
         throw UsageError(fmt::format("--filter {}: expected AXIS=PATTERN with one of the axes {}{}", in_quotes(filter),
-                                     listed(axes), did_you_mean(axis, axes)));
+                                     listed(axes), known ? "" : did_you_mean(axis, axes)));
     }
     if (axis == "problems") {
         leave(filter, patterns, config.problems, [](const ProblemPoint& problem) {

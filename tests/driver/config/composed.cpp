@@ -144,4 +144,5 @@ TEST_CASE("filters leave what fits on an axis") {
     CHECK_THAT(refused("method=rkmk/rk4"), Contains("did you mean \"methods\"?"));
     CHECK_THAT(refused("methods="), Contains("expected AXIS=PATTERN"));
     CHECK_THAT(refused("methods"), Contains("expected AXIS=PATTERN"));
+    CHECK_THAT(refused("methods"), !Contains("did you mean"));
 }

@@ -8,6 +8,8 @@
 
 #include "records/cell/line.hpp"
 #include "records/folder/owned_files.hpp"
+#include "records/journal.hpp"
+#include "records/manifest.hpp"
 #include "records/provenance.hpp"
 #include "records/sums/sum_list.hpp"
 #include "records/trajectory_file.hpp"
@@ -39,6 +41,8 @@ struct OwnedFolder {
         return nlohmann::ordered_json::parse(contents(folder / "manifest.json"));
     }
 };
+
+bool any_cell(const std::string& /*cell*/) { return true; }
 
 const std::vector<std::string> foreign_names = {"results_2024.csv", "notes.txt",         "submit.sh",
                                                 "journal.txt",      "manifest_old.json", "tables/mine.md",
@@ -100,10 +104,58 @@ TEST_CASE("the manifest lists what the run writes, and --overwrite removes that 
     }
     CHECK(std::find(files.begin(), files.end(), "trajectories/*.csv") != files.end());
     CHECK_FALSE(OwnedFiles(own.folder).has("trajectories/mine.csv"));
-    OwnedFiles(own.folder).remove_results();
+    OwnedFiles(own.folder).remove_results("", any_cell);
     CHECK(std::filesystem::is_empty(own.folder / "trajectories"));
     CHECK_FALSE(std::filesystem::exists(own.folder / "journal.jsonl"));
     CHECK(read_sum_list(own.folder).sums.empty());  // what is removed is not missing
+}
+
+TEST_CASE("a run that is killed while --overwrite removes results is resumed") {
+    const OwnedFolder own;
+    REQUIRE(own.run().code == 0);
+    REQUIRE(run_program({"table", own.folder.string()}).code == 0);
+    const std::string results = contents(own.folder / "results.jsonl");
+    OwnedFiles(own.folder).remove_results("", any_cell);
+    REQUIRE_FALSE(std::filesystem::exists(own.folder / "results.jsonl"));
+    const auto resumed = own.run({"--resume"});
+    CAPTURE(resumed.messages);
+    CHECK(resumed.code == 0);
+    CHECK(contents(own.folder / "results.jsonl") == results);
+    CHECK_FALSE(OwnedFiles(own.folder).empty());
+    std::filesystem::remove(own.folder / "manifest.json");
+    std::filesystem::remove(own.folder / "journal.jsonl");
+    CHECK(own.run({"--resume"}).code == 2);  // what nobody owns is refused still
+}
+
+TEST_CASE("a part that is overwritten leaves the samples of other parts alone, and a whole run owns what all had") {
+    const OwnedFolder own;
+    for (const char* shard : {"1/2", "2/2"}) { REQUIRE(own.run({"--shard", shard}).code == 0); }
+    REQUIRE(own.run({"--shard", "2/2", "--overwrite"}).code == 0);
+    const auto merged = run_program({"merge", own.folder.string(), "-o", (own.scratch / "merged").string()});
+    CAPTURE(merged.messages);
+    CHECK(merged.code == 0);
+    OwnedFiles(own.folder).remove_results("", any_cell);  // and killed
+    CHECK(std::filesystem::is_empty(own.folder / "trajectories"));
+    CHECK(shard_files(own.folder, "manifest", ".json") == std::vector{own.folder / "manifest.json"});
+    CHECK(own.run({"--resume"}).code == 0);
+    CHECK(contents(own.folder / "results.jsonl") == contents(own.scratch / "merged/results.jsonl"));
+}
+
+TEST_CASE("a merge that has ended halfway is done again") {
+    const OwnedFolder own;
+    REQUIRE(own.run().code == 0);
+    const auto target = own.scratch / "merged";
+    const std::vector<std::string> merge = {"merge", own.folder.string(), "-o", target.string()};
+    std::filesystem::create_directories(target / "geometry.json");
+    CHECK(run_program(merge).code == 3);
+    CHECK(std::filesystem::exists(target / "journal.jsonl"));
+    std::filesystem::remove(target / "geometry.json");
+    std::ofstream(target / "trajectories/0123456789abcdef.csv.77.part") << "torn";
+    const auto again = run_program(merge);
+    CAPTURE(again.messages);
+    CHECK(again.code == 0);
+    CHECK(contents(target / "results.jsonl") == contents(own.folder / "results.jsonl"));
+    CHECK_FALSE(std::filesystem::exists(target / "trajectories/0123456789abcdef.csv.77.part"));
 }
 
 TEST_CASE("names that leave the folder are never followed") {
@@ -225,6 +277,23 @@ TEST_CASE("plot refuses to write over what gnuplot reads if that is not its own"
     own.write("plotdata/own.gp", "# Written by kreisel plot.\nold = 1\n");
     CHECK_THAT(run_program({"plot", own.folder.string()}).messages, !Catch::Contains("expected nothing at this name"));
     CHECK_THAT(contents(own.folder / "plotdata/own.gp"), !Catch::Contains("old = 1"));
+}
+
+TEST_CASE("figures and page of a folder are its own also where the folder is given by -o") {
+    const OwnedFolder own;
+    REQUIRE(own.run().code == 0);
+    const std::string folder = own.folder.string();
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"plot", folder, "-o", folder + "/"},
+                                                  {"plot", folder},
+                                                  {"report", folder, "-o", folder + "/report.html"},
+                                                  {"report", folder}}) {
+        const auto result = run_program(words);
+        CAPTURE(words, result.messages);
+        CHECK(result.code == 0);
+        CHECK(sum_list_damage(own.folder).empty());
+    }
+    CHECK(read_sum_list(own.folder).has("figures/own.svg"));
+    CHECK(read_sum_list(own.folder).has("report.html"));
 }
 
 TEST_CASE("a figure that cannot be drawn is not listed as one that is there") {
