@@ -78,7 +78,8 @@ Exit report(const CampaignReport& report, const PlannedConfig& planned, bool ref
         for (const auto& part : report.parts) {
             fmt::print(messages, "samples of an unfinished cell: {}\n", part.string());
         }
-        fmt::print(messages, "interrupted with {} cells to go; continue with: {}\n", report.counts.missing, to_go_on);
+        fmt::print(messages, "interrupted with {} cell{} to go; continue with: {}\n", report.counts.missing,
+                   report.counts.missing == 1 ? "" : "s", to_go_on);
         return Exit::interrupted;
     }
     return report.counts.failed > 0 || !report.reference_failures.empty() ? Exit::cells_failed : Exit::ok;

@@ -34,12 +34,13 @@ std::optional<Solid> solid_of(const Element& drawn) {
 
 // Edges along the axes of the link; null where the edges of the box are not along these.
 json edges_of(const Solid& box) {
+    constexpr double hardly_seen = 0.01;  // rad: right angles are written as 1.57, too
     json edges = json::array();
     for (const auto& row : box.frame.R.a) {
         double edge = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const double along = std::abs(row[k]);
-            if (along > 1e-6 && along < 1 - 1e-6) { return {}; }
+            if (along > hardly_seen && along < 1 - hardly_seen) { return {}; }
             edge += along > 0.5 ? box.sizes.a[k] : 0;
         }
         edges.push_back(edge);

@@ -154,6 +154,7 @@ TEST_CASE("a link looks as its geometry about its mass centre, and not as one th
     const std::string box = "<box size=\"1 0.2 0.1\"/>", quarter = "rpy=\"0 0 1.5707963267948966\"";
     CHECK(shown("xyz=\"0.5 0 0\"", box) == json{{"type", "box"}, {"size", {1, 0.2, 0.1}}});
     CHECK(shown("xyz=\"0.5 0 0\" " + quarter, box, "collision") == json{{"type", "box"}, {"size", {0.2, 1, 0.1}}});
+    CHECK(shown("xyz=\"0.5 0 0\" rpy=\"0 0 1.57\"", box) == json{{"type", "box"}, {"size", {0.2, 1, 0.1}}});
     CHECK(shown("xyz=\"0.5 0 0\" rpy=\"0 0 0.3\"", box).is_null());
     CHECK(shown("xyz=\"0.4 0 0\"", box).is_null());
     CHECK(shown("xyz=\"0.5 0 0\"", "<sphere radius=\"0.3\"/>") == json{{"type", "sphere"}, {"radius", 0.3}});
