@@ -76,7 +76,8 @@ class Style(unittest.TestCase):
         self.addCleanup(plt.close, "all")
         title = ", ".join(f"rkmk/method{i}" for i in range(6))
         curve = Curve("a", 1, np.ones(2), np.ones(2)),
-        figure = draw_figure(FigureData("f", "", "", 2, True, (Panel(title, "", "", True, True, False, curve, (), ()),) * 2))
+        panel = Panel(title, "", "", True, True, False, curve, (), ())
+        figure = draw_figure(FigureData("f", "", "", 2, True, (panel, panel)))
         figure.canvas.draw()
         first, second = (ax.title.get_window_extent() for ax in figure.axes)
         self.assertTrue(first.x0 >= 0 and first.x1 < second.x0 and second.x1 <= figure.bbox.x1)

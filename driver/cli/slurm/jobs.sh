@@ -81,8 +81,8 @@ extra=("$@")
 command -v sbatch >/dev/null || { echo 'submit.sh: there is no sbatch here: submit on a machine of the cluster' >&2; exit 3; }
 mkdir -p "$folder/slurm"
 if [[ -s $folder/slurm/jobs ]]; then
-    # squeue fails where it has forgotten all of them: then none is queued.
     jobs=$(paste -sd , "$folder/slurm/jobs")
+    # squeue fails where it has forgotten all of them: then none is queued.
     queued=$(squeue --noheader --format=%i --jobs="$jobs" 2>/dev/null | paste -sd ' ' || true)
     [[ -z $queued ]] || { echo "submit.sh: jobs of this folder are still queued or running: $queued" >&2; exit 3; }
 fi

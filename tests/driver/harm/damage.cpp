@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 #include "records/diff/recorded_folder.hpp"
@@ -33,10 +32,6 @@ void for_each_damage(const std::string& text, std::size_t stride, const Visit& v
         visit(changed);
         visit(text.substr(0, i));
     }
-}
-
-void put(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
 }
 
 bool names_file(const std::vector<std::string>& damage, const std::filesystem::path& file) {
@@ -176,70 +171,6 @@ TEST_CASE("damage ends each command with 3, and never in raw text of a library")
         put(file, text);
         run_program({"table", small.folder.string()});
     }
-}
-
-TEST_CASE("a cell that has two lines in results.jsonl is named with its line, and counts once") {
-    const SmallFolder small;
-    const auto file = small.folder / "results.jsonl";
-    const std::string text = contents(file), folder = small.folder.string();
-    REQUIRE(run_program({"table", folder}).code == 0);
-    const std::string first = text.substr(0, text.find('\n') + 1);
-    put(file, text + first);
-    for (const std::vector<std::string>& words : {std::vector<std::string>{"table", folder},
-                                                  {"report", folder},
-                                                  {"verify", folder, "--cells", "0"},
-                                                  {"diff", folder, folder}}) {
-        const auto result = run_program(words);
-        CAPTURE(words.front(), result.messages);
-        CHECK(result.code == 3);
-        CHECK_THAT(result.messages, Catch::Contains("results.jsonl:3: not a result line: damaged: an earlier line"));
-    }
-    CHECK(read_results(small.folder).rows.size() == 2);
-    CHECK(read_recorded_folder(small.folder).cells.size() == 2);
-}
-
-TEST_CASE("lines of results.jsonl in another order are noticed, though each has its sum") {
-    const SmallFolder small;
-    const auto file = small.folder / "results.jsonl";
-    const std::string text = contents(file), folder = small.folder.string();
-    const std::size_t second = text.find('\n') + 1;
-    put(file, text.substr(second) + text.substr(0, second));
-    for (const std::vector<std::string>& words : {std::vector<std::string>{"table", folder},
-                                                  {"report", folder},
-                                                  {"verify", folder, "--cells", "0"},
-                                                  {"diff", folder, folder}}) {
-        const auto result = run_program(words);
-        CAPTURE(words.front(), result.messages);
-        CHECK(result.code == 3);
-        CHECK_THAT(result.messages, Catch::Contains("results.jsonl: damaged: it is not what sums.sha256 says"));
-    }
-    CHECK(read_results(small.folder).rows.size() == 2);
-    REQUIRE(run_program({"run", small.config, "-o", folder, "--resume"}).code == 0);
-    CHECK(contents(file) == text);
-    CHECK(run_program({"verify", folder, "--cells", "0"}).code == 0);
-}
-
-TEST_CASE("what a journal has more than its run has written, or has in place of its last line, is noticed") {
-    const SmallFolder small;
-    const auto file = small.folder / "journal.jsonl";
-    const std::string text = contents(file), first = text.substr(0, text.find('\n') + 1);
-    const std::pair<std::string, std::string> changed[] = {{text + first, "something has been added"},
-                                                           {text + "torn", "something has been added"},
-                                                           {std::string(text.size(), '\0'), "its last line is torn"},
-                                                           {first, "its end is missing"}};
-    for (const auto& [damaged, fault] : changed) {
-        put(file, damaged);
-        for (const std::vector<std::string>& words :
-             {std::vector<std::string>{"table", small.folder.string()},
-              {"merge", small.folder.string(), "-o", (small.scratch / "merged").string()}}) {
-            const auto result = run_program(words);
-            CAPTURE(words.front(), result.messages);
-            CHECK(result.code == 3);
-            CHECK_THAT(result.messages, Catch::Contains("journal.jsonl:") && Catch::Contains(fault));
-        }
-    }
-    put(file, text);
-    CHECK(run_program({"table", small.folder.string()}).code == 0);
 }
 
 TEST_CASE("a table that damage has taken away is damage, and no wrong name") {

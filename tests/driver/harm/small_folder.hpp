@@ -5,12 +5,18 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "tests/driver/command_line.hpp"
 
 namespace kreisel {
+
+/// Puts a text in place of what is in a file.
+inline void put(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
+}
 
 /// Two cells with samples and a reference, in a folder that has all files of a format.
 struct SmallFolder {
