@@ -35,7 +35,7 @@ struct BodyTies {
 /// Those of each body of a model, found in one pass over its joints and its forces.
 std::vector<BodyTies> ties_of_bodies(const Model& model);
 
-/// Unit axis about which a body of this number, held by these ties, is symmetric and through which all forces on it act,
+/// Unit axis about which a body of this number, held by these ties, is symmetric, through which all forces on it act,
 /// so that its angular momentum along it is constant; nothing for a point mass.
 std::optional<Vec3> free_spin_axis(const Body& body, int number, const BodyTies& ties);
 

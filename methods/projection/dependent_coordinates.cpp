@@ -63,7 +63,7 @@ class DependentCoordinates final : public Correction {
     Real entry(Eigen::Index i, Eigen::Index j) const { return rows_.C(i, j) * unit_[j] / row_unit_[i]; }
     Eigen::Index column(Eigen::Index k) const { return columns_[static_cast<std::size_t>(k)]; }
 
-    /// By complete pivoting: the columns of the pivots become the first ones. Of pivots that are nearly the same the first
+    /// By complete pivoting: the columns of the pivots become the first ones. Of pivots nearly the same the first
     /// one: rows over their largest entry have many that are 1 but for round-off, which would choose else.
     void choose() {
         constexpr double even = 1 + 1.0 / 1024;

@@ -4,7 +4,7 @@
 // coordinate with each pivot. The coordinates are those of q exp(delta), a chart around the state: axes of space or of
 // the bodies, as the formulation has them, so that the choice depends on these, and with it what the correction does to
 // a state off the rows. It does not depend on units: translations count over the longest arm, rows over their largest
-// entry. Of pivots that differ by less than a thousandth the first one is taken, so that it is not round-off that chooses.
+// entry. Of pivots that differ by less than a thousandth the first one is taken, lest round-off chooses.
 // The partition stays until its least pivot falls below a tenth of what it was when it was chosen.
 #pragma once
 

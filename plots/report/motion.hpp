@@ -21,7 +21,7 @@ std::size_t room_for_motion(std::size_t others);
 /// times "t" and positions "x" (m; 64 bits, so that the distance of two cells may be as small as they tell), rotations
 /// "q" as quaternions (w, x, y, z) times 32767 (16 bits; null where samples hold none), velocities "v" (m/s; 32 bits;
 /// null likewise), and the "forces" of links and those "applied" (plots/report/forces.hpp). A mechanism has the shapes
-/// of its "bodies" and "links"; see plots/mechanism/shape.hpp and engine/geometry.hpp. `room` is what it may take, bytes.
+/// of its "bodies" and "links"; see plots/mechanism/shape.hpp and engine/geometry.hpp. `room`: what it may take, bytes.
 std::string report_motion(const Results& results, const std::filesystem::path& folder, std::size_t room);
 
 }  // namespace kreisel
